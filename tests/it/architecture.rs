@@ -22,7 +22,7 @@ const CRATES: [(&str, &[&str]); 8] = [
 /// Modules of each crate in the order of the data flow.
 const MODULES: [(&str, &[&str]); 4] = [
     ("robot_model", &["units", "csv_lines", "robot", "kinematics", "deform"]),
-    ("rapid_program", &["program", "schedule", "compensate", "emit"]),
+    ("rapid_program", &["parallel", "program", "schedule", "compensate", "emit"]),
     ("metrology", &["measure", "diagnose", "plan"]),
     ("driftpost", &["report", "application", "cli"]),
 ];

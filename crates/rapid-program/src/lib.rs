@@ -7,3 +7,5 @@ pub mod compensate;
 pub mod emit;
 pub mod program;
 pub mod schedule;
+
+mod parallel;

@@ -2,11 +2,11 @@
 
 use super::model::Model;
 use super::nominal::{Point, Resolved};
+use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::MotionId;
 use crate::schedule::{Displacements, Drift, Moment};
 use nalgebra::Vector3;
-use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArm, DeformedArms};
 use robot_model::kinematics::{ArmsJoints, FlangePoints, solve};
 
@@ -78,8 +78,8 @@ impl<'a> ProgramPoints<'a> {
         let arm = self.model.arm(moment);
         // Each thread writes into its own part: the displacements of a large program are not held twice.
         let mut displacements_m = vec![[0.0; 3]; self.points.len()];
-        let parts = displacements_m.par_chunks_mut(WORTH_SHARING);
-        self.points.par_chunks(WORTH_SHARING).zip(parts).for_each(|(places, part)| {
+        parallel::for_each_chunk_mut(&mut displacements_m, WORTH_SHARING, &|first, part| {
+            let places = &self.points[first..first + part.len()];
             let points = Drifting::new(places.iter().filter_map(|&place| self.at(place)));
             let mut part = part.iter_mut();
             points.displacements_m(&arm, |displacement_m| {
@@ -166,7 +166,7 @@ pub(super) fn displacements_m<'m, 'p>(
         };
         match all.as_slice() {
             [few] => of_some(few),
-            all => all.par_iter().map(of_some).collect::<Vec<_>>().concat(),
+            all => parallel::map(all.len(), &|i| of_some(&all[i])).concat(),
         }
     })
 }
@@ -236,7 +236,7 @@ pub(super) fn furthest_m<'p>(
         }
         best
     };
-    let chunks: Vec<_> = (0..count.div_ceil(WORTH_SHARING)).into_par_iter().map(of_some).collect();
+    let chunks = parallel::map(count.div_ceil(WORTH_SHARING), &of_some);
     let none = vec![(0, 0.0); pairs.len()];
     let best = chunks.into_iter().fold(none, |best, next| further(&best, &next));
     best.into_iter().map(|(i, far_m2)| (i, far_m2.sqrt())).collect()

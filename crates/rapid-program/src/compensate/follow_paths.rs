@@ -6,9 +6,9 @@ use super::model::Model;
 use super::nominal::{Point, Resolved};
 use super::path::{Corrected, Ends, Leg, deviations_m};
 use super::plan::{PlannedMotion, Status};
+use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::MotionId;
-use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArms};
 
 /// So many motions are followed at one go.
@@ -24,8 +24,8 @@ pub(super) fn follow_paths(
     planned: &mut [PlannedMotion],
 ) {
     let compensated: Vec<bool> = planned.iter().map(|p| p.status == Status::Compensated).collect();
-    planned.par_chunks_mut(AT_ONE_GO).enumerate().for_each(|(chunk, planned)| {
-        let numbers = (chunk * AT_ONE_GO..).take(planned.len());
+    parallel::for_each_chunk_mut(planned, AT_ONE_GO, &|first, planned| {
+        let numbers = (first..).take(planned.len());
         let follow = |i: usize| Followed::new(i, (program, resolved), model, warm, worst_bucket[i]);
         let followed: Vec<Followed> = numbers.filter(|&i| compensated[i]).filter_map(follow).collect();
         let solved = Solved::new(&followed, &compensated, warm);
@@ -38,7 +38,7 @@ pub(super) fn follow_paths(
         });
         let legs: Vec<Corrected<'_>> = legs.collect();
         for (one, deviation_m) in followed.iter().zip(deviations_m(&legs, warm.as_slice(), model)) {
-            planned[one.motion - chunk * AT_ONE_GO].mid_path_m = deviation_m;
+            planned[one.motion - first].mid_path_m = deviation_m;
         }
     });
 }

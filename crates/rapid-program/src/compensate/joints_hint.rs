@@ -211,21 +211,22 @@ impl JointsHint {
     }
 
     fn by_line(&self, rows: &[HintRow], program: &Program) -> Result<Hints, JointsHintError> {
-        let mut motions: BTreeMap<(usize, u32), Vec<usize>> = BTreeMap::new();
-        for (i, motion) in program.motions.iter().enumerate() {
-            motions.entry((motion.file.0 as usize, motion.line)).or_default().push(i);
-        }
-        let mut joints_at: BTreeMap<(usize, u32), Vec<Hinted>> = BTreeMap::new();
+        let line_of = |&i: &usize| (program.motions[i].file.0 as usize, program.motions[i].line);
+        let mut motions: Vec<usize> = (0..program.motions.len()).collect();
+        motions.sort_by_key(line_of);
+        let mut joints_at: Vec<((usize, u32), Hinted)> = Vec::new();
         for row in rows {
             let file = file_of(program, row)?;
-            if self.is_elsewhere(program, file) {
-                continue;
+            if !self.is_elsewhere(program, file) {
+                joints_at.push(((file, row.line), row.joints));
             }
-            joints_at.entry((file, row.line)).or_default().push(row.joints);
         }
+        joints_at.sort_by_key(|(line, _)| *line);
         let mut hints = Hints::new();
-        for ((file, line), joints) in joints_at {
-            let here = motions.get(&(file, line)).map_or(&[][..], Vec::as_slice);
+        for joints in joints_at.chunk_by(|(line, _), (next, _)| line == next) {
+            let (file, line) = joints[0].0;
+            let first = motions.partition_point(|i| line_of(i) < (file, line));
+            let here = &motions[first..motions.partition_point(|i| line_of(i) <= (file, line))];
             let targets: usize = here.iter().map(|&i| program.motions[i].targets.len()).sum();
             if targets != joints.len() {
                 let path = &program.files[file].path;
@@ -237,9 +238,9 @@ impl JointsHint {
                         counted(joints.len(), "row")
                     ),
                 };
-                return Err(JointsHintError::Place { row: joints[0].row, what });
+                return Err(JointsHintError::Place { row: joints[0].1.row, what });
             }
-            let mut joints = joints.into_iter();
+            let mut joints = joints.iter().map(|(_, joints)| *joints);
             for &i in here {
                 hints.insert(i, joints.by_ref().take(program.motions[i].targets.len()).collect());
             }

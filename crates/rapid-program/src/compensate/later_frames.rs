@@ -22,7 +22,7 @@ pub(super) fn keep_other_later_frames(
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    keep_where(program, model, resolved, |_, motion, resolved, settled| {
+    keep_where(program, model, resolved, &|_, motion, resolved, settled| {
         let apart = motion.setup.later_frames.iter().map(|later| {
             let apart_m = apart_m(motion, resolved, later, settled, model);
             (apart_m.map_or(f64::INFINITY, |[tcp_m, flange_m]| tcp_m.max(flange_m)), later)

@@ -3,7 +3,7 @@
 use super::options::Options;
 use super::plan::{Form, PlannedMotion, Status, Summary};
 use crate::program::Program;
-use crate::program::motion::{Motion, Origin, Path, RoutineId, SkipReason, Target};
+use crate::program::motion::{Motion, Origin, Path, PersTarget, RoutineId, SkipReason, Target};
 use crate::schedule::{Chosen, Width};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::units::mm_from_m;
@@ -140,12 +140,12 @@ impl Messages {
 
     /// Targets of the form schedule in which the file's value of a PERS stands.
     fn add_values_of_the_file(&mut self, program: &Program, planned: &[PlannedMotion]) {
-        for (id, (name, declared)) in &program.made_of_pers {
+        for PersTarget { motion, name, declaration } in &program.made_of_pers {
             let of = |planned: &&PlannedMotion| {
                 planned.status == Status::Compensated && planned.form == Form::Schedule
             };
             let (Some(motion), Some(_)) =
-                (program.motions.get(id.index()), planned.get(id.index()).filter(of))
+                (program.motions.get(motion.index()), planned.get(motion.index()).filter(of))
             else {
                 continue;
             };
@@ -159,7 +159,7 @@ impl Messages {
                 Some(motion.setup.routine),
                 Diagnostic::warning("schedule::pers-value", message)
                     .at(span_of(motion))
-                    .label(*declared, "declared here")
+                    .label(*declaration, "declared here")
                     .help(help),
             );
         }

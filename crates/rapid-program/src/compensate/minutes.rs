@@ -6,10 +6,10 @@ use super::nominal::Point;
 use super::options::Options;
 use super::placement::Placement;
 use super::plan::{Plan, PlannedMotion, Status};
+use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Target};
 use crate::schedule::Moment;
-use rayon::prelude::*;
 use robot_model::deform::{Deformation, DeformedArm, DeformedArms};
 use robot_model::kinematics::{SolveError, Solved};
 use robot_model::robot::Robot;
@@ -59,14 +59,11 @@ pub fn joints_every_minute<'a>(
     let starts = (0..program.motions.len()).step_by(AT_ONE_GO);
     Ok(starts.flat_map(move |start| {
         let end = (start + AT_ONE_GO).min(program.motions.len());
-        let rows: Vec<Vec<MinuteJoints>> = (start..end)
-            .into_par_iter()
-            .filter_map(|i| {
-                let (motion, planned) = (program.motions.get(i)?, plan.motions.get(i)?);
-                Some(of_motion(MotionId::new(i), motion, planned, (&model, &minutes)))
-            })
-            .collect();
-        rows.into_iter().flatten()
+        let rows = parallel::map(end - start, &|i| {
+            let (motion, planned) = (program.motions.get(start + i)?, plan.motions.get(start + i)?);
+            Some(of_motion(MotionId::new(start + i), motion, planned, (&model, &minutes)))
+        });
+        rows.into_iter().flatten().flatten()
     }))
 }
 

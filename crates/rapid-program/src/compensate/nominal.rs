@@ -7,7 +7,7 @@ use super::joints_hint::{Hinted, Hints};
 use super::messages::Messages;
 use super::model::Model;
 use super::placement::{Placement, keep};
-use super::ways_back::{before, ways_back};
+use super::ways_back::{Way, before, ways_back};
 use crate::program::Program;
 use crate::program::data::JointTarget;
 use crate::program::motion::{Motion, MotionId, SkipReason, Target, TargetValue};
@@ -250,7 +250,7 @@ struct Resolver<'r> {
     start_rad: Option<[f64; 6]>,
     hints: &'r Hints,
     /// Ways of loops back to where they begin, which are looked at last.
-    ways_back: BTreeSet<(usize, usize)>,
+    ways_back: Vec<Way>,
     /// Junctions whose ways bring the arm along on different branches.
     apart: BTreeSet<usize>,
 }
@@ -300,8 +300,11 @@ impl Resolver<'_> {
                 if !waiting[i] {
                     waiting[i] = true;
                     let pending = stack.len();
-                    let first =
-                        |&p: &usize| done[p].is_none() && !waiting[p] && !self.ways_back.contains(&(p, i));
+                    let is_way_back = |p: usize| {
+                        let way = Way { from: MotionId::new(p), to: MotionId::new(i) };
+                        self.ways_back.binary_search(&way).is_ok()
+                    };
+                    let first = |&p: &usize| done[p].is_none() && !waiting[p] && !is_way_back(p);
                     stack.extend(before(self.program, i).filter(first));
                     if stack.len() > pending {
                         continue;

@@ -23,11 +23,11 @@ use super::shared_corrections::share_corrections;
 use super::unknown_branch::keep_unknown_branches;
 use super::warm_joints::{CommandedOrKept, sent_each, warm_joints_of};
 use super::{clock_gaps, conditions, placement, plausible};
+use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path, SkipReason, Target};
 use crate::schedule::{Chosen, Moment, choose};
 use rapid_syntax::diagnostic::Diagnostic;
-use rayon::prelude::*;
 use robot_model::deform::{Deformation, DeformedArm};
 use robot_model::robot::Robot;
 use std::borrow::Cow;
@@ -190,9 +190,10 @@ impl Corrector<'_> {
         let mut worst_bucket = Vec::with_capacity(resolved.len());
         let mut crossings = Vec::new();
         for (some, resolved) in program.motions.chunks(AT_ONE_GO).zip(resolved.chunks(AT_ONE_GO)) {
-            let chunks = some.par_chunks(SIDE_BY_SIDE).zip(resolved.par_chunks(SIDE_BY_SIDE));
             let made: Vec<Vec<MotionCorrection>> =
-                chunks.map(|(some, resolved)| self.correct_some(some, resolved)).collect();
+                parallel::map_chunks(some, SIDE_BY_SIDE, &|first, some| {
+                    self.correct_some(some, &resolved[first..first + some.len()])
+                });
             for made in made.into_iter().flatten() {
                 tally.add(MotionId::new(motions.len()), &made);
                 worst_bucket.push(made.worst_bucket as u32);
@@ -397,9 +398,8 @@ fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]
 /// Leaves as they are the motions that the settled arm cannot follow: no schedule is to be made for them.
 fn keep_what_cannot_be_followed(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let settled = model.arm(Moment::Settled);
-    let chunks = program.motions.par_chunks(SIDE_BY_SIDE).zip(resolved.par_chunks_mut(SIDE_BY_SIDE));
-    chunks.for_each(|(motions, resolved)| {
-        let placed = motions.iter().zip(&*resolved).enumerate();
+    parallel::for_each_chunk_mut(resolved, SIDE_BY_SIDE, &|first, resolved| {
+        let placed = program.motions[first..].iter().zip(&*resolved).enumerate();
         let (numbers, points): (Vec<usize>, Vec<Point<'_>>) = placed
             .flat_map(|(i, (motion, resolved))| resolved.points(motion, model).map(move |point| (i, point)))
             .unzip();

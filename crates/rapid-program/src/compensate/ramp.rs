@@ -11,13 +11,13 @@ use super::options::Options;
 use super::placement::Placement;
 use super::plan::Correction;
 use super::warm_joints::warm_joints_each;
+use crate::parallel;
 use crate::program::data::JointTarget;
 use crate::program::motion::{SkipReason, TargetValue};
 use crate::schedule::{
     Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline, timeline_of_one_law,
 };
 use nalgebra::{DMatrix, Isometry3};
-use rayon::prelude::*;
 use robot_model::deform::{Conditions, DeformedArms, GrowthLaw};
 use robot_model::units::rad_from_deg;
 
@@ -217,7 +217,9 @@ fn of_courses(model: &Model, samples: &[Sample<'_>], found: &Timeline, tolerance
         };
         warm_joints_each(point, &arms, model).map(course).collect()
     };
-    let courses: Vec<Vec<[f64; 6]>> = samples.par_iter().step_by(every).filter_map(rows_of).collect();
+    let chosen: Vec<&Sample<'_>> = samples.iter().step_by(every).collect();
+    let courses = parallel::map(chosen.len(), &|i| rows_of(chosen[i]));
+    let courses: Vec<Vec<[f64; 6]>> = courses.into_iter().flatten().collect();
     let mut rows: Vec<Vec<f64>> = Vec::new();
     for course in &courses {
         rows.extend((0..6).map(|k| course.iter().map(|at| at[k]).collect::<Vec<f64>>()));

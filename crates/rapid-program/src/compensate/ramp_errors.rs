@@ -6,9 +6,9 @@ use super::nominal::Point;
 use super::plan::{Correction, Corrections, Form};
 use super::ramp::{LEVER_M, Ramp, Sample, values};
 use super::warm_joints::{CommandedJoints, CommandedOrKept, sent_each};
+use crate::parallel;
 use crate::schedule::Moment;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
-use rayon::prelude::*;
 use robot_model::deform::Conditions;
 use robot_model::kinematics::FlangePoints;
 
@@ -99,7 +99,7 @@ impl Ramp {
     /// shift that it is at [`LEVER_M`].
     pub(super) fn worst_at_m(&self, moment: Moment, samples: &[Sample<'_>], model: &Model<'_>) -> f64 {
         let (arm, values) = (model.arm(moment), values(model, &self.functions, moment));
-        let of_some = |some: &[Sample<'_>]| {
+        let of_some = |_, some: &[Sample<'_>]| {
             let points: Vec<&Point<'_>> = some.iter().map(|sample| &sample.point).collect();
             let nodes = self.nodes.as_slice().iter();
             let warm: Vec<Vec<CommandedOrKept>> = nodes.map(|arm| sent_each(&points, arm, model)).collect();
@@ -133,7 +133,7 @@ impl Ramp {
             });
             worst_m
         };
-        samples.par_chunks(SIDE_BY_SIDE).map(of_some).reduce(|| 0.0, f64::max)
+        parallel::map_chunks(samples, SIDE_BY_SIDE, &of_some).into_iter().fold(0.0, f64::max)
     }
 }
 

@@ -2,12 +2,15 @@
 
 use super::model::Model;
 use super::nominal::Resolved;
+use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, SkipReason};
 use crate::schedule::Moment;
-use rayon::prelude::*;
 use robot_model::deform::DeformedArm;
 use std::sync::Arc;
+
+/// So many motions are looked at one after the other by one thread.
+const AT_ONE_GO: usize = 256;
 
 /// Leaves each motion as it is for which `why` has a reason, asked with the motion's position and the settled arm, where drift is
 /// largest.
@@ -15,14 +18,16 @@ pub(super) fn keep_where(
     program: &Program,
     model: &Model<'_>,
     resolved: &mut [Resolved],
-    why: impl Fn(usize, &Motion, &Resolved, &DeformedArm) -> Option<SkipReason> + Sync,
+    why: &(dyn Fn(usize, &Motion, &Resolved, &DeformedArm) -> Option<SkipReason> + Sync),
 ) {
     let settled = model.arm(Moment::Settled);
-    program.motions.par_iter().zip(resolved).enumerate().for_each(|(at, (motion, resolved))| {
-        if resolved.kept().is_none()
-            && let Some(why) = why(at, motion, resolved, &settled)
-        {
-            resolved.keep(Arc::new(why));
+    parallel::for_each_chunk_mut(resolved, AT_ONE_GO, &|first, resolved| {
+        for (at, resolved) in (first..).zip(resolved) {
+            if resolved.kept().is_none()
+                && let Some(why) = why(at, &program.motions[at], resolved, &settled)
+            {
+                resolved.keep(Arc::new(why));
+            }
         }
     });
 }

@@ -1,8 +1,8 @@
 //! The reference paper's offline method: the joints of every target at every minute of warm-up.
 
 use super::targets::Target;
+use crate::parallel;
 use rapid_syntax::diagnostic::Diagnostic;
-use rayon::prelude::*;
 use robot_model::deform::{Deformation, Index};
 use robot_model::kinematics::{
     Chain, Chains, ClosedForm, Configuration, NominalFrames, Solution, SolveError, Solved, StructureError,
@@ -215,7 +215,7 @@ pub fn tabulate(
         });
         rows
     };
-    let found: Vec<Vec<Result<Row, NoJoints>>> = (0..targets.len()).into_par_iter().map(of_target).collect();
+    let found: Vec<Vec<Result<Row, NoJoints>>> = parallel::map(targets.len(), &of_target);
     let mut rows = Vec::with_capacity(minutes.len() * targets.len());
     for (k, &t_min) in minutes.iter().enumerate() {
         for (target, found) in targets.iter().zip(&found) {

@@ -6,10 +6,10 @@ use super::nominal::Point;
 use super::options::Options;
 use super::placement::Placement;
 use super::plan::{Plan, PlannedMotion, PlannedTarget};
+use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Target};
 use crate::schedule::Moment;
-use rayon::prelude::*;
 use robot_model::deform::{ArmDeviation, Conditions, Deformation, DeformedArm};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
@@ -17,6 +17,8 @@ use std::borrow::Cow;
 
 /// So many moments stand for a drift that follows no growth law, with those at which it bends.
 const NODES: usize = 14;
+/// So many motions are looked at one after the other by one thread.
+const AT_ONE_GO: usize = 256;
 /// So many minutes, evenly spread, show how the shares grow.
 const SAMPLES: usize = 240;
 
@@ -87,10 +89,13 @@ pub fn tcp_drift(
     let t_min: Vec<f64> = (0..=SAMPLES).map(|i| end_min * i as f64 / SAMPLES as f64).collect();
     let (moments, shares) = nodes(&model, &deformation, &t_min);
     let arms: Vec<DeformedArm> = moments.iter().map(|&moment| model.arm(moment)).collect();
-    let points = program.motions.par_iter().zip(&plan.motions).enumerate();
-    let points: Vec<Vec<DriftPoint>> = points
-        .map(|(i, (motion, planned))| of_motion(MotionId::new(i), motion, planned, &model, &arms))
-        .collect();
+    let points: Vec<Vec<DriftPoint>> =
+        parallel::map_chunks(&program.motions, AT_ONE_GO, &|first, motions| {
+            let planned = motions.iter().zip(plan.motions.iter().skip(first)).enumerate();
+            let of_motion =
+                |(i, (motion, planned))| of_motion(MotionId::new(first + i), motion, planned, &model, &arms);
+            planned.flat_map(of_motion).collect()
+        });
     Ok(TcpDrift {
         t_min,
         shares,

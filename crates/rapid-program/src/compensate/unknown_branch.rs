@@ -22,7 +22,7 @@ pub(super) fn keep_unknown_branches(
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    keep_where(program, model, resolved, |at, motion, resolved, settled| {
+    keep_where(program, model, resolved, &|at, motion, resolved, settled| {
         let apart = differing(motion, resolved, settled, model, tolerance_m)?;
         let (why, because) = why_unknown(program, start_is_known, at);
         Some(SkipReason { because, ..keep("keep::branch-unknown", format!("{why}, so that it {apart}")) })

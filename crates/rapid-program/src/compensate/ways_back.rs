@@ -2,7 +2,13 @@
 
 use crate::program::Program;
 use crate::program::motion::{MotionId, Path};
-use std::collections::BTreeSet;
+
+/// The way from one motion to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Way {
+    pub(super) from: MotionId,
+    pub(super) to: MotionId,
+}
 
 /// The motions that may run just before one.
 pub(super) fn before(program: &Program, i: usize) -> impl Iterator<Item = usize> {
@@ -12,10 +18,10 @@ pub(super) fn before(program: &Program, i: usize) -> impl Iterator<Item = usize>
     all.filter(|&before| before < motions.len())
 }
 
-/// Pairs of motions, one running before the other, without which no way leads in a circle: the ways back of loops, as a walk along
-/// the program finds them that begins where it begins. From a motion's other ways in, what it comes from can be told first.
-pub(super) fn ways_back(program: &Program) -> BTreeSet<(usize, usize)> {
-    let mut back = BTreeSet::new();
+/// The ways without which none leads in a circle, sorted: those of loops back to where they begin, as a walk along the program finds
+/// them that begins where it begins. From a motion's other ways in, what it comes from can be told first.
+pub(super) fn ways_back(program: &Program) -> Vec<Way> {
+    let mut back = Vec::new();
     if program.junctions.is_empty() {
         return back;
     }
@@ -44,12 +50,14 @@ pub(super) fn ways_back(program: &Program) -> BTreeSet<(usize, usize)> {
             };
             *next += 1;
             if on_way[to] {
-                back.insert((*at, to));
+                back.push(Way { from: MotionId::new(*at), to: MotionId::new(to) });
             } else if !std::mem::replace(&mut seen[to], true) {
                 on_way[to] = true;
                 way.push((to, 0));
             }
         }
     }
+    back.sort_unstable();
+    back.dedup();
     back
 }

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use rayon::prelude::*;
-
 use super::change::{changes, check_plan};
 use super::clock::Law;
 use super::context::{Changes, EmitContext};
@@ -15,6 +13,7 @@ use super::module;
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
 use super::restore::restore;
 use crate::compensate::plan::Plan;
+use crate::parallel;
 use crate::program::{Program, task_of};
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{DataKind, FileItem, ModuleItem, Scope};
@@ -71,9 +70,9 @@ pub fn emit_each<E: From<EmitError>>(
     let context = EmitContext::new((program, plan), options, (&law, core), &changes)?;
     hidden::check(&context, &changes)?;
     // As many at a time as are worked on, so that memory does not grow with their number.
-    for some in changed.chunks(rayon::current_num_threads()) {
-        let emitted: Vec<_> =
-            some.par_iter().map(|&id| emitted_file(&context, id, &changes)).collect::<Result<_, _>>()?;
+    for some in changed.chunks(parallel::threads()) {
+        let emitted = parallel::map(some.len(), &|i| emitted_file(&context, some[i], &changes));
+        let emitted: Vec<EmittedFile> = emitted.into_iter().collect::<Result<_, _>>()?;
         emitted.into_iter().try_for_each(&mut *accept)?;
     }
     if core == Core::Separate {

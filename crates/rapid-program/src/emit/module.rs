@@ -1,7 +1,6 @@
 //! The edits of one module: its corrected targets or corrections, what the motions ask instead of their targets, the
 //! comment block.
 
-use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 
 use super::added::{Added, Declaration};
@@ -11,6 +10,7 @@ use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
 use super::options::{Core, EmitError};
+use crate::parallel;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
@@ -113,6 +113,21 @@ struct Piece {
     text: Vec<u8>,
     letters: Vec<u8>,
     reader: Singles,
+    /// Why it cannot be written on.
+    error: Option<EmitError>,
+}
+
+impl Piece {
+    /// Writes some declarations in place of what it holds.
+    fn write(&mut self, declarations: &[Declaration<'_>], style: &LayoutStyle) -> Result<(), EmitError> {
+        self.text.clear();
+        self.letters.clear();
+        for declaration in declarations {
+            let letters = declaration.write(&mut self.text, style, &mut self.reader)?;
+            self.letters.extend(letters);
+        }
+        Ok(())
+    }
 }
 
 /// Appends the declarations, in order, made on all cores; gives what they are recognised by.
@@ -123,19 +138,18 @@ fn write(
 ) -> Result<Vec<u8>, EmitError> {
     let mut letters = Vec::new();
     let mut pieces: Vec<Piece> = Vec::new();
-    pieces.resize_with(4 * rayon::current_num_threads(), Piece::default);
+    pieces.resize_with(4 * parallel::threads(), Piece::default);
     for some in declarations.chunks(pieces.len() * TOGETHER) {
         let used = some.len().div_ceil(TOGETHER);
-        pieces.par_iter_mut().zip(some.par_chunks(TOGETHER)).try_for_each(|(piece, declarations)| {
-            piece.text.clear();
-            piece.letters.clear();
-            declarations.iter().try_for_each(|declaration| {
-                let letters = declaration.write(&mut piece.text, style, &mut piece.reader)?;
-                piece.letters.extend(letters);
-                Ok(())
-            })
-        })?;
-        for piece in &pieces[..used] {
+        parallel::for_each_chunk_mut(&mut pieces[..used], 1, &|at, piece| {
+            piece.iter_mut().zip(some.chunks(TOGETHER).skip(at)).for_each(|(piece, of_piece)| {
+                piece.error = piece.write(of_piece, style).err();
+            });
+        });
+        for piece in &mut pieces[..used] {
+            if let Some(error) = piece.error.take() {
+                return Err(error);
+            }
             out.extend_from_slice(&piece.text);
             letters.extend_from_slice(&piece.letters);
         }

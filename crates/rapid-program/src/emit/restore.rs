@@ -80,9 +80,9 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
             code: Vec::new(),
             altered: Vec::new(),
         };
-        let arrays = remover.data()?;
+        let mut arrays = remover.data()?;
         let routines = remover.routines()?;
-        touched.extend(remover.motions(&routines, &arrays)?);
+        touched.extend(remover.motions(&routines, &mut arrays)?);
         let code = altered_code(bytes, &lines, &remover.code, &record.code, module.name);
         if record.is_whole {
             altered.append(&mut remover.altered);
@@ -90,7 +90,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
         } else {
             altered.push(Altered::Header { line: lines.line(comment.start) });
         }
-        added.extend(arrays.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
+        added.extend(arrays.into_iter().map(|array| array.name.into_bytes()));
         added.extend(ASKED.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));
     }

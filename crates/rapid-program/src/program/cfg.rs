@@ -7,6 +7,7 @@ use super::const_eval::{ConstEvaluator, Constant};
 use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
 use super::expressions::expressions_of;
 use super::flow::{FlowStep, Node, RoutineCfg, every_step};
+use super::ids::{RoutineIndex, Slot, Table};
 use super::index::{Ctx, Index, Resolved};
 use super::motion::SkipReason;
 use super::motion_site::MotionSites;
@@ -22,7 +23,7 @@ use std::rc::Rc;
 #[derive(Debug, Default)]
 pub(super) struct ControlFlow<'a> {
     /// One for each of the index's routines.
-    pub(super) routines: Vec<RoutineCfg<'a>>,
+    pub(super) routines: Table<RoutineIndex, RoutineCfg<'a>>,
     /// Routines that are called and not given, by name in lower case, with the first call.
     pub(super) not_given: BTreeMap<String, Span>,
 }
@@ -54,9 +55,9 @@ impl<'a> ControlFlow<'a> {
 
 impl ControlFlow<'_> {
     /// For each routine whether another one calls it.
-    pub(super) fn called(&self) -> Vec<bool> {
-        let mut called = vec![false; self.routines.len()];
-        for (caller, cfg) in self.routines.iter().enumerate() {
+    pub(super) fn called(&self) -> Table<RoutineIndex, bool> {
+        let mut called = Table::filled(self.routines.len(), false);
+        for (caller, cfg) in self.routines.numbered() {
             for nodes in std::iter::once(&cfg.body).chain(&cfg.handlers) {
                 every_step(nodes, &mut |step| {
                     if let FlowStep::Call { routines, .. } = step {
@@ -236,14 +237,14 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
     }
 
-    fn invalidate(&self, slot: usize, why: Why, at: Span, out: &mut Vec<Node<'a>>) {
+    fn invalidate(&self, slot: Slot, why: Why, at: Span, out: &mut Vec<Node<'a>>) {
         out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
         self.aliases_change(slot, at, out);
     }
 
     /// A parameter by reference changes with the datum that was handed over.
-    fn aliases_change(&self, slot: usize, at: Span, out: &mut Vec<Node<'a>>) {
-        let name = |slot: usize| self.tracked.data.get(slot).map(|&datum| self.evaluator.name_of(datum));
+    fn aliases_change(&self, slot: Slot, at: Span, out: &mut Vec<Node<'a>>) {
+        let name = |slot: Slot| self.tracked.data.get(slot).map(|&datum| self.evaluator.name_of(datum));
         for &alias in self.tracked.aliases(slot) {
             let (Some(param), Some(datum)) = (name(alias), name(slot)) else { continue };
             let why = self.why(at, format!("{param} stands for {datum}, which is changed"));
@@ -251,7 +252,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
     }
 
-    fn slot(&self, name: TextRange) -> Option<usize> {
+    fn slot(&self, name: TextRange) -> Option<Slot> {
         match self.index().datum(name, self.ctx) {
             Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.tracked.slot(datum),
             Resolved::Twice(..) | Resolved::Nowhere => None,

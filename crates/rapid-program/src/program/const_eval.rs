@@ -6,9 +6,10 @@
 
 use super::convert;
 use super::functions;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved};
+use super::ids::DatumId;
+use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::motion::SkipReason;
-use super::names::{Sym, as_text};
+use super::names::{ByNumber, Sym, as_text};
 use super::other_tasks;
 use super::predefined::{is_predefined, predefined};
 use super::value::{self, DataName, Reached, Value, Why, needs_kinematics, why, wrong_type};
@@ -16,7 +17,7 @@ use super::writes::{How, Writes};
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Span, TextRange};
 use rapid_syntax::parts_of_numbers;
 use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, DataKind, Expr, ExprKind, UnaryOp};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// Constants that refer to constants deeper than this are not followed.
@@ -53,8 +54,8 @@ pub(super) struct ConstEvaluator<'a> {
     /// Predefined data that were asked for, by name in lower case.
     predefined: BTreeMap<String, (&'static str, Value)>,
     /// Names that were found only LOCAL to another module, with their first use.
-    pub(super) elsewhere: BTreeMap<DatumId, Span>,
-    known: HashMap<DatumId, Result<Value, Why>>,
+    pub(super) elsewhere: ByNumber<DatumId, Span>,
+    known: ByNumber<DatumId, Result<Value, Why>>,
     busy: Vec<DatumId>,
     at_element: Option<AtElement>,
 }
@@ -73,8 +74,8 @@ impl<'a> ConstEvaluator<'a> {
             writes,
             given: BTreeMap::new(),
             predefined: BTreeMap::new(),
-            elsewhere: BTreeMap::new(),
-            known: HashMap::new(),
+            elsewhere: ByNumber::default(),
+            known: ByNumber::default(),
             busy: Vec::new(),
             at_element: None,
         }
@@ -93,7 +94,9 @@ impl<'a> ConstEvaluator<'a> {
                 .label(self.index.declaration(datum), "declared LOCAL here")
                 .help("its value is used; a controller does not find it unless LOCAL is taken away")
         };
-        self.elsewhere.iter().map(warning).collect()
+        let mut elsewhere: Vec<_> = self.elsewhere.iter().collect();
+        elsewhere.sort_unstable();
+        elsewhere.into_iter().map(warning).collect()
     }
 
     /// What an expression is worth.

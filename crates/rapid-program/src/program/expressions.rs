@@ -87,7 +87,7 @@ pub(super) fn expressions_of(stmt: &Stmt) -> impl Iterator<Item = &Expr> {
 }
 
 /// Calls `visit` with every expression in an expression and with itself, inner ones first.
-fn every_expr<'a>(expr: &'a Expr, visit: &mut impl FnMut(&'a Expr)) {
+fn every_expr<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
     match &expr.kind {
         ExprKind::Call(call) => call.args.iter().filter_map(value_of).for_each(|e| every_expr(e, visit)),
         ExprKind::Field(field) => every_expr(&field.base, visit),
@@ -113,7 +113,7 @@ fn every_expr<'a>(expr: &'a Expr, visit: &mut impl FnMut(&'a Expr)) {
 }
 
 /// Calls `visit` with the name and arguments of every function call in an expression, inner ones first.
-pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &'a [Arg])) {
+pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut dyn FnMut(TextRange, &'a [Arg])) {
     every_expr(expr, &mut |inner| {
         if let ExprKind::Call(call) = &inner.kind {
             visit(call.name, &call.args);
@@ -122,7 +122,7 @@ pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &
 }
 
 /// Calls `visit` with the place of every array element in an expression, inner ones first.
-pub(super) fn every_index<'a>(expr: &'a Expr, visit: &mut impl FnMut(TextRange, &'a IndexExpr)) {
+pub(super) fn every_index<'a>(expr: &'a Expr, visit: &mut dyn FnMut(TextRange, &'a IndexExpr)) {
     every_expr(expr, &mut |inner| {
         if let ExprKind::Index(element_of) = &inner.kind {
             visit(inner.range, element_of);

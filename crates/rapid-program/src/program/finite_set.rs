@@ -7,14 +7,15 @@
 
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::expressions::{every_call, expressions_of, words};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies};
+use super::ids::{DatumId, IdSet, RoutineIndex};
+use super::index::{Ctx, DatumKind, Index, Resolved, bodies};
+use super::names::ByNumber;
 use super::repeated_moves::every_naming_statement;
 use super::tracked::names_in;
 use super::value::Value;
 use super::writes::{How, match_arguments};
 use rapid_syntax::diagnostic::{FileId, TextRange};
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, ModuleItem, StmtKind};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 /// More values than these are not asked for: a motion would have to look through them.
@@ -26,34 +27,35 @@ const MOST_COMBINATIONS: usize = 64;
 #[derive(Clone, Debug, Default)]
 pub(super) struct FiniteSet {
     pub(super) values: Vec<Value>,
-    pub(super) made_of: BTreeSet<DatumId>,
+    pub(super) made_of: IdSet<DatumId>,
 }
 
 /// What of a program's text gives data their values.
 #[derive(Debug, Default)]
 pub(super) struct FiniteSets<'a> {
     /// What is assigned to each datum as a whole.
-    assigned: BTreeMap<DatumId, Vec<(Ctx, &'a Expr)>>,
+    assigned: ByNumber<DatumId, Vec<(Ctx, &'a Expr)>>,
     /// Data of which a part is assigned.
-    in_part: BTreeSet<DatumId>,
+    in_part: IdSet<DatumId>,
     /// For each call of a routine what it hands to a required parameter; `None` where that cannot be told.
-    handed: BTreeMap<DatumId, Vec<Option<(Ctx, &'a Expr)>>>,
+    handed: ByNumber<DatumId, Vec<Option<(Ctx, &'a Expr)>>>,
     /// First, last and step of FOR loops, by their variable.
-    loops: HashMap<(FileId, TextRange), [Option<&'a Expr>; 3]>,
+    loops: ByNumber<(FileId, TextRange), [Option<&'a Expr>; 3]>,
     /// Text that was not understood may call these.
-    doubtful: BTreeSet<RoutineIndex>,
+    doubtful: IdSet<RoutineIndex>,
     /// A routine is called with arguments by a name that is computed: it may be any.
     any_called: bool,
-    known: HashMap<DatumId, Option<Rc<FiniteSet>>>,
+    known: ByNumber<DatumId, Option<Rc<FiniteSet>>>,
     busy: Vec<DatumId>,
 }
 
 /// Data have these values.
-struct Assumed(BTreeMap<DatumId, Value>);
+#[derive(Clone)]
+struct Assumed(Vec<(DatumId, Value)>);
 
 impl TrackedValues for Assumed {
     fn value(&self, datum: DatumId) -> Option<Value> {
-        self.0.get(&datum).cloned()
+        self.0.iter().find(|(known, _)| *known == datum).map(|(_, value)| value.clone())
     }
 }
 
@@ -84,7 +86,7 @@ impl<'a> FiniteSets<'a> {
                 });
             }
         }
-        for (id, module) in index.modules.iter().enumerate() {
+        for (id, module) in index.modules.numbered() {
             let ctx = Ctx { file: module.file, module: id, routine: None };
             for item in &module.tree.items {
                 if let ModuleItem::Opaque(range) = item {
@@ -96,11 +98,11 @@ impl<'a> FiniteSets<'a> {
     }
 
     /// Whether one of the data is a parameter that a call may hand over which the text does not tell.
-    pub(super) fn are_handed_unseen(&self, index: &Index<'_>, data: &BTreeSet<DatumId>) -> bool {
-        data.iter().any(|&datum| match index.data[datum].kind {
+    pub(super) fn are_handed_unseen(&self, index: &Index<'_>, data: &IdSet<DatumId>) -> bool {
+        data.iter().any(|datum| match index.data[datum].kind {
             DatumKind::Param { optional, .. } => {
                 let routine = index.data[datum].ctx.routine;
-                optional || self.any_called || routine.is_none_or(|id| self.doubtful.contains(&id))
+                optional || self.any_called || routine.is_none_or(|id| self.doubtful.contains(id))
             }
             DatumKind::LoopVariable | DatumKind::Declared(_) => false,
         })
@@ -129,7 +131,7 @@ impl<'a> FiniteSets<'a> {
             let given = match_arguments(index, ctx, callee, args);
             let Some(routine) = index.routines.get(callee) else { continue };
             for &param in &routine.params {
-                let value = given.iter().find(|(to, ..)| *to == param).and_then(|(_, value, _)| *value);
+                let value = given.iter().find(|given| given.param == param).and_then(|given| given.value);
                 self.handed.entry(param).or_default().push(value.map(|value| (ctx, value)));
             }
         }
@@ -153,12 +155,12 @@ impl<'a> FiniteSets<'a> {
         ctx: Ctx,
     ) -> Option<FiniteSet> {
         let index = evaluator.index;
-        let mut made_of = BTreeSet::new();
+        let mut made_of = IdSet::default();
         names_in(index, ctx, expr, &mut |datum| {
             made_of.insert(datum);
         });
-        let mut combinations = vec![Assumed(BTreeMap::new())];
-        for datum in made_of.clone() {
+        let mut combinations = vec![Assumed(Vec::new())];
+        for datum in made_of.clone().iter() {
             let changes = match index.data[datum].kind {
                 DatumKind::Param { .. } | DatumKind::LoopVariable => true,
                 DatumKind::Declared(DataKind::Const) => false,
@@ -168,11 +170,11 @@ impl<'a> FiniteSets<'a> {
                 continue;
             }
             let set = self.of_datum(evaluator, datum)?;
-            made_of.extend(&set.made_of);
-            let with = |Assumed(known): &Assumed, value: &Value| {
+            made_of.add_all(&set.made_of);
+            let with = |known: &Assumed, value: &Value| {
                 let mut known = known.clone();
-                known.insert(datum, value.clone());
-                Assumed(known)
+                known.0.push((datum, value.clone()));
+                known
             };
             combinations = combinations.iter().flat_map(|c| set.values.iter().map(|v| with(c, v))).collect();
             if combinations.len() > MOST_COMBINATIONS {
@@ -212,11 +214,11 @@ impl<'a> FiniteSets<'a> {
         let (index, writes) = (evaluator.index, evaluator.writes);
         let entry = &index.data[datum];
         let written_otherwise = writes.worst(datum).is_some_and(|how| how != How::Assigned);
-        if entry.array || written_otherwise || self.in_part.contains(&datum) {
+        if entry.array || written_otherwise || self.in_part.contains(datum) {
             return None;
         }
         let mut from: Vec<(Ctx, &'a Expr)> = self.assigned.get(&datum).cloned().unwrap_or_default();
-        let mut set = FiniteSet { values: Vec::new(), made_of: BTreeSet::from([datum]) };
+        let mut set = FiniteSet { values: Vec::new(), made_of: IdSet::from_iter([datum]) };
         match entry.kind {
             DatumKind::LoopVariable => {
                 set.values = self.counted(evaluator, entry.ctx, entry.name_range)?;
@@ -224,7 +226,7 @@ impl<'a> FiniteSets<'a> {
             }
             DatumKind::Param { optional, .. } => {
                 let routine = entry.ctx.routine?;
-                if optional || self.any_called || self.doubtful.contains(&routine) {
+                if optional || self.any_called || self.doubtful.contains(routine) {
                     return None;
                 }
                 let handed = self.handed.get(&datum)?.iter().copied().collect::<Option<Vec<_>>>()?;
@@ -245,7 +247,7 @@ impl<'a> FiniteSets<'a> {
         }
         for (ctx, expr) in from {
             let more = self.of(evaluator, expr, ctx)?;
-            set.made_of.extend(more.made_of);
+            set.made_of.add_all(&more.made_of);
             for value in more.values {
                 if !set.values.contains(&value) {
                     set.values.push(value);

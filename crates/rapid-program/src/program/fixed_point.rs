@@ -54,9 +54,10 @@ impl Program {
         let mut initial = |name: &str| -> Result<Value, String> {
             let sym = index.names.find(name.as_bytes());
             let declared = |d: &&Datum<'_>| Some(d.name) == sym && d.ctx.routine.is_none();
-            let global = index.data.iter().position(|d| declared(&d) && !d.local);
-            if let Some(datum) = global.or_else(|| index.data.iter().position(|d| declared(&d))) {
-                if index.data[datum].local {
+            let global = index.data.numbered().find(|(_, d)| declared(d) && !d.local);
+            if let Some((datum, entry)) = global.or_else(|| index.data.numbered().find(|(_, d)| declared(d)))
+            {
+                if entry.local {
                     let modules = index.data.iter().filter(declared).map(|d| module_at(&index, d.ctx));
                     local.push(LocalName { name: name.to_owned(), modules: modules.collect() });
                 }
@@ -105,8 +106,8 @@ impl Program {
 
 /// The file of a module, and which of the file's modules it is.
 fn module_at(index: &Index<'_>, ctx: Ctx) -> (FileId, usize) {
-    let before = index.modules.iter().take(ctx.module).filter(|module| module.file == ctx.file);
-    (ctx.file, before.count())
+    let before = index.modules.numbered().take_while(|(id, _)| *id < ctx.module);
+    (ctx.file, before.filter(|(_, module)| module.file == ctx.file).count())
 }
 
 fn read<T>(value: &Value, convert: fn(&Value) -> Result<T, ConversionError>) -> Result<T, String> {

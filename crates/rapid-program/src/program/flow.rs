@@ -3,16 +3,13 @@
 
 use super::data::LoadData;
 use super::errors::Recovery;
-use super::index::{Ctx, DatumId, RoutineIndex};
+use super::ids::{DatumId, RoutineIndex, Slot};
+use super::index::Ctx;
 use super::motion::MotionId;
-use super::names::Sym;
+use super::names::{ByNumber, Sym};
 use super::value::Why;
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::Expr;
-use std::collections::{BTreeMap, BTreeSet};
-
-/// Position of a tracked datum in a state.
-pub(super) type Slot = usize;
 
 /// A routine reduced to what matters.
 #[derive(Debug, Default)]
@@ -129,10 +126,10 @@ pub(super) fn walk<'a, C: ForwardAnalysis<'a>>(
     body: &[Node<'a>],
     entry: &C::State,
 ) -> Option<C::State> {
-    let mut walk = Walk { analysis, labels: BTreeMap::new(), seen: BTreeSet::new(), again: false, end: None };
+    let mut walk = Walk { analysis, labels: ByNumber::default(), again: false, end: None };
     loop {
         walk.again = false;
-        walk.seen.clear();
+        walk.labels.values_mut().for_each(|label| label.seen = false);
         let end = walk.block(body, Some(entry.clone()));
         walk.leave(end);
         if !walk.again {
@@ -143,10 +140,17 @@ pub(super) fn walk<'a, C: ForwardAnalysis<'a>>(
 
 struct Walk<'c, 'a, C: ForwardAnalysis<'a>> {
     analysis: &'c mut C,
-    labels: BTreeMap<Sym, C::State>,
-    seen: BTreeSet<Sym>,
+    labels: ByNumber<Sym, LabelState<C::State>>,
     again: bool,
     end: Option<C::State>,
+}
+
+/// What is known of a label of the routine that is being walked.
+struct LabelState<S> {
+    /// With what jumps come to it.
+    jumped: Option<S>,
+    /// It was come by since the walk began from above.
+    seen: bool,
 }
 
 impl<'a, C: ForwardAnalysis<'a>> Walk<'_, 'a, C> {
@@ -159,8 +163,9 @@ impl<'a, C: ForwardAnalysis<'a>> Walk<'_, 'a, C> {
 
     fn node(&mut self, node: &Node<'a>, state: Option<C::State>) -> Option<C::State> {
         if let Node::Label(label) = node {
-            self.seen.insert(*label);
-            let jumped = self.labels.get(label).cloned();
+            let label = self.labels.entry(*label).or_insert(LabelState { jumped: None, seen: true });
+            label.seen = true;
+            let jumped = label.jumped.clone();
             return self.either(state, jumped);
         }
         match (node, state) {
@@ -191,14 +196,15 @@ impl<'a, C: ForwardAnalysis<'a>> Walk<'_, 'a, C> {
             // Nothing comes in from above, but a label may stand inside.
             (Node::Loop { body, endless, .. }, None) => self.block(body, None).filter(|_| !endless),
             (Node::Goto(label), Some(state)) => {
-                let changed = match self.labels.get_mut(label) {
+                let label = self.labels.entry(*label).or_insert(LabelState { jumped: None, seen: false });
+                let changed = match &mut label.jumped {
                     Some(known) => self.analysis.join(known, &state),
-                    None => {
-                        self.labels.insert(*label, state);
+                    none => {
+                        *none = Some(state);
                         true
                     }
                 };
-                self.again |= changed && self.seen.contains(label);
+                self.again |= changed && label.seen;
                 None
             }
             (Node::Return, state) => {
@@ -226,7 +232,7 @@ impl<'a, C: ForwardAnalysis<'a>> Walk<'_, 'a, C> {
 }
 
 /// Calls `visit` with every step, inner ones included, in order.
-pub(super) fn every_step<'n, 'a>(nodes: &'n [Node<'a>], visit: &mut impl FnMut(&'n FlowStep<'a>)) {
+pub(super) fn every_step<'n, 'a>(nodes: &'n [Node<'a>], visit: &mut dyn FnMut(&'n FlowStep<'a>)) {
     for node in nodes {
         match node {
             Node::Step(step) => visit(step),

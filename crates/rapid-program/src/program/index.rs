@@ -4,6 +4,7 @@
 //! those of its module, `LOCAL` or not, before the global ones of all modules of the task. A folder `TASKn` in a file's path is a task of its own;
 //! files outside such a folder share one.
 
+use super::ids::{DatumId, ModuleId, RoutineIndex, Table};
 use super::names::{ByNumber, Names, Sym, lower_case};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
@@ -11,14 +12,6 @@ use rapid_syntax::tree::{
     DataDecl, DataKind, Expr, FileItem, Module, ModuleItem, ParamMode, RecordDecl, Routine, Scope, Stmt,
     StmtKind,
 };
-use std::collections::BTreeMap;
-
-/// Index into [`Index::data`].
-pub(super) type DatumId = usize;
-/// Index into [`Index::routines`].
-pub(super) type RoutineIndex = usize;
-/// Index into [`Index::modules`].
-pub(super) type ModuleId = usize;
 
 /// What kind of name for a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,13 +68,13 @@ pub(super) struct Ctx {
 
 /// What a name means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Resolved {
+pub(super) enum Resolved<I> {
     /// Declared where it is seen from here.
-    Here(usize),
+    Here(I),
     /// Declared `LOCAL` in another module: a controller would not find it.
-    Elsewhere(usize),
+    Elsewhere(I),
     /// Declared twice in the scope that decides.
-    Twice(usize, usize),
+    Twice(I, I),
     /// Not declared in the given files.
     Nowhere,
 }
@@ -96,9 +89,9 @@ enum NameScope {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct ScopedName {
-    first: usize,
-    second: Option<usize>,
+struct ScopedName<I> {
+    first: I,
+    second: Option<I>,
 }
 
 /// Everything that is declared.
@@ -106,13 +99,13 @@ struct ScopedName {
 pub(super) struct Index<'a> {
     pub(super) files: &'a [SourceFile],
     pub(super) names: Names,
-    pub(super) modules: Vec<ModuleEntry<'a>>,
-    pub(super) routines: Vec<RoutineEntry<'a>>,
-    pub(super) data: Vec<Datum<'a>>,
-    data_at: ByNumber<(NameScope, Sym), ScopedName>,
+    pub(super) modules: Table<ModuleId, ModuleEntry<'a>>,
+    pub(super) routines: Table<RoutineIndex, RoutineEntry<'a>>,
+    pub(super) data: Table<DatumId, Datum<'a>>,
+    data_at: ByNumber<(NameScope, Sym), ScopedName<DatumId>>,
     /// Variables of FOR with the statements they are seen in, outer loops first.
     loop_variables: ByNumber<(RoutineIndex, Sym), Vec<(TextRange, DatumId)>>,
-    routines_at: ByNumber<(NameScope, Sym), ScopedName>,
+    routines_at: ByNumber<(NameScope, Sym), ScopedName<RoutineIndex>>,
     records: ByNumber<Sym, (FileId, &'a RecordDecl)>,
     aliases: ByNumber<Sym, Sym>,
 }
@@ -123,9 +116,9 @@ impl<'a> Index<'a> {
         let mut index = Self {
             files,
             names: Names::default(),
-            modules: Vec::new(),
-            routines: Vec::new(),
-            data: Vec::new(),
+            modules: Table::default(),
+            routines: Table::default(),
+            data: Table::default(),
             data_at: ByNumber::default(),
             loop_variables: ByNumber::default(),
             routines_at: ByNumber::default(),
@@ -133,10 +126,14 @@ impl<'a> Index<'a> {
             aliases: ByNumber::default(),
         };
         index.intern_predefined(super::record::TYPES);
-        let mut tasks = BTreeMap::new();
+        let mut tasks: Vec<String> = Vec::new();
         for file in files {
-            let next = tasks.len() as u32;
-            let task = *tasks.entry(task_of(&file.path)).or_insert(next);
+            let folder = task_of(&file.path);
+            let known = tasks.iter().position(|known| *known == folder);
+            let task = known.unwrap_or_else(|| {
+                tasks.push(folder);
+                tasks.len() - 1
+            }) as u32;
             for item in &file.tree.items {
                 if let FileItem::Module(tree) = item {
                     index.add_module(file, tree, task);
@@ -162,7 +159,7 @@ impl<'a> Index<'a> {
     }
 
     /// The datum that the name in a range means.
-    pub(super) fn datum(&self, name: TextRange, ctx: Ctx) -> Resolved {
+    pub(super) fn datum(&self, name: TextRange, ctx: Ctx) -> Resolved<DatumId> {
         let Some(sym) = self.name_at(ctx.file, name) else { return Resolved::Nowhere };
         let loops = ctx.routine.and_then(|routine| self.loop_variables.get(&(routine, sym)));
         let inside = |(body, _): &&(TextRange, DatumId)| body.contains(TextRange::empty(name.start));
@@ -173,7 +170,7 @@ impl<'a> Index<'a> {
     }
 
     /// The routine that a name means.
-    pub(super) fn routine(&self, name: Sym, ctx: Ctx) -> Resolved {
+    pub(super) fn routine(&self, name: Sym, ctx: Ctx) -> Resolved<RoutineIndex> {
         self.look_up(&self.routines_at, name, Ctx { routine: None, ..ctx })
     }
 
@@ -225,18 +222,23 @@ impl<'a> Index<'a> {
         self.names.text(self.plain_type(type_name))
     }
 
-    fn look_up(&self, at: &ByNumber<(NameScope, Sym), ScopedName>, name: Sym, ctx: Ctx) -> Resolved {
+    fn look_up<I: Copy>(
+        &self,
+        at: &ByNumber<(NameScope, Sym), ScopedName<I>>,
+        name: Sym,
+        ctx: Ctx,
+    ) -> Resolved<I> {
         let Some(module) = self.modules.get(ctx.module) else { return Resolved::Nowhere };
-        let places = [
+        let scopes = [
             ctx.routine.map(NameScope::Routine),
             Some(NameScope::Module(ctx.module)),
             Some(NameScope::Task(module.task)),
             Some(NameScope::Hidden(module.task)),
         ];
-        for place in places.into_iter().flatten() {
-            match at.get(&(place, name)) {
+        for scope in scopes.into_iter().flatten() {
+            match at.get(&(scope, name)) {
                 Some(ScopedName { first, second: Some(second) }) => return Resolved::Twice(*first, *second),
-                Some(ScopedName { first, .. }) if matches!(place, NameScope::Hidden(_)) => {
+                Some(ScopedName { first, .. }) if matches!(scope, NameScope::Hidden(_)) => {
                     return Resolved::Elsewhere(*first);
                 }
                 Some(ScopedName { first, .. }) => return Resolved::Here(*first),
@@ -247,9 +249,8 @@ impl<'a> Index<'a> {
     }
 
     fn add_module(&mut self, file: &'a SourceFile, tree: &'a Module, task: u32) {
-        let module = self.modules.len();
         self.names.intern(file.text(tree.name));
-        self.modules.push(ModuleEntry { file: file.id, task, tree });
+        let module = self.modules.push(ModuleEntry { file: file.id, task, tree });
         let ctx = Ctx { file: file.id, module, routine: None };
         for item in &tree.items {
             match item {
@@ -291,7 +292,7 @@ impl<'a> Index<'a> {
     }
 
     fn push_datum(&mut self, datum: Datum<'a>, task: u32) -> DatumId {
-        let (id, name) = (self.data.len(), datum.name);
+        let (id, name) = (self.data.next_id(), datum.name);
         match datum.ctx.routine {
             Some(routine) => enter(&mut self.data_at, NameScope::Routine(routine), name, id),
             None => {
@@ -300,12 +301,11 @@ impl<'a> Index<'a> {
                 enter(&mut self.data_at, wider, name, id);
             }
         }
-        self.data.push(datum);
-        id
+        self.data.push(datum)
     }
 
     fn add_routine(&mut self, file: &'a SourceFile, tree: &'a Routine, ctx: Ctx, task: u32) {
-        let id = self.routines.len();
+        let id = self.routines.next_id();
         let name = self.names.intern(file.text(tree.name));
         enter(&mut self.routines_at, NameScope::Module(ctx.module), name, id);
         let local = tree.scope == Scope::Local;
@@ -327,9 +327,7 @@ impl<'a> Index<'a> {
                 name_range: param.name,
             };
             let datum = self.push_datum(datum, task);
-            if let Some(routine) = self.routines.last_mut() {
-                routine.params.push(datum);
-            }
+            self.routines[id].params.push(datum);
         }
         let mut loop_variables = Vec::new();
         for body in bodies(tree) {
@@ -361,8 +359,8 @@ impl<'a> Index<'a> {
                 range: var,
                 name_range: var,
             };
-            self.loop_variables.entry((id, name)).or_default().push((seen_in, self.data.len()));
-            self.data.push(datum);
+            let variable = self.data.push(datum);
+            self.loop_variables.entry((id, name)).or_default().push((seen_in, variable));
         }
     }
 
@@ -384,7 +382,7 @@ pub(super) fn bodies(routine: &Routine) -> impl Iterator<Item = &[Stmt]> {
 }
 
 /// Calls `visit` with every statement, the outer before the inner, in source order.
-pub(super) fn every_statement<'a>(body: &'a [Stmt], visit: &mut impl FnMut(&'a Stmt)) {
+pub(super) fn every_statement<'a>(body: &'a [Stmt], visit: &mut dyn FnMut(&'a Stmt)) {
     for stmt in body {
         visit(stmt);
         for inner in inner_bodies(stmt) {
@@ -409,8 +407,8 @@ pub(super) fn inner_bodies(stmt: &Stmt) -> Vec<&[Stmt]> {
     }
 }
 
-fn enter(at: &mut ByNumber<(NameScope, Sym), ScopedName>, place: NameScope, name: Sym, id: usize) {
-    at.entry((place, name))
+fn enter<I: Copy>(at: &mut ByNumber<(NameScope, Sym), ScopedName<I>>, scope: NameScope, name: Sym, id: I) {
+    at.entry((scope, name))
         .and_modify(|found| {
             found.second.get_or_insert(id);
         })

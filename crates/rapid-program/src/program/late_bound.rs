@@ -1,7 +1,8 @@
 //! Calls by a name that is worked out at run time: which routines they may reach.
 
 use super::expressions::value_of;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, RoutineIndex};
+use super::ids::{DatumId, RoutineIndex};
+use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
 use super::names::lower_case;
 use super::value;
 use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, DataKind, Expr, ExprKind, RoutineKind};
@@ -26,7 +27,7 @@ pub(super) fn reached(index: &Index<'_>, ctx: Ctx, name: &Expr, args: &[Arg]) ->
             && name_fits
             && args.iter().all(|arg| value_of(arg).is_none_or(|value| is_of_type(index, ctx, value, routine)))
     };
-    (0..index.routines.len()).filter(fits).collect()
+    index.routines.ids().filter(fits).collect()
 }
 
 /// Whether a routine has a parameter of an argument's type, where that is a datum.

@@ -21,6 +21,7 @@ mod finite_set;
 mod fixed_point;
 mod flow;
 mod functions;
+mod ids;
 mod index;
 mod instructions;
 mod late_bound;
@@ -44,6 +45,7 @@ mod state;
 mod target;
 mod tracked;
 mod value;
+mod value_flow;
 mod writes;
 mod written_by;
 
@@ -54,9 +56,9 @@ pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 pub use speed_override::SpeedOverride;
 
 use module_facts::Facts;
-use motion::{Loop, Motion, MotionId, RoutineInfo};
+use motion::{Loop, Motion, MotionId, PersTarget, RoutineInfo};
 use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, FileId, Span};
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is said from outside about a program, beside its text.
@@ -95,8 +97,8 @@ pub struct Program {
     pub junctions: BTreeMap<MotionId, Vec<MotionId>>,
     /// Those of them to which the arm may also come from where the text does not say, as behind an error handler that goes on.
     pub also_anywhere: BTreeSet<MotionId>,
-    /// The motions whose targets a PERS goes into, with its name and declaration: a controller may hold another value than the file.
-    pub made_of_pers: BTreeMap<MotionId, (String, Span)>,
+    /// The motions whose targets a PERS goes into, in file order.
+    pub made_of_pers: Vec<PersTarget>,
     /// Modules, remarks, routines that a program can begin with.
     pub facts: Facts,
     /// How much slower than written it may move.

@@ -1,21 +1,20 @@
 //! What each routine, with those it calls, may change of what is tracked.
 
 use super::cfg::ControlFlow;
-use super::flow::{Blocker, FlowStep, every_step};
-use super::index::RoutineIndex;
+use super::flow::{BLOCKERS, Blocker, FlowStep, every_step};
+use super::ids::{IdSet, RoutineIndex, Slot, Table};
 use super::value::Why;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// What a routine and those it calls may change.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct RoutineEffects {
-    pub(super) slots: BTreeSet<usize>,
+    pub(super) slots: IdSet<Slot>,
     pub(super) conf_l: bool,
     pub(super) conf_j: bool,
     pub(super) grip: bool,
-    /// What is put in force, and by which statement.
-    pub(super) blockers: BTreeMap<Blocker, Why>,
-    pub(super) calls: BTreeSet<RoutineIndex>,
+    /// In the order of [`BLOCKERS`]: what is put in force, and by which statement.
+    pub(super) blockers: [Option<Why>; BLOCKERS.len()],
+    pub(super) calls: IdSet<RoutineIndex>,
 }
 
 impl RoutineEffects {
@@ -29,10 +28,10 @@ impl RoutineEffects {
             FlowStep::ConfJ(_) => self.conf_j = true,
             FlowStep::Grip(_) => self.grip = true,
             FlowStep::Blocker(hold, Some(why)) => {
-                self.blockers.entry(*hold).or_insert_with(|| why.clone());
+                self.put_in_force(*hold, why);
             }
             FlowStep::Call { routines, bindings, .. } => {
-                self.calls.extend(routines);
+                self.calls.extend(routines.iter().copied());
                 self.slots.extend(bindings.iter().map(|b| b.slot));
             }
             FlowStep::Motions { .. }
@@ -45,19 +44,29 @@ impl RoutineEffects {
 
     /// What another changes, too; but for its calls.
     pub(super) fn add(&mut self, other: &Self) {
-        self.slots.extend(&other.slots);
+        self.slots.add_all(&other.slots);
         self.conf_l |= other.conf_l;
         self.conf_j |= other.conf_j;
         self.grip |= other.grip;
-        for (hold, why) in &other.blockers {
-            self.blockers.entry(*hold).or_insert_with(|| why.clone());
+        for (blocker, also) in self.blockers.iter_mut().zip(&other.blockers) {
+            if blocker.is_none() {
+                blocker.clone_from(also);
+            }
+        }
+    }
+
+    fn put_in_force(&mut self, blocker: Blocker, why: &Why) {
+        for (known, by) in BLOCKERS.iter().zip(&mut self.blockers) {
+            if *known == blocker && by.is_none() {
+                *by = Some(why.clone());
+            }
         }
     }
 }
 
 /// What each routine and those it calls may change.
-pub(super) fn routine_effects(control_flow: &ControlFlow<'_>) -> Vec<RoutineEffects> {
-    let mut all: Vec<RoutineEffects> = Vec::with_capacity(control_flow.routines.len());
+pub(super) fn routine_effects(control_flow: &ControlFlow<'_>) -> Table<RoutineIndex, RoutineEffects> {
+    let mut all: Table<RoutineIndex, RoutineEffects> = Table::default();
     for cfg in &control_flow.routines {
         let mut own = RoutineEffects::default();
         for nodes in std::iter::once(&cfg.body).chain(&cfg.handlers) {
@@ -67,14 +76,13 @@ pub(super) fn routine_effects(control_flow: &ControlFlow<'_>) -> Vec<RoutineEffe
     }
     loop {
         let mut changed = false;
-        for id in 0..all.len() {
+        for id in all.ids() {
             let mut own = all[id].clone();
-            for callee in all[id].calls.clone() {
+            for callee in all[id].calls.iter() {
                 if let Some(callee) = all.get(callee) {
                     own.add(callee);
                 }
             }
-            own.calls.clone_from(&all[id].calls);
             changed |= own != all[id];
             all[id] = own;
         }

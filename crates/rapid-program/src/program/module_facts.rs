@@ -1,6 +1,7 @@
 //! Facts about files beside their motion: which modules there are, what RoboDK says of the kinematics it used, which robot a
 //! program was made for, and whether a module is already compensated.
 
+use super::ids::{RoutineIndex, Table};
 use super::index::Index;
 use super::made_for::{self, RobotRemark};
 use super::names::{as_text, lower_case};
@@ -76,7 +77,7 @@ pub struct Entry {
 }
 
 /// The facts of all files; `called`: for each routine of the index, whether anything calls it.
-pub(super) fn facts(index: &Index<'_>, called: &[bool]) -> Facts {
+pub(super) fn facts(index: &Index<'_>, called: &Table<RoutineIndex, bool>) -> Facts {
     let mut facts = Facts::default();
     for file in index.files {
         facts.made_for.extend(made_for::in_heads(file));
@@ -147,7 +148,7 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
     }
 }
 
-fn for_each_comment(module: &Module, visit: &mut impl FnMut(TextRange)) {
+fn for_each_comment(module: &Module, visit: &mut dyn FnMut(TextRange)) {
     let in_body = |body: &[Stmt], visit: &mut dyn FnMut(TextRange)| {
         super::index::every_statement(body, &mut |stmt| {
             if matches!(stmt.kind, StmtKind::Comment) {

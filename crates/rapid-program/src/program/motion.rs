@@ -164,6 +164,17 @@ pub struct RoutineInfo {
     pub range: TextRange,
 }
 
+/// A PERS whose value goes into a motion's target: a controller may hold another value than the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PersTarget {
+    /// The motion that goes there.
+    pub motion: MotionId,
+    /// The name of the PERS as it is declared.
+    pub name: String,
+    /// Where it is declared.
+    pub declaration: Span,
+}
+
 /// A loop round motion.
 #[derive(Clone, Debug)]
 pub struct Loop {

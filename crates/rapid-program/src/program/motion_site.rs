@@ -2,7 +2,8 @@
 
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::words;
-use super::index::{Ctx, Index, RoutineIndex, bodies, every_statement, inner_bodies};
+use super::ids::RoutineIndex;
+use super::index::{Ctx, Index, bodies, every_statement, inner_bodies};
 use super::instructions::{MoveForm, move_form};
 use super::is_of_task;
 use super::motion::{self, Loop, MotionId, RoutineInfo};
@@ -19,7 +20,7 @@ pub(super) struct MotionSite<'a> {
     pub(super) stmt: &'a Stmt,
     pub(super) form: &'static MoveForm,
     /// The routine it stands in, among all.
-    routine: u32,
+    routine: RoutineIndex,
     /// The same among those that hold motion.
     pub(super) info: motion::RoutineId,
     /// The loops round it: position in [`MotionSites::nests`].
@@ -31,7 +32,7 @@ pub(super) struct MotionSite<'a> {
 impl<'a> MotionSite<'a> {
     /// From where its names are looked up.
     pub(super) fn ctx(&self, index: &Index<'_>) -> Ctx {
-        index.routines[self.routine as usize].ctx
+        index.routines[self.routine].ctx
     }
 
     /// Its arguments by what they are.
@@ -112,7 +113,7 @@ impl<'a> MotionSites<'a> {
     pub(super) fn new(evaluator: &mut ConstEvaluator<'a>, task: Option<&str>) -> Self {
         let index = evaluator.index;
         let mut sites = Self::default();
-        for (id, routine) in index.routines.iter().enumerate() {
+        for (id, routine) in index.routines.numbered() {
             if !is_of_task(&index.file(routine.ctx.file).path, task) {
                 continue;
             }
@@ -255,7 +256,7 @@ impl<'a> Walk<'_, 'a> {
             self.sites.nests.push(loops);
         }
         let nest = self.sites.nests.len() as u32 - 1;
-        self.sites.motions.push(MotionSite { stmt, form, routine: self.id as u32, info, nest, not_read });
+        self.sites.motions.push(MotionSite { stmt, form, routine: self.id, info, nest, not_read });
     }
 
     /// The routine's entry among those with motion, made with its first motion.

@@ -2,7 +2,8 @@
 
 use super::cfg::ControlFlow;
 use super::flow::{FlowStep, ForwardAnalysis, Node, every_step, walk};
-use super::index::{Index, RoutineEntry, RoutineIndex};
+use super::ids::{IdSet, RoutineIndex, Table};
+use super::index::{Index, RoutineEntry};
 use super::instructions::Special;
 use super::motion::MotionId;
 use super::motion_site::MotionSites;
@@ -66,12 +67,11 @@ pub(super) fn order(
     sites: &MotionSites<'_>,
     control_flow: &ControlFlow<'_>,
 ) -> Vec<Before> {
-    let routines = control_flow.routines.len();
     let mut walker = Walker {
         sites,
         control_flow,
         at_motions: vec![None; sites.motions.len()],
-        exits: vec![None; routines],
+        exits: Table::filled(control_flow.routines.len(), None),
         calls: Vec::new(),
         busy: Vec::new(),
         moved_by_handlers: control_flow
@@ -81,7 +81,7 @@ pub(super) fn order(
             .collect(),
         exits_cycle: false,
     };
-    for id in 0..routines {
+    for id in control_flow.routines.ids() {
         walker.exit(id);
     }
     let entries = walker.entries(index);
@@ -102,16 +102,23 @@ pub(super) fn order(
     walker.at_motions.iter().zip(&sites.motions).map(previous).collect()
 }
 
+/// A call of a routine.
+struct Call {
+    caller: RoutineIndex,
+    callee: RoutineIndex,
+    /// Where the arm comes from then, in terms of the caller's entry.
+    comes_from: ComesFrom,
+}
+
 struct Walker<'w, 'a> {
     sites: &'w MotionSites<'a>,
     control_flow: &'w ControlFlow<'a>,
     at_motions: Vec<Option<ComesFrom>>,
-    exits: Vec<Option<Option<ComesFrom>>>,
-    /// Caller, callee, and where the arm comes from in terms of the caller.
-    calls: Vec<(RoutineIndex, RoutineIndex, ComesFrom)>,
+    exits: Table<RoutineIndex, Option<Option<ComesFrom>>>,
+    calls: Vec<Call>,
     busy: Vec<RoutineIndex>,
     /// For each routine whether its handlers may move the arm.
-    moved_by_handlers: Vec<bool>,
+    moved_by_handlers: Table<RoutineIndex, bool>,
     /// Somewhere a cycle of the program ends before its end.
     exits_cycle: bool,
 }
@@ -144,25 +151,26 @@ impl Walker<'_, '_> {
     }
 
     /// Where the arm comes from when each routine is entered: what all its calls have in common.
-    fn entries(&mut self, index: &Index<'_>) -> Vec<Option<ComesFrom>> {
+    fn entries(&mut self, index: &Index<'_>) -> Table<RoutineIndex, Option<ComesFrom>> {
         let calls = std::mem::take(&mut self.calls);
-        let called: BTreeSet<RoutineIndex> = calls.iter().map(|c| c.1).collect();
+        let called: IdSet<RoutineIndex> = calls.iter().map(|call| call.callee).collect();
         let is_main =
             |r: &RoutineEntry<'_>| r.tree.kind == RoutineKind::Proc && index.names.text(r.name) == "main";
         let has_main = index.routines.iter().any(is_main);
         let first = |(id, r): (RoutineIndex, &RoutineEntry<'_>)| match r.tree.kind {
             RoutineKind::Trap => Some(ComesFrom::Anywhere),
             _ if is_main(r) => Some(self.begins(id)),
-            _ if called.contains(&id) => None,
+            _ if called.contains(id) => None,
             RoutineKind::Proc if !has_main => Some(ComesFrom::Start),
             RoutineKind::Proc | RoutineKind::Func { .. } => Some(ComesFrom::Anywhere),
         };
-        let mut entries: Vec<Option<ComesFrom>> = index.routines.iter().enumerate().map(first).collect();
+        let mut entries: Table<RoutineIndex, Option<ComesFrom>> =
+            index.routines.numbered().map(first).collect();
         loop {
             let mut changed = false;
-            for (caller, callee, came) in &calls {
+            for Call { caller, callee, comes_from } in &calls {
                 let Some(Some(before)) = entries.get(*caller) else { continue };
-                let came = resolve(came, before);
+                let came = resolve(comes_from, before);
                 let Some(entry) = entries.get_mut(*callee) else { continue };
                 let joined = match &*entry {
                     None => came,
@@ -227,7 +235,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 let state = if recovery.again { or_anywhere(&state) } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
-                        self.calls.push((caller, callee, state.clone()));
+                        self.calls.push(Call { caller, callee, comes_from: state.clone() });
                     }
                     if let Some(exit) = self.exit(callee) {
                         let after = resolve(&exit, &state);

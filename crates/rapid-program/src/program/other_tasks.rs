@@ -1,10 +1,10 @@
 //! Data that tasks share: a global PERS of one name and type is one datum for all tasks of a controller.
 
-use super::index::{Datum, DatumId, DatumKind, Index};
+use super::ids::DatumId;
+use super::index::{Datum, DatumKind, Index};
 use super::names::as_text;
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::tree::DataKind;
-use std::collections::BTreeMap;
 
 /// The code of what another task changes.
 pub(super) const CODE: &str = "keep::other-task";
@@ -23,15 +23,16 @@ fn task(index: &Index<'_>, datum: &Datum<'_>) -> Option<u32> {
 
 /// The data that several of the given tasks share: those of one name and type, each in another task.
 pub(super) fn shared(index: &Index<'_>) -> Vec<Vec<DatumId>> {
-    let mut by_name: BTreeMap<_, Vec<DatumId>> = BTreeMap::new();
-    for (id, datum) in index.data.iter().enumerate().filter(|(_, datum)| is_shared(datum)) {
-        by_name.entry((datum.name, index.plain_type(datum.type_name))).or_default().push(id);
-    }
+    let shared = index.data.numbered().filter(|(_, datum)| is_shared(datum));
+    let mut by_name: Vec<_> =
+        shared.map(|(id, datum)| ((datum.name, index.plain_type(datum.type_name)), id)).collect();
+    by_name.sort_unstable();
     let several = |ids: &Vec<DatumId>| {
         let first = ids.first().and_then(|&id| task(index, &index.data[id]));
         ids.iter().any(|&id| task(index, &index.data[id]) != first)
     };
-    by_name.into_values().filter(several).collect()
+    let of_one_name = by_name.chunk_by(|(name, _), (next, _)| name == next);
+    of_one_name.map(|data| data.iter().map(|(_, id)| *id).collect()).filter(several).collect()
 }
 
 /// Warnings about data that tasks share which are not among the given files: a PERS without an initial value, whose value such a
@@ -43,7 +44,7 @@ pub(super) fn not_given(index: &Index<'_>, tasks: &[String]) -> Vec<Diagnostic> 
     };
     let lacks =
         |data: &(DatumId, &Datum<'_>)| of_motion(data) && data.1.init.is_none() && !shared.contains(&data.0);
-    let first = index.data.iter().enumerate().find(of_motion).filter(|_| !tasks.is_empty());
+    let first = index.data.numbered().find(of_motion).filter(|_| !tasks.is_empty());
     let of_tasks = first.map(|(id, datum)| {
         let name = as_text(index.text(datum.ctx.file, datum.name_range));
         let verb = if tasks.len() == 1 { "is" } else { "are" };
@@ -62,5 +63,5 @@ pub(super) fn not_given(index: &Index<'_>, tasks: &[String]) -> Vec<Diagnostic> 
         let help = "give the modules of all tasks, as a backup's RAPID folder has them: that task may change it at any time";
         Diagnostic::warning("task::not-given", text).at(index.declaration(id)).help(help)
     };
-    index.data.iter().enumerate().filter(lacks).map(warning).chain(of_tasks).collect()
+    index.data.numbered().filter(lacks).map(warning).chain(of_tasks).collect()
 }

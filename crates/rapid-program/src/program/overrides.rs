@@ -49,8 +49,8 @@ pub(super) fn unused(
     let index = evaluator.index;
     for (name, _) in overrides.tools.iter().chain(&overrides.wobjs) {
         let Some(sym) = index.names.find(name.as_bytes()) else { continue };
-        let declared = index.data.iter().position(|d| d.name == sym && d.ctx.routine.is_none());
-        if let Some(datum) = declared {
+        let declared = index.data.numbered().find(|(_, d)| d.name == sym && d.ctx.routine.is_none());
+        if let Some((datum, _)) = declared {
             diagnostics.push(
                 Diagnostic::warning("override::declared", format!("{name} is declared in the given files"))
                     .at(index.declaration(datum))
@@ -73,12 +73,12 @@ pub(super) fn home(
         let of_task = || is_of_task(&index.file(d.ctx.file).path, overrides.task.as_deref());
         Some(d.name) == sym && d.ctx.routine.is_none() && (overrides.task.is_none() || of_task())
     };
-    let joints = match index.data.iter().position(declared) {
+    let joints = match index.data.numbered().find(|(_, d)| declared(d)) {
         None => Err("is not declared in the given files".to_owned()),
-        Some(datum) if index.type_text(index.data[datum].type_name) != "jointtarget" => {
+        Some((_, d)) if index.type_text(d.type_name) != "jointtarget" => {
             Err("is no jointtarget, and a pose alone does not tell the joints".to_owned())
         }
-        Some(datum) => {
+        Some((datum, _)) => {
             evaluator.datum(datum, &Constant).map_err(|why| format!("is not known: {}", why.reason))
         }
     };
@@ -112,11 +112,12 @@ fn value(type_name: &str, name: &str, text: &str) -> Result<Value, String> {
     let writes = Writes::new(&index);
     let mut evaluator = ConstEvaluator::new(&index, &writes);
     let sym = index.names.find(name.as_bytes());
-    match index.data.as_slice() {
-        [declared] if Some(declared.name) == sym && files[0].warnings.is_empty() => {}
+    let mut declared = index.data.numbered();
+    let datum = match (declared.next(), declared.next()) {
+        (Some((datum, entry)), None) if Some(entry.name) == sym && files[0].warnings.is_empty() => datum,
         _ => return Err("it is no RAPID value".into()),
-    }
-    let value = evaluator.datum(0, &Constant).map_err(|why| why.reason.clone())?;
+    };
+    let value = evaluator.datum(datum, &Constant).map_err(|why| why.reason.clone())?;
     match type_name {
         "tooldata" => convert::tooldata(&value).map(|_| ()),
         _ => convert::wobjdata(&value).map(|_| ()),

@@ -4,16 +4,17 @@
 //! narrows that down (`state`).
 
 use super::expressions::{every_call, expressions_of, root_of};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineEntry, bodies};
-use super::names::lower_case;
+use super::ids::{DatumId, IdSet, RoutineIndex};
+use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry, bodies};
+use super::names::{ByNumber, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
 use super::tracked::{names_in, names_in_where, sources_where};
-use super::writes::match_arguments;
+use super::value_flow::ValueFlow;
+use super::writes::{MatchedArgument, match_arguments};
 use super::written_by::written_by_instruction;
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
-use std::collections::{BTreeMap, BTreeSet};
 
 /// Functions of the controller that read where the robot stands.
 const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
@@ -22,11 +23,11 @@ const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
 #[derive(Debug, Default)]
 pub(super) struct OwnPositions {
     /// Each datum with a reading whose value comes to it.
-    data: BTreeMap<DatumId, Span>,
+    data: ByNumber<DatumId, Span>,
     /// Each function with a reading whose value it gives.
-    routines: BTreeMap<usize, Span>,
+    routines: ByNumber<RoutineIndex, Span>,
     /// Those of the functions that make such a value of their own arguments alone: what they are given tells whether they do.
-    of_arguments: BTreeSet<usize>,
+    of_arguments: IdSet<RoutineIndex>,
     /// Functions of the controller that give such values.
     readings: &'static [&'static str],
 }
@@ -64,16 +65,15 @@ impl OwnPositions {
     /// With all that their values go into.
     fn closed(self, index: &Index<'_>) -> Self {
         let mut found = self;
-        let (mut sources, mut handed_back) =
-            (sources_where(index, &|ctx, expr| tells_the_pose(index, ctx, expr)), handed_back(index));
         let late = ParameterFlow::new(index);
-        sources.extend(late.into);
+        let sources = sources_where(index, &|ctx, expr| tells_the_pose(index, ctx, expr)).with(late.into);
+        let mut handed_back = handed_back(index);
         handed_back.extend(late.out_of);
         // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
-        let mut set: BTreeSet<DatumId> = found.data.keys().copied().collect();
+        let mut set: IdSet<DatumId> = found.data.keys().copied().collect();
         loop {
             let before = (found.data.len(), found.routines.len(), set.len());
-            for (id, routine) in index.routines.iter().enumerate() {
+            for (id, routine) in index.routines.numbered() {
                 let ctx = routine.ctx;
                 let (mut data, mut returns) = (Vec::new(), None);
                 in_all(index, routine, &mut |stmt| match &stmt.kind {
@@ -92,11 +92,11 @@ impl OwnPositions {
                     found.routines.entry(id).or_insert(at);
                 }
             }
-            let back: Vec<(DatumId, DatumId)> =
-                handed_back.iter().filter(|(_, from)| set.contains(from)).copied().collect();
-            set.extend(back.iter().map(|(to, _)| *to));
+            let back: Vec<ValueFlow> =
+                handed_back.iter().filter(|flow| set.contains(flow.from)).copied().collect();
+            set.extend(back.iter().map(|flow| flow.to));
             found.add_from(&back);
-            found.add_from(&sources);
+            found.add_from(sources.as_slice());
             if before == (found.data.len(), found.routines.len(), set.len()) {
                 let of_arguments = found.routines.keys().filter(|&&id| found.is_of_arguments(index, id));
                 found.of_arguments = of_arguments.copied().collect();
@@ -111,15 +111,15 @@ impl OwnPositions {
         }
     }
 
-    /// Adds data to which the value of another comes, `(to, from)`.
-    fn add_from<'p>(&mut self, pairs: impl IntoIterator<Item = &'p (DatumId, DatumId)>) {
-        for (to, from) in pairs {
-            self.add(self.data.get(from).map(|at| (*to, *at)));
+    /// Adds data to which the value of another comes.
+    fn add_from(&mut self, flows: &[ValueFlow]) {
+        for flow in flows {
+            self.add(self.data.get(&flow.from).map(|at| (flow.to, *at)));
         }
     }
 
     /// Whether a function works with its own data alone and asks no other routine.
-    fn is_of_arguments(&self, index: &Index<'_>, id: usize) -> bool {
+    fn is_of_arguments(&self, index: &Index<'_>, id: RoutineIndex) -> bool {
         let routine = &index.routines[id];
         let ctx = routine.ctx;
         // What is handed on if it is present (`\P?q`) no argument shows.
@@ -165,7 +165,7 @@ impl OwnPositions {
         index: &Index<'_>,
         ctx: Ctx,
         expr: &Expr,
-        holds: &impl Fn(DatumId) -> bool,
+        holds: &dyn Fn(DatumId) -> bool,
     ) -> Option<Span> {
         let mut read = None;
         every_call(expr, &mut |name, _| read = read.or(self.reading(index, ctx, name)));
@@ -190,7 +190,7 @@ impl OwnPositions {
         let own = index.name_at(ctx.file, name).map(|name| index.routine(name, ctx));
         match own {
             Some(Resolved::Here(routine) | Resolved::Elsewhere(routine)) => {
-                self.routines.get(&routine).filter(|_| !self.of_arguments.contains(&routine)).copied()
+                self.routines.get(&routine).filter(|_| !self.of_arguments.contains(routine)).copied()
             }
             _ => {
                 let read = self.readings.contains(&&*lower_case(index.text(ctx.file, name)));
@@ -226,23 +226,23 @@ fn is_search(name: &str) -> bool {
 }
 
 /// Calls `visit` with every statement of a routine that may name something new, its handlers' included.
-fn in_all<'a>(index: &Index<'_>, routine: &RoutineEntry<'a>, visit: &mut impl FnMut(&'a Stmt)) {
+fn in_all<'a>(index: &Index<'_>, routine: &RoutineEntry<'a>, visit: &mut dyn FnMut(&'a Stmt)) {
     bodies(routine.tree).for_each(|body| every_naming_statement(index, routine.ctx, body, visit));
 }
 
-/// What a routine's parameter by reference has become goes into what was handed over: `(to, from)`.
-fn handed_back(index: &Index<'_>) -> Vec<(DatumId, DatumId)> {
+/// What a routine's parameter by reference has become goes into what was handed over.
+fn handed_back(index: &Index<'_>) -> Vec<ValueFlow> {
     let mut out = Vec::new();
     let mut enter = |ctx: Ctx, callee: TextRange, args: &[Arg]| {
         let Some(name) = index.name_at(ctx.file, callee) else { return };
         let (Resolved::Here(callee) | Resolved::Elsewhere(callee)) = index.routine(name, ctx) else { return };
-        for (param, value, own) in match_arguments(index, ctx, callee, args) {
+        for MatchedArgument { param, value, handed_on } in match_arguments(index, ctx, callee, args) {
             let by_value = matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
-            let root = value.and_then(root_of).map(|(root, _)| root).or(own);
+            let root = value.and_then(root_of).map(|(root, _)| root).or(handed_on);
             if let Some(root) = root.filter(|_| !by_value)
                 && let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx)
             {
-                out.push((datum, param));
+                out.push(ValueFlow { to: datum, from: param });
             }
         }
     };

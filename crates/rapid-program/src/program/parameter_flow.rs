@@ -1,18 +1,20 @@
 //! What calls by a name that is worked out at run time hand over, and back.
 
 use super::expressions::root_of;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex, bodies, every_statement};
+use super::ids::RoutineIndex;
+use super::index::{Ctx, DatumKind, Index, Resolved, bodies, every_statement};
 use super::late_bound::reached;
 use super::tracked::names_in;
-use super::writes::match_arguments;
+use super::value_flow::ValueFlow;
+use super::writes::{MatchedArgument, match_arguments};
 use rapid_syntax::tree::{Arg, Callee, ParamMode, StmtKind};
 
-/// What late-bound calls hand from datum to datum: `(to, from)`.
+/// What late-bound calls hand from datum to datum.
 pub(super) struct ParameterFlow {
     /// Arguments into parameters.
-    pub(super) into: Vec<(DatumId, DatumId)>,
+    pub(super) into: Vec<ValueFlow>,
     /// What a parameter by reference has become into what was handed over.
-    pub(super) out_of: Vec<(DatumId, DatumId)>,
+    pub(super) out_of: Vec<ValueFlow>,
 }
 
 impl ParameterFlow {
@@ -37,21 +39,21 @@ impl ParameterFlow {
     }
 
     fn call(&mut self, index: &Index<'_>, ctx: Ctx, callee: RoutineIndex, args: &[Arg]) {
-        for (param, value, own) in match_arguments(index, ctx, callee, args) {
+        for MatchedArgument { param, value, handed_on } in match_arguments(index, ctx, callee, args) {
             if let Some(value) = value {
-                names_in(index, ctx, value, &mut |from| self.into.push((param, from)));
+                names_in(index, ctx, value, &mut |from| self.into.push(ValueFlow { to: param, from }));
             }
-            let root = value.and_then(root_of).map(|(root, _)| root).or(own);
+            let root = value.and_then(root_of).map(|(root, _)| root).or(handed_on);
             let Some(Resolved::Here(datum) | Resolved::Elsewhere(datum)) =
                 root.map(|root| index.datum(root, ctx))
             else {
                 continue;
             };
-            if own.is_some() {
-                self.into.push((param, datum));
+            if handed_on.is_some() {
+                self.into.push(ValueFlow { to: param, from: datum });
             }
             if !matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. }) {
-                self.out_of.push((datum, param));
+                self.out_of.push(ValueFlow { to: datum, from: param });
             }
         }
     }

@@ -9,11 +9,12 @@ mod skip_reasons;
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::finite_set::{FiniteSet, FiniteSets};
+use super::ids::{DatumId, IdSet, Slot, Table};
 use super::index::Index;
 use super::module_facts::facts;
-use super::motion::{Motion, MotionId, MotionSetup, Path, SkipReason, Target, WobjArgument};
+use super::motion::{Motion, MotionId, MotionSetup, Path, PersTarget, SkipReason, Target, WobjArgument};
 use super::motion_site::{MotionSite, MotionSites};
-use super::names::as_text;
+use super::names::{ByNumber, as_text};
 use super::order::{Before, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
@@ -56,7 +57,7 @@ impl Program {
         let StatesAtMotions { first, any, left } =
             states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
         let found = OwnPositions::of_searches(&index);
-        let of_targets = TrackedData::of_targets(&index, &writes, &sites, |datum| found.holds(datum));
+        let of_targets = TrackedData::of_targets(&index, &writes, &sites, &|datum| found.holds(datum));
         let on_ways = if of_targets.data.is_empty() && found.is_empty() {
             TargetsOnWays::default()
         } else {
@@ -85,10 +86,10 @@ impl Program {
             recent_setups: VecDeque::new(),
             last_skip: None,
             kept_over: BTreeMap::new(),
-            settable: BTreeSet::new(),
+            settable: IdSet::default(),
             guesses: BTreeMap::new(),
             read_elsewhere: BTreeMap::new(),
-            made_of_pers: BTreeMap::new(),
+            made_of_pers: Vec::new(),
         };
         let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
         let (mut junctions, mut also_anywhere) = (BTreeMap::new(), BTreeSet::new());
@@ -106,12 +107,12 @@ impl Program {
                 Before::Unknown => (None, false),
             };
             let seen = Seen { first: first.as_deref(), any: any.as_deref() };
-            let motion = finish.motion(&site, motions.len(), &seen);
+            let motion = finish.motion(&site, MotionId::new(motions.len()), &seen);
             motions.push(Motion { previous, from_start, ..motion });
         }
         let made_of_pers = std::mem::take(&mut finish.made_of_pers);
         let settable: Vec<String> =
-            finish.settable.iter().map(|&datum| finish.evaluator.name_of(datum)).collect();
+            finish.settable.iter().map(|datum| finish.evaluator.name_of(datum)).collect();
         diagnostics.extend(finish.evaluator.elsewhere_warnings());
         diagnostics.extend(finish.kept_over.into_values());
         diagnostics.extend(finish.guesses.into_values());
@@ -165,7 +166,7 @@ struct MotionReader<'f, 'a> {
     evaluator: ConstEvaluator<'a>,
     tracked: &'f TrackedData,
     /// What the program leaves in them.
-    left: &'f [LeftBehind],
+    left: &'f Table<Slot, LeftBehind>,
     own_positions: OwnPositions,
     /// The combinations of loops that stand round motions.
     nests: Vec<Vec<usize>>,
@@ -176,22 +177,22 @@ struct MotionReader<'f, 'a> {
     /// The last reason for which a motion stays as it is.
     last_skip: Option<Arc<SkipReason>>,
     /// Tools and work objects that motions use before the program sets them, once each.
-    kept_over: BTreeMap<usize, Diagnostic>,
+    kept_over: BTreeMap<DatumId, Diagnostic>,
     /// Tools and work objects of motions that other modules, given or not, can set.
-    settable: BTreeSet<usize>,
+    settable: IdSet<DatumId>,
     read_as_data: ReadAsData,
     /// The values that data can have, where they are a few.
     finite_sets: FiniteSets<'a>,
-    /// The values that targets can have by the ways that lead to them, by the motion's position.
-    on_ways: BTreeMap<usize, FiniteSet>,
-    /// The motions with a target that can be what a search has found, by position.
-    from_search: BTreeSet<usize>,
+    /// The values that targets can have by the ways that lead to them.
+    on_ways: ByNumber<MotionId, FiniteSet>,
+    /// The motions with a target that can be what a search has found.
+    from_search: BTreeSet<MotionId>,
     /// External axes that move neither the robot's base nor a work object.
     base_fixed: [bool; 6],
     /// Targets that are read as data elsewhere, once each.
-    read_elsewhere: BTreeMap<usize, Diagnostic>,
+    read_elsewhere: BTreeMap<DatumId, Diagnostic>,
     /// The first PERS of each motion's targets.
-    made_of_pers: BTreeMap<MotionId, (String, Span)>,
+    made_of_pers: Vec<PersTarget>,
     /// Speeds and zones that are not predefined, once each.
     guesses: BTreeMap<String, Diagnostic>,
 }
@@ -200,7 +201,7 @@ struct MotionReader<'f, 'a> {
 const RECENT_SETUPS: usize = 16;
 
 impl<'a> MotionReader<'_, 'a> {
-    fn motion(&mut self, site: &MotionSite<'a>, at: usize, seen: &Seen<'_>) -> Motion {
+    fn motion(&mut self, site: &MotionSite<'a>, at: MotionId, seen: &Seen<'_>) -> Motion {
         if let Some(motion) = self.like_the_last(site, at, seen) {
             return motion;
         }
@@ -258,9 +259,7 @@ impl<'a> MotionReader<'_, 'a> {
             for (datum, warning) in read_elsewhere {
                 self.read_elsewhere.entry(datum).or_insert(warning);
             }
-            if let Some(pers) = self.first_pers(&args, ctx) {
-                self.made_of_pers.insert(MotionId::new(at), pers);
-            }
+            self.made_of_pers.extend(self.first_pers(at, &args, ctx));
         }
         let has_later = !setup.later_frames.is_empty();
         let motion = Motion {

@@ -1,16 +1,16 @@
 //! Targets that the program reads as data as well: there the original value counts, while the arm stands at the corrected one.
 
 use super::expressions::{every_call, expressions_of, value_of};
-use super::index::{Ctx, DatumId, Index, bodies};
+use super::ids::{DatumId, IdSet};
+use super::index::{Ctx, Index, bodies};
 use super::instructions::move_form;
 use super::motion::SkipReason;
-use super::names::{as_text, lower_case};
+use super::names::{ByNumber, as_text, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
 use super::tracked::{names_in, sources};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{Callee, Expr, RoutineKind, Stmt, StmtKind};
-use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// What makes a tool, a frame or a zone out of targets: the arm must stand where those say.
@@ -46,12 +46,12 @@ pub(super) struct Reading {
 
 /// For each target that is read as data, where.
 #[derive(Debug, Default)]
-pub(super) struct ReadAsData(BTreeMap<DatumId, Reading>);
+pub(super) struct ReadAsData(ByNumber<DatumId, Reading>);
 
 impl ReadAsData {
     /// Where the targets of a program are read, by themselves or through what they are assigned to.
     pub(super) fn new(index: &Index<'_>) -> Self {
-        let mut direct = BTreeMap::new();
+        let mut direct = ByNumber::default();
         for routine in &index.routines {
             for body in bodies(routine.tree) {
                 let mut visit = |stmt| statement(index, routine.ctx, stmt, &mut direct);
@@ -62,17 +62,17 @@ impl ReadAsData {
             return Self::default();
         }
         // What a target's value goes into counts as the target.
-        let mut goes_into: BTreeMap<DatumId, Vec<DatumId>> = BTreeMap::new();
+        let mut goes_into: ByNumber<DatumId, Vec<DatumId>> = ByNumber::default();
         let late = ParameterFlow::new(index);
-        for (to, from) in sources(index).into_iter().chain(late.into).chain(late.out_of) {
-            goes_into.entry(from).or_default().push(to);
+        for flow in sources(index).as_slice().iter().chain(&late.into).chain(&late.out_of) {
+            goes_into.entry(flow.from).or_default().push(flow.to);
         }
-        let mut found = BTreeMap::new();
-        for (datum, entry) in index.data.iter().enumerate() {
+        let mut found = ByNumber::default();
+        for (datum, entry) in index.data.numbered() {
             if !matches!(index.type_text(entry.type_name), "robtarget" | "jointtarget") {
                 continue;
             }
-            let mut seen = BTreeSet::from([datum]);
+            let mut seen = IdSet::from_iter([datum]);
             let mut new = vec![datum];
             let mut reading: Option<&Reading> = None;
             while let Some(at) = new.pop() {
@@ -147,7 +147,7 @@ impl Reading {
 }
 
 /// Enters what a statement reads, motions and assignments aside.
-fn statement(index: &Index<'_>, ctx: Ctx, stmt: &Stmt, direct: &mut BTreeMap<DatumId, Reading>) {
+fn statement(index: &Index<'_>, ctx: Ctx, stmt: &Stmt, direct: &mut ByNumber<DatumId, Reading>) {
     let returns_target = ctx.routine.and_then(|id| index.routines.get(id)).is_some_and(|routine| {
         let RoutineKind::Func(of) = routine.tree.kind else { return false };
         let of = lower_case(index.text(ctx.file, of));
@@ -186,7 +186,7 @@ fn calibrating_functions(
     ctx: Ctx,
     stmt: &Stmt,
     at: Span,
-    direct: &mut BTreeMap<DatumId, Reading>,
+    direct: &mut ByNumber<DatumId, Reading>,
 ) {
     for expr in expressions_of(stmt) {
         every_call(expr, &mut |name, args| {
@@ -208,7 +208,7 @@ fn is_calibration(name: &str) -> bool {
     CALIBRATIONS.binary_search(&&*lower_case(name.as_bytes())).is_ok()
 }
 
-fn enter(direct: &mut BTreeMap<DatumId, Reading>, datum: DatumId, reading: &Reading) {
+fn enter(direct: &mut ByNumber<DatumId, Reading>, datum: DatumId, reading: &Reading) {
     direct
         .entry(datum)
         .and_modify(|known| {

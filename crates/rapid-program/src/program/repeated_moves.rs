@@ -13,7 +13,7 @@ pub(super) fn every_naming_statement<'a>(
     index: &Index<'_>,
     ctx: Ctx,
     body: &'a [Stmt],
-    visit: &mut impl FnMut(&'a Stmt),
+    visit: &mut dyn FnMut(&'a Stmt),
 ) {
     let mut last: Option<&Stmt> = None;
     for stmt in body {

@@ -19,15 +19,17 @@ use super::data::LoadData;
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, TrackedValues};
 use super::flow::{BLOCKERS, ForwardAnalysis, RoutineCfg, every_step, walk};
-use super::index::{Ctx, DatumId, RoutineIndex};
+use super::ids::{DatumId, RoutineIndex, Slot, Table};
+use super::index::Ctx;
 use super::mod_ref::{RoutineEffects, routine_effects};
-use super::motion::SkipReason;
+use super::motion::{MotionId, SkipReason};
+use super::names::ByNumber;
 use super::own_position::OwnPositions;
 use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::{Expr, RoutineKind};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// States a routine is walked with one by one; behind it only what they have in common counts.
@@ -51,7 +53,7 @@ pub(super) struct SlotState {
 /// What is in force at one place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct State {
-    pub(super) slots: Vec<SlotState>,
+    pub(super) slots: Table<Slot, SlotState>,
     pub(super) conf_l: Option<bool>,
     pub(super) conf_j: Option<bool>,
     /// What the last GripLoad said; `None` = not known.
@@ -83,7 +85,7 @@ pub(super) struct StatesAtMotions {
     /// In whatever pass: data that outlive a cycle begin with the declared value or with one that the program has left.
     pub(super) any: AtMotions,
     /// What the program leaves in the data that are tracked.
-    pub(super) left: Vec<LeftBehind>,
+    pub(super) left: Table<Slot, LeftBehind>,
 }
 
 /// What each of so many motions sees.
@@ -109,15 +111,15 @@ struct Walker<'w, 'a> {
     at_motions: Vec<Option<Rc<State>>>,
     /// The last one seen: most motions of a routine see the same.
     last_seen: Option<Rc<State>>,
-    walked: Vec<Vec<(State, After)>>,
-    common: Vec<Option<State>>,
+    walked: Table<RoutineIndex, Vec<(State, After)>>,
+    common: Table<RoutineIndex, Option<State>>,
     busy: Vec<Busy>,
     steps: u64,
-    effects: Vec<RoutineEffects>,
+    effects: Table<RoutineIndex, RoutineEffects>,
     /// What the handlers of each routine and those they call may change.
-    in_handlers: Vec<RoutineEffects>,
+    in_handlers: Table<RoutineIndex, RoutineEffects>,
     /// Motions whose target is looked at on every visit.
-    watched: BTreeMap<usize, Watched<'a>>,
+    watched: ByNumber<MotionId, Watched<'a>>,
     /// Points that searches have found, and the motions to which they come.
     found: Option<FoundPoints<'w, 'a>>,
     /// What the program is entered with; nothing: declared values, and everything off.
@@ -125,7 +127,7 @@ struct Walker<'w, 'a> {
     /// What motion settings are in force where a cycle ends, on any way of this pass.
     cycle_end: Option<State>,
     /// What this pass has left in them so far.
-    left: Vec<LeftBehind>,
+    left: Table<Slot, LeftBehind>,
     /// What is being walked runs only where somebody calls it by hand.
     by_hand: bool,
 }
@@ -141,9 +143,9 @@ struct Watched<'a> {
 struct FoundPoints<'w, 'a> {
     points: &'w OwnPositions,
     /// The targets of each motion that can be one at some time.
-    targets: BTreeMap<usize, (Vec<&'a Expr>, Ctx)>,
+    targets: ByNumber<MotionId, (Vec<&'a Expr>, Ctx)>,
     /// The motions to which one comes.
-    motions: BTreeSet<usize>,
+    motions: BTreeSet<MotionId>,
 }
 
 /// What a routine leaves.
@@ -178,17 +180,17 @@ impl<'w, 'a> Walker<'w, 'a> {
         Self {
             at_motions: vec![None; motions],
             last_seen: None,
-            walked: vec![Vec::new(); routines],
-            common: vec![None; routines],
+            walked: Table::filled(routines, Vec::new()),
+            common: Table::filled(routines, None),
             busy: Vec::new(),
             steps: 0,
-            in_handlers: Vec::new(),
+            in_handlers: Table::default(),
             effects: routine_effects(control_flow),
-            watched: BTreeMap::new(),
+            watched: ByNumber::default(),
             found: None,
             entry: None,
             cycle_end: None,
-            left: vec![LeftBehind::default(); tracked.data.len()],
+            left: Table::filled(tracked.data.len(), LeftBehind::default()),
             by_hand: false,
             evaluator,
             control_flow,
@@ -202,7 +204,7 @@ impl Walker<'_, '_> {
         self.in_handlers = self.control_flow.routines.iter().map(|cfg| self.in_handlers_of(cfg)).collect();
         let index = self.evaluator.index;
         let entered = self.entry();
-        let ids = 0..self.control_flow.routines.len();
+        let ids = self.control_flow.routines.ids();
         for id in ids.clone().filter(|&id| index.routines[id].tree.kind == RoutineKind::Trap) {
             let anything = self.anything("a trap may run at any time");
             self.call(id, anything);
@@ -227,8 +229,8 @@ impl Walker<'_, '_> {
         if self.steps > MOST_STEPS {
             let anything = self.anything("there are too many ways through the program to follow");
             let mut shared = None;
-            for at in 0..self.at_motions.len() {
-                self.record(at, &anything, &mut shared);
+            for motion in (0..self.at_motions.len()).map(MotionId::new) {
+                self.record(motion, &anything, &mut shared);
             }
         }
         self.at_any_time();
@@ -238,24 +240,24 @@ impl Walker<'_, '_> {
     fn at_any_time(&mut self) {
         let index = self.evaluator.index;
         let mut any = RoutineEffects::default();
-        for (id, in_handlers) in self.in_handlers.iter().enumerate() {
+        for (id, in_handlers) in self.in_handlers.numbered() {
             if index.routines[id].tree.kind == RoutineKind::Trap {
                 any.add(&self.effects[id]);
             }
             any.add(in_handlers);
         }
-        if !any.conf_l && !any.conf_j && any.blockers.is_empty() {
+        if !any.conf_l && !any.conf_j && any.blockers.iter().all(Option::is_none) {
             return;
         }
         for state in self.at_motions.iter_mut().flatten().map(Rc::make_mut) {
             state.conf_l = state.conf_l.filter(|_| !any.conf_l);
             state.conf_j = state.conf_j.filter(|_| !any.conf_j);
             state.grip = state.grip.filter(|_| !any.grip);
-            for (hold, held) in BLOCKERS.iter().zip(&mut state.blockers) {
-                if let Some(by) = any.blockers.get(hold)
-                    && held.is_none()
+            for (by, blocker) in any.blockers.iter().zip(&mut state.blockers) {
+                if let Some(by) = by
+                    && blocker.is_none()
                 {
-                    *held = Some(at_any_time(by));
+                    *blocker = Some(at_any_time(by));
                 }
             }
         }
@@ -266,17 +268,17 @@ impl Walker<'_, '_> {
         for handler in &cfg.handlers {
             every_step(handler, &mut |step| own.add_step(step));
         }
-        for callee in own.calls.clone() {
+        for callee in own.calls.clone().iter() {
             own.add(&self.effects[callee]);
         }
         own
     }
 
     /// What a motion sees on one more visit; `shared`: the same for other motions that see it.
-    fn record(&mut self, motion: usize, state: &State, shared: &mut Option<Rc<State>>) {
+    fn record(&mut self, motion: MotionId, state: &State, shared: &mut Option<Rc<State>>) {
         self.watch(motion, state);
         self.watch_found(motion, state);
-        let seen = self.at_motions.get_mut(motion).and_then(Option::take);
+        let seen = self.at_motions.get_mut(motion.index()).and_then(Option::take);
         let seen = match seen {
             None => Rc::clone(shared.get_or_insert_with(|| match self.last_seen.take() {
                 Some(last) if *last == *state => last,
@@ -288,7 +290,7 @@ impl Walker<'_, '_> {
             }
         };
         self.last_seen = Some(Rc::clone(&seen));
-        if let Some(at) = self.at_motions.get_mut(motion) {
+        if let Some(at) = self.at_motions.get_mut(motion.index()) {
             *at = Some(seen);
         }
     }
@@ -426,7 +428,7 @@ fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {
 }
 
 fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
-    for &slot in &effects.slots {
+    for slot in effects.slots.iter() {
         if let Some(slot) = state.slots.get_mut(slot) {
             slot.value = Value::Unknown(why.clone());
             slot.found = true;
@@ -435,9 +437,9 @@ fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
     state.conf_l = state.conf_l.filter(|_| !effects.conf_l);
     state.conf_j = state.conf_j.filter(|_| !effects.conf_j);
     state.grip = state.grip.filter(|_| !effects.grip);
-    for (hold, held) in BLOCKERS.iter().zip(&mut state.blockers) {
-        if let Some(by) = effects.blockers.get(hold) {
-            *held = Some(by.clone());
+    for (by, blocker) in effects.blockers.iter().zip(&mut state.blockers) {
+        if by.is_some() {
+            blocker.clone_from(by);
         }
     }
 }

@@ -2,27 +2,28 @@
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
 use super::expressions::{every_call, expressions_of, root_of, value_of};
-use super::flow::Slot;
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, bodies};
+use super::ids::{DatumId, Id, IdSet, Slot, Table};
+use super::index::{Ctx, DatumKind, Index, Resolved, bodies};
 use super::motion_site::MotionSites;
 use super::repeated_moves::every_naming_statement;
-use super::writes::{Writes, match_arguments};
+use super::value_flow::{ValueFlow, ValueFlows};
+use super::writes::{MatchedArgument, Writes, match_arguments};
+use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
-use std::collections::BTreeSet;
 
 /// The data that are tracked, and their positions in a state.
 #[derive(Debug, Default)]
 pub(super) struct TrackedData {
-    pub(super) slot_of: Vec<Option<Slot>>,
-    pub(super) data: Vec<DatumId>,
+    pub(super) slot_of: Table<DatumId, Option<Slot>>,
+    pub(super) data: Table<Slot, DatumId>,
     /// For each slot those of the parameters by reference that may stand for its datum.
-    stand_for: Vec<Vec<Slot>>,
+    stand_for: Table<Slot, Vec<Slot>>,
 }
 
 impl TrackedData {
     /// What must be tracked for the tools, work objects, speeds and zones of a program's motions.
     pub(super) fn new(index: &Index<'_>, writes: &Writes, sites: &MotionSites<'_>) -> Self {
-        let mut wanted = BTreeSet::new();
+        let mut wanted = IdSet::default();
         for site in sites.naming(index) {
             let args = site.args(index);
             let options = args.options.iter().filter_map(|(_, value)| *value);
@@ -41,9 +42,9 @@ impl TrackedData {
         index: &Index<'_>,
         writes: &Writes,
         sites: &MotionSites<'_>,
-        found: impl Fn(DatumId) -> bool,
+        found: &dyn Fn(DatumId) -> bool,
     ) -> Self {
-        let mut wanted = BTreeSet::new();
+        let mut wanted = IdSet::default();
         for site in sites.naming(index) {
             let targets = site.args(index).targets;
             for target in &targets {
@@ -58,9 +59,10 @@ impl TrackedData {
     }
 
     /// Those that can be tracked, and whatever their values are made of.
-    fn of(index: &Index<'_>, writes: &Writes, wanted: BTreeSet<DatumId>) -> Self {
-        let slot_of = vec![None; index.data.len()];
-        let mut out = Self { slot_of, data: Vec::new(), stand_for: Vec::new() };
+    fn of(index: &Index<'_>, writes: &Writes, wanted: IdSet<DatumId>) -> Self {
+        let slot_of = Table::filled(index.data.len(), None);
+        let mut out = Self { slot_of, ..Self::default() };
+        let mut data: Vec<DatumId> = Vec::new();
         let can_be = |datum: DatumId| {
             let entry = &index.data[datum];
             let changes = match entry.kind {
@@ -71,17 +73,18 @@ impl TrackedData {
             changes && !entry.array && writes.orderly(datum) && writes.by_computed_name.is_none()
         };
         let sources = sources(index);
-        let mut new: Vec<DatumId> = wanted.into_iter().collect();
+        let mut new: Vec<DatumId> = wanted.iter().collect();
         while let Some(datum) = new.pop() {
             if out.slot_of[datum].is_some() || !can_be(datum) {
                 continue;
             }
-            out.slot_of[datum] = Some(out.data.len());
-            out.data.push(datum);
-            new.extend(sources.iter().filter(|(to, _)| *to == datum).map(|(_, from)| *from));
+            out.slot_of[datum] = Some(Slot::at(data.len()));
+            data.push(datum);
+            new.extend(sources.sources_of(datum));
         }
-        out.data.sort_unstable();
-        for (slot, &datum) in out.data.iter().enumerate() {
+        data.sort_unstable();
+        out.data = data.into();
+        for (slot, &datum) in out.data.numbered() {
             out.slot_of[datum] = Some(slot);
         }
         out.stand_for = out.data.iter().map(|&datum| out.standing_for(datum, writes)).collect();
@@ -90,13 +93,13 @@ impl TrackedData {
 
     /// The parameters that are handed a datum by reference, or a parameter that is.
     fn standing_for(&self, datum: DatumId, writes: &Writes) -> Vec<Slot> {
-        let (mut found, mut new) = (BTreeSet::new(), vec![datum]);
+        let (mut found, mut new) = (IdSet::default(), vec![datum]);
         while let Some(datum) = new.pop() {
-            let handed = writes.by_reference.iter().filter(|(handed, _)| *handed == datum);
-            new.extend(handed.map(|(_, param)| *param).filter(|&param| found.insert(param)));
+            let handed = writes.by_reference.iter().filter(|passed| passed.datum == datum);
+            new.extend(handed.map(|passed| passed.param).filter(|&param| found.insert(param)));
         }
-        found.remove(&datum);
-        found.into_iter().filter_map(|param| self.slot(param)).collect()
+        found.remove(datum);
+        found.iter().filter_map(|param| self.slot(param)).collect()
     }
 
     /// The slots of parameters by reference that may stand for the datum of a slot: they change with it.
@@ -110,17 +113,14 @@ impl TrackedData {
     }
 }
 
-/// Which datum's value goes into which, by assignment, declaration or as an argument: `(to, from)`.
-pub(super) fn sources(index: &Index<'_>) -> BTreeSet<(DatumId, DatumId)> {
+/// Which datum's value goes into which, by assignment, declaration or as an argument.
+pub(super) fn sources(index: &Index<'_>) -> ValueFlows {
     sources_where(index, &|_, _| true)
 }
 
 /// The same of those parts of expressions that `counts` says count.
-pub(super) fn sources_where(
-    index: &Index<'_>,
-    counts: &impl Fn(Ctx, &Expr) -> bool,
-) -> BTreeSet<(DatumId, DatumId)> {
-    let mut out = BTreeSet::new();
+pub(super) fn sources_where(index: &Index<'_>, counts: &dyn Fn(Ctx, &Expr) -> bool) -> ValueFlows {
+    let mut out: Vec<ValueFlow> = Vec::new();
     for routine in &index.routines {
         let ctx = routine.ctx;
         for body in bodies(routine.tree) {
@@ -131,7 +131,7 @@ pub(super) fn sources_where(
                             && let Some(to) = datum_at(index, ctx, root)
                         {
                             names_in_where(index, ctx, &assign.value, counts, &mut |from| {
-                                out.insert((to, from));
+                                out.push(ValueFlow { to, from });
                             });
                         }
                     }
@@ -140,50 +140,49 @@ pub(super) fn sources_where(
                             && let Some(to) = datum_at(index, ctx, decl.name)
                         {
                             names_in_where(index, ctx, init, counts, &mut |from| {
-                                out.insert((to, from));
+                                out.push(ValueFlow { to, from });
                             });
                         }
                     }
                     StmtKind::Call(call) => {
                         if let Callee::Name(name) = &call.callee {
-                            arguments(index, ctx, *name, &call.args, (counts, &mut out));
+                            arguments(index, ctx, *name, &call.args, counts, &mut out);
                         }
                     }
                     _ => {}
                 }
                 for expr in expressions_of(stmt) {
                     every_call(expr, &mut |name, args| {
-                        arguments(index, ctx, name, args, (counts, &mut out));
+                        arguments(index, ctx, name, args, counts, &mut out);
                     });
                 }
             });
         }
     }
-    out
+    ValueFlows::new(out)
 }
 
 fn arguments(
     index: &Index<'_>,
     ctx: Ctx,
-    callee: rapid_syntax::diagnostic::TextRange,
+    callee: TextRange,
     args: &[Arg],
-    (counts, out): (&impl Fn(Ctx, &Expr) -> bool, &mut BTreeSet<(DatumId, DatumId)>),
+    counts: &dyn Fn(Ctx, &Expr) -> bool,
+    out: &mut Vec<ValueFlow>,
 ) {
     let Some(name) = index.name_at(ctx.file, callee) else { return };
     let (Resolved::Here(callee) | Resolved::Elsewhere(callee)) = index.routine(name, ctx) else { return };
-    for (param, value, own) in match_arguments(index, ctx, callee, args) {
+    for MatchedArgument { param: to, value, handed_on } in match_arguments(index, ctx, callee, args) {
         if let Some(value) = value {
-            names_in_where(index, ctx, value, counts, &mut |from| {
-                out.insert((param, from));
-            });
+            names_in_where(index, ctx, value, counts, &mut |from| out.push(ValueFlow { to, from }));
         }
-        if let Some(own) = own.and_then(|own| datum_at(index, ctx, own)) {
-            out.insert((param, own));
+        if let Some(from) = handed_on.and_then(|own| datum_at(index, ctx, own)) {
+            out.push(ValueFlow { to, from });
         }
     }
 }
 
-fn datum_at(index: &Index<'_>, ctx: Ctx, name: rapid_syntax::diagnostic::TextRange) -> Option<DatumId> {
+fn datum_at(index: &Index<'_>, ctx: Ctx, name: TextRange) -> Option<DatumId> {
     match index.datum(name, ctx) {
         Resolved::Here(datum) | Resolved::Elsewhere(datum) => Some(datum),
         Resolved::Twice(..) | Resolved::Nowhere => None,
@@ -191,14 +190,14 @@ fn datum_at(index: &Index<'_>, ctx: Ctx, name: rapid_syntax::diagnostic::TextRan
 }
 
 /// Whether a function asks about its argument, whatever that is worth.
-fn asks_about(index: &Index<'_>, ctx: Ctx, function: rapid_syntax::diagnostic::TextRange) -> bool {
+fn asks_about(index: &Index<'_>, ctx: Ctx, function: TextRange) -> bool {
     let name = super::names::lower_case(index.text(ctx.file, function));
     matches!(&*name, "argname" | "dim" | "ispers" | "isvar" | "present" | "type")
         && !index.declares_routine(function, ctx)
 }
 
 /// Calls `visit` with every datum whose value an expression reads.
-pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, visit: &mut impl FnMut(DatumId)) {
+pub(super) fn names_in(index: &Index<'_>, ctx: Ctx, expr: &Expr, visit: &mut dyn FnMut(DatumId)) {
     names_in_where(index, ctx, expr, &|_, _| true, visit);
 }
 
@@ -207,8 +206,8 @@ pub(super) fn names_in_where(
     index: &Index<'_>,
     ctx: Ctx,
     expr: &Expr,
-    counts: &impl Fn(Ctx, &Expr) -> bool,
-    visit: &mut impl FnMut(DatumId),
+    counts: &dyn Fn(Ctx, &Expr) -> bool,
+    visit: &mut dyn FnMut(DatumId),
 ) {
     if !counts(ctx, expr) {
         return;

@@ -1,7 +1,7 @@
 //! What an expression is worth, without type: numbers, truth values, strings, and records or arrays of
 //! them, in the units they are written in. A part may be unknown, with the reason.
 
-use super::index::DatumId;
+use super::ids::DatumId;
 use super::motion::SkipReason;
 use rapid_syntax::leading_decimal;
 use std::rc::Rc;

@@ -3,7 +3,8 @@
 
 use super::built_in::is_built_in_function;
 use super::expressions::{every_call, expressions_of, root_of, value_of, words};
-use super::index::{Ctx, DatumId, DatumKind, Index, Resolved, RoutineIndex};
+use super::ids::{DatumId, RoutineIndex, Table};
+use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::instructions::move_form;
 use super::late_bound;
 use super::names::Sym;
@@ -46,34 +47,34 @@ pub(super) struct Write {
 #[derive(Debug, Default)]
 pub(super) struct Writes {
     /// For each datum the first change and the least orderly one.
-    by_datum: Vec<Option<(Write, How)>>,
+    by_datum: Table<DatumId, Option<(Write, How)>>,
     /// A value is set by a name that is computed at run time: anything may be changed.
     pub(super) by_computed_name: Option<Span>,
-    /// Data that are handed to parameters by reference, each with the parameter that then stands for it.
-    pub(super) by_reference: Vec<(DatumId, DatumId)>,
+    pub(super) by_reference: Vec<PassedDatum>,
     by_name: Vec<(Sym, Span)>,
 }
 
-/// A datum handed to a routine's parameter that it may write.
-struct PassedDatum {
-    datum: DatumId,
-    param: DatumId,
+/// A datum handed to a routine's parameter by reference, which then stands for it.
+#[derive(Debug)]
+pub(super) struct PassedDatum {
+    pub(super) datum: DatumId,
+    pub(super) param: DatumId,
     at: Span,
 }
 
 impl Writes {
     /// Every change in the given files.
     pub(super) fn new(index: &Index<'_>) -> Self {
-        let by_datum = vec![None; index.data.len()];
+        let by_datum = Table::filled(index.data.len(), None);
         let mut scan = Scan { index, writes: Self { by_datum, ..Self::default() }, passed: Vec::new() };
-        for (id, routine) in index.routines.iter().enumerate() {
+        for (id, routine) in index.routines.numbered() {
             let trap = routine.tree.kind == RoutineKind::Trap;
             scan.body(&routine.tree.body, id, trap);
             for handler in &routine.tree.handlers {
                 scan.body(&handler.body, id, true);
             }
         }
-        for (id, module) in index.modules.iter().enumerate() {
+        for (id, module) in index.modules.numbered() {
             let ctx = Ctx { file: module.file, module: id, routine: None };
             for item in &module.tree.items {
                 if let ModuleItem::Opaque(range) = item {
@@ -83,9 +84,9 @@ impl Writes {
         }
         scan.follow_parameters();
         let Scan { mut writes, passed, .. } = scan;
-        writes.by_reference = passed.iter().map(|passed| (passed.datum, passed.param)).collect();
+        writes.by_reference = passed;
         for (name, at) in std::mem::take(&mut writes.by_name) {
-            for (id, datum) in index.data.iter().enumerate() {
+            for (id, datum) in index.data.numbered() {
                 if datum.name == name {
                     writes.add(id, Write { at, how: How::AnyTime }, datum.kind);
                 }
@@ -170,13 +171,22 @@ pub(super) fn doubtful_arguments(
     out
 }
 
+/// What a call hands to a parameter of the callee.
+pub(super) struct MatchedArgument<'c> {
+    pub(super) param: DatumId,
+    /// The expression that stands there; `None` for a switch.
+    pub(super) value: Option<&'c Expr>,
+    /// The caller's own parameter that is handed on if it is present, of `\Name?parameter`.
+    pub(super) handed_on: Option<TextRange>,
+}
+
 /// The arguments of a call matched with the callee's parameters.
 pub(super) fn match_arguments<'c>(
     index: &Index<'_>,
     ctx: Ctx,
     callee: RoutineIndex,
     args: &'c [Arg],
-) -> Vec<(DatumId, Option<&'c Expr>, Option<TextRange>)> {
+) -> Vec<MatchedArgument<'c>> {
     let mut out = Vec::new();
     let Some(routine) = index.routines.get(callee) else { return out };
     let required = |&&id: &&DatumId| !matches!(index.data[id].kind, DatumKind::Param { optional: true, .. });
@@ -185,17 +195,17 @@ pub(super) fn match_arguments<'c>(
         match &arg.kind {
             ArgKind::Positional(expr) => {
                 if let Some(&param) = positional.next() {
-                    out.push((param, Some(expr), None));
+                    out.push(MatchedArgument { param, value: Some(expr), handed_on: None });
                 }
             }
             ArgKind::Named { name, value } => {
                 if let Some(param) = parameter_named(index, ctx, routine.params.as_slice(), *name) {
-                    out.push((param, value.as_ref(), None));
+                    out.push(MatchedArgument { param, value: value.as_ref(), handed_on: None });
                 }
             }
             ArgKind::Conditional { name, param: own } => {
                 if let Some(param) = parameter_named(index, ctx, routine.params.as_slice(), *name) {
-                    out.push((param, None, Some(*own)));
+                    out.push(MatchedArgument { param, value: None, handed_on: Some(*own) });
                 }
             }
         }
@@ -292,10 +302,10 @@ impl Scan<'_, '_> {
     }
 
     fn handed_to(&mut self, args: &[Arg], routine: RoutineIndex, ctx: Ctx, at: Span) {
-        for (param, value, own) in match_arguments(self.index, ctx, routine, args) {
+        for MatchedArgument { param, value, handed_on } in match_arguments(self.index, ctx, routine, args) {
             let by_reference =
                 !matches!(self.index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
-            let name = value.and_then(root_of).map(|(name, _)| name).or(own);
+            let name = value.and_then(root_of).map(|(name, _)| name).or(handed_on);
             if by_reference
                 && let Some(name) = name
                 && let Some(datum) = self.datum(name, ctx)
@@ -345,7 +355,7 @@ impl Scan<'_, '_> {
             return;
         };
         let type_name = super::names::lower_case(&type_name);
-        for (id, datum) in self.index.data.iter().enumerate() {
+        for (id, datum) in self.index.data.numbered() {
             if self.index.names.text(datum.type_name) == type_name
                 || self.index.type_text(datum.type_name) == type_name
             {

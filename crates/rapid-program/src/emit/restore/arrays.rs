@@ -4,7 +4,7 @@ use crate::emit::aggregate::{is_plain, singles};
 use crate::emit::number::{write_num, write_orient};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{DataDecl, Expr};
+use rapid_syntax::tree::{DataDecl, Expr, Routine};
 use robot_model::units::deg_from_rad;
 
 /// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
@@ -27,6 +27,43 @@ pub(super) struct Array<'b> {
     letters: &'b [u8],
     /// The same as they are now.
     now: Vec<u8>,
+}
+
+/// An array by its name, with what is found out about it.
+pub(super) struct NamedArray<'w> {
+    /// The name in lower case.
+    pub(super) name: String,
+    pub(super) array: Array<'w>,
+    /// The motions that name it, in source order.
+    pub(super) uses: Vec<Use<'w>>,
+    /// For each row the original that a touched-up element means.
+    pub(super) meant: Vec<Option<Meant>>,
+}
+
+/// A motion's argument that names an array.
+pub(super) struct Use<'w> {
+    pub(super) expr: TextRange,
+    /// The source's own index, where the array is one of many targets.
+    pub(super) index: Option<TextRange>,
+    pub(super) routine: &'w Routine,
+}
+
+impl<'w> NamedArray<'w> {
+    /// Nothing is known of it yet.
+    pub(super) fn new(name: &str, array: Array<'w>) -> Self {
+        Self { name: name.to_ascii_lowercase(), array, uses: Vec::new(), meant: Vec::new() }
+    }
+
+    /// That of a name in lower case, among all in the order of their names.
+    pub(super) fn find<'a>(all: &'a mut [Self], name: &str) -> Option<&'a mut Self> {
+        let at = all.binary_search_by(|array| array.name.as_str().cmp(name)).ok()?;
+        all.get_mut(at)
+    }
+
+    /// The routine of the first motion that names it.
+    pub(super) fn routine(&self) -> Option<&'w Routine> {
+        self.uses.first().map(|one| one.routine)
+    }
 }
 
 /// The elements of an array, row by row, and their letters.

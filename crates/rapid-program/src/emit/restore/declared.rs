@@ -1,33 +1,31 @@
 //! Targets that were changed where they are declared, while the motions of the form schedule go by arrays made of them.
 
-use super::arrays::{Array, Meant};
+use super::arrays::{Array, NamedArray};
 use super::findings::{ModifiedIn, ModifiedTarget, RestoreError};
-use super::removal::{Remover, Use};
+use super::removal::Remover;
 use crate::emit::aggregate::with_commas;
 use crate::emit::point::Declarations;
 use crate::program::motion::indices_of;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, ModuleItem, Routine, StmtKind};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 impl<'w> Remover<'w> {
     /// Targets whose declaration was changed: motions of arrays go by element 1.
     pub(super) fn declared_otherwise(
         &self,
-        arrays: &BTreeMap<String, Array<'w>>,
-        uses: &BTreeMap<&str, Vec<Use<'w>>>,
-        (meant, declarations): (&BTreeMap<&str, Vec<Option<Meant>>>, &Declarations<'w>),
+        arrays: &[NamedArray<'w>],
+        declarations: &Declarations<'w>,
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         let (mut found, mut told) = (Vec::new(), BTreeSet::new());
-        for (name, array) in arrays.iter().filter(|_| self.record.is_whole) {
-            let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
-            let values = match routine {
+        for named in arrays.iter().filter(|_| self.record.is_whole) {
+            let NamedArray { name, array, meant, .. } = named;
+            let values = match named.routine() {
                 Some(routine) if !array.dims.is_empty() => self.declared_elements(array, Some(routine)),
                 Some(routine) => declarations.initial_value(&array.was, routine).into_iter().collect(),
                 None => Vec::new(),
             };
-            let rows = meant.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
-            for (row, (value, new)) in values.into_iter().zip(rows).enumerate() {
+            for (row, (value, new)) in values.into_iter().zip(meant).enumerate() {
                 let text = value.of(self.bytes);
                 let target = || {
                     let was = String::from_utf8_lossy(&array.was);

@@ -1,6 +1,6 @@
 //! Takes out of a module what was added, and puts back what stood in its motions.
 
-use super::arrays::{Array, Meant, Rows};
+use super::arrays::{Array, NamedArray, Rows, Use};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
 use crate::emit::aggregate::Singles;
@@ -12,7 +12,6 @@ use crate::emit::point::{self, Declarations, Points};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
 use rapid_syntax::{Edit, ranges_of_numbers};
-use std::collections::BTreeMap;
 
 /// Functions that stand round a target.
 const ROUND: [&str; 7] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
@@ -29,14 +28,6 @@ pub(super) struct Remover<'w> {
     pub(super) altered: Vec<Altered>,
 }
 
-/// A motion's argument that names an array.
-pub(super) struct Use<'w> {
-    expr: TextRange,
-    /// The source's own index, where the array is one of many targets.
-    index: Option<TextRange>,
-    pub(super) routine: &'w Routine,
-}
-
 impl<'w> Remover<'w> {
     fn damaged(&self, range: TextRange, what: impl Into<String>) -> RestoreError {
         RestoreError::Damaged { line: self.lines.line(range.start), what: what.into() }
@@ -50,8 +41,8 @@ impl<'w> Remover<'w> {
         range.of(self.bytes).eq_ignore_ascii_case(self.record.core(name).as_bytes())
     }
 
-    /// Takes out the data; gives the arrays by name in lower case.
-    pub(super) fn data(&mut self) -> Result<BTreeMap<String, Array<'w>>, RestoreError> {
+    /// Takes out the data; gives the arrays in the order of their names.
+    pub(super) fn data(&mut self) -> Result<Vec<NamedArray<'w>>, RestoreError> {
         let before = self.module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_)));
         let all: Vec<&DataDecl> = before
             .filter_map(|item| match item {
@@ -66,10 +57,10 @@ impl<'w> Remover<'w> {
         if let Some(foreign) = ours.iter().find(|d| !begins_with_tc(d.name.of(self.bytes))) {
             return Err(self.damaged(foreign.range, "data were put among or after those that were added"));
         }
-        let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(BTreeMap::new()) };
+        let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(Vec::new()) };
         self.edits.push(removal(insertion::whole_lines(self.bytes, first.range.cover(last.range))));
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
-        let mut arrays = BTreeMap::new();
+        let mut arrays: Vec<NamedArray<'w>> = Vec::new();
         let mut reader = ArrayReader::default();
         let mut letters = self.record.letters.as_slice();
         for data in ours.iter().skip(self.record.data) {
@@ -84,7 +75,7 @@ impl<'w> Remover<'w> {
                 let was = self.record.was.get(&name).cloned();
                 let array = Array::new((self.bytes, data), rows, own, was)
                     .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
-                arrays.insert(name.to_ascii_lowercase(), array);
+                arrays.push(NamedArray::new(&name, array));
             } else {
                 let (own, rest) = letters.split_at_checked(3).unwrap_or((letters, &[]));
                 letters = rest;
@@ -95,6 +86,9 @@ impl<'w> Remover<'w> {
                 }
             }
         }
+        arrays.reverse(); // of several of one name the last counts
+        arrays.sort_by(|a, b| a.name.cmp(&b.name));
+        arrays.dedup_by(|a, b| a.name == b.name);
         Ok(arrays)
     }
 
@@ -167,9 +161,8 @@ impl<'w> Remover<'w> {
     pub(super) fn motions(
         &mut self,
         routines: &[&'w Routine],
-        arrays: &BTreeMap<String, Array<'w>>,
+        arrays: &mut [NamedArray<'w>],
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
-        let mut uses: BTreeMap<&str, Vec<Use<'w>>> = BTreeMap::new();
         let mut touched = Vec::new();
         let declarations = Declarations::new(self.bytes, self.module);
         let (mut points, mut letters) = (Points::default(), self.record.points.as_slice());
@@ -179,9 +172,9 @@ impl<'w> Remover<'w> {
                 for arg in &call.args {
                     let ArgKind::Positional(expr) = &arg.kind else { continue };
                     if let Some((name, index)) = self.element(expr)
-                        && let Some((key, _)) = arrays.get_key_value(&self.text(name).to_ascii_lowercase())
+                        && let Some(array) = NamedArray::find(arrays, &self.text(name).to_ascii_lowercase())
                     {
-                        uses.entry(key).or_default().push(Use { expr: expr.range, index, routine });
+                        array.uses.push(Use { expr: expr.range, index, routine });
                     } else if let Some(inner) = self.inside(expr) {
                         let (start, end) = (expr.range.start, expr.range.end);
                         self.edits.push(removal(TextRange::new(start, inner.start)));
@@ -212,7 +205,7 @@ impl<'w> Remover<'w> {
                 }
             }
         }
-        touched.extend(self.put_back(arrays, &uses, &declarations)?);
+        touched.extend(self.put_back(arrays, &declarations)?);
         touched.sort_by_key(|t| t.line);
         Ok(touched)
     }
@@ -220,30 +213,26 @@ impl<'w> Remover<'w> {
     /// Puts back the arguments that name arrays, with what the touched-up elements mean.
     fn put_back(
         &mut self,
-        arrays: &BTreeMap<String, Array<'w>>,
-        uses: &BTreeMap<&str, Vec<Use<'w>>>,
+        arrays: &mut [NamedArray<'w>],
         declarations: &Declarations<'w>,
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
-        let mut meant: BTreeMap<&str, Vec<Option<Meant>>> = BTreeMap::new();
-        for (name, array) in arrays {
+        for NamedArray { name, array, meant, .. } in &mut *arrays {
             let trusted = self.record.is_whole;
-            let rows = array.meant(&self.record.shares, trusted).map_err(|what| match what {
+            *meant = array.meant(&self.record.shares, trusted).map_err(|what| match what {
                 Some((first, second)) => {
                     let line = self.lines.line(array.range.start);
                     RestoreError::Disagree { array: name.clone(), line, first, second }
                 }
                 None => self.damaged(array.range, format!("what was changed of {name} cannot be told")),
             })?;
-            meant.insert(name, rows);
         }
-        let mut touched = self.declared_otherwise(arrays, uses, (&meant, declarations))?;
-        let declared = self.declare(arrays, uses, (&meant, declarations))?;
-        for (name, array) in arrays {
-            let uses = uses.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
-            let rows = meant.get(name.as_str()).map(Vec::as_slice).unwrap_or_default();
+        let arrays = &*arrays;
+        let mut touched = self.declared_otherwise(arrays, declarations)?;
+        let declared = self.declare(arrays, declarations)?;
+        for NamedArray { name, array, uses, meant } in arrays {
             let into = declared.contains(&name.as_str());
             for one in uses {
-                let text = match (one.index, rows.first()) {
+                let text = match (one.index, meant.first()) {
                     (Some(_), _) if !is_name(&array.was) => array.was.clone(),
                     (Some(index), _) => [&array.was, b"{".as_slice(), index.of(self.bytes), b"}"].concat(),
                     (None, Some(Some(new))) if !into => new.text.clone(),
@@ -251,7 +240,7 @@ impl<'w> Remover<'w> {
                 };
                 self.edits.push(Edit { range: one.expr, text });
             }
-            for new in rows.iter().flatten() {
+            for new in meant.iter().flatten() {
                 touched.push(ModifiedTarget {
                     array: Some(name.clone()),
                     target: String::from_utf8_lossy(&array.was).into_owned(),
@@ -270,44 +259,42 @@ impl<'w> Remover<'w> {
     /// same; and into the elements of an array. Gives the arrays for which that was done.
     fn declare<'a>(
         &mut self,
-        arrays: &'a BTreeMap<String, Array<'w>>,
-        uses: &BTreeMap<&str, Vec<Use<'w>>>,
-        (meant, declarations): (&BTreeMap<&str, Vec<Option<Meant>>>, &Declarations<'w>),
+        arrays: &'a [NamedArray<'w>],
+        declarations: &Declarations<'w>,
     ) -> Result<Vec<&'a str>, RestoreError> {
-        let mut by_init: BTreeMap<TextRange, Vec<(&str, Option<&Meant>)>> = BTreeMap::new();
+        let mut by_init: Vec<(TextRange, &NamedArray<'_>)> = Vec::new();
         let mut done = Vec::new();
-        for (name, array) in arrays {
-            let Some(rows) = meant.get(name.as_str()) else { continue };
-            let routine = uses.get(name.as_str()).and_then(|uses| uses.first()).map(|one| one.routine);
-            if !array.dims.is_empty() {
-                if rows.iter().any(Option::is_some) {
-                    self.declare_elements((array, routine), rows)?;
-                    done.push(name.as_str());
+        for named in arrays {
+            if !named.array.dims.is_empty() {
+                if named.meant.iter().any(Option::is_some) {
+                    self.declare_elements(named)?;
+                    done.push(named.name.as_str());
                 }
                 continue;
             }
-            if let Some(init) = routine.and_then(|routine| declarations.initial_value(&array.was, routine)) {
-                by_init.entry(init).or_default().push((name, rows.first().and_then(Option::as_ref)));
-            }
+            let init = |routine| declarations.initial_value(&named.array.was, routine);
+            by_init.extend(named.routine().and_then(init).map(|init| (init, named)));
         }
-        for (init, arrays) in by_init {
-            let Some((_, Some(first))) = arrays.first() else { continue };
-            if arrays.iter().all(|(_, new)| new.is_some_and(|new| new.agrees(first))) {
+        by_init.sort_by_key(|(init, _)| *init);
+        for of_one in by_init.chunk_by(|(init, _), (next, _)| init == next) {
+            let new = |named: &'a NamedArray<'w>| named.meant.first().and_then(Option::as_ref);
+            let Some((init, first)) = of_one.first().and_then(|(init, named)| Some((*init, new(named)?)))
+            else {
+                continue;
+            };
+            if of_one.iter().all(|(_, named)| new(named).is_some_and(|new| new.agrees(first))) {
                 self.edits.push(Edit { range: init, text: first.text.clone() });
-                done.extend(arrays.iter().map(|(name, _)| *name));
+                done.extend(of_one.iter().map(|(_, named)| named.name.as_str()));
             }
         }
         Ok(done)
     }
 
     /// Puts touched-up values into the elements of the array that the motions name.
-    fn declare_elements(
-        &mut self,
-        (array, routine): (&Array, Option<&Routine>),
-        rows: &[Option<Meant>],
-    ) -> Result<(), RestoreError> {
-        let elements = self.declared_elements(array, routine);
-        for (row, new) in rows.iter().enumerate() {
+    fn declare_elements(&mut self, named: &NamedArray<'_>) -> Result<(), RestoreError> {
+        let array = &named.array;
+        let elements = self.declared_elements(array, named.routine());
+        for (row, new) in named.meant.iter().enumerate() {
             let Some(new) = new else { continue };
             let Some(range) = elements.get(row) else {
                 return Err(

@@ -6,7 +6,8 @@ use crate::program::const_eval::Constant;
 use crate::program::errors::arguments_may_fail;
 use crate::program::expressions::every_call;
 use crate::program::flow::{Binding, FlowStep, Node};
-use crate::program::index::{DatumKind, Resolved, RoutineIndex};
+use crate::program::ids::{DatumId, RoutineIndex};
+use crate::program::index::{DatumKind, Resolved};
 use crate::program::instructions::Special;
 use crate::program::motion::MotionId;
 use crate::program::names::{as_text, lower_case};
@@ -66,7 +67,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             let params = self.index().routines.get(routine).map_or(&[][..], |r| &r.params);
             for &param in params {
                 if let Some(slot) = self.tracked.slot(param) {
-                    let value = given.iter().find(|(p, ..)| *p == param).and_then(|(_, value, _)| *value);
+                    let value = given.iter().find(|given| given.param == param).and_then(|given| given.value);
                     bindings.push(Binding { slot, param, value });
                 }
             }
@@ -131,7 +132,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             let entry = &index.routines[*id];
             let name = index.names.text(entry.name);
             let wanted =
-                |&&p: &&usize| !matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
+                |&&p: &&DatumId| !matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
             entry.tree.kind == RoutineKind::Proc
                 && index.modules.get(entry.ctx.module).map(|m| m.task) == task
                 && entry.params.iter().filter(wanted).count() == required
@@ -141,7 +142,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                     name.starts_with(&start) && name.ends_with(&end) && name != "main"
                 }
         };
-        let routines: Vec<RoutineIndex> = (0..index.routines.len()).filter(fits).collect();
+        let routines: Vec<RoutineIndex> = index.routines.ids().filter(fits).collect();
         if !routines.is_empty() {
             out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
         }
@@ -176,7 +177,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             let rest = name.strip_prefix(start);
             rest.is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
         };
-        let routines: Vec<RoutineIndex> = (0..index.routines.len()).filter(fits).collect();
+        let routines: Vec<RoutineIndex> = index.routines.ids().filter(fits).collect();
         if !routines.is_empty() {
             out.push(self.known_call(routines, &[], true));
         }

@@ -6,7 +6,7 @@ use super::frames::Seen;
 use super::motion_target::moving_axis;
 use crate::program::convert;
 use crate::program::index::Ctx;
-use crate::program::motion::{Motion, MotionSetup, Origin, Path, Target, TargetValue};
+use crate::program::motion::{Motion, MotionId, MotionSetup, Origin, Path, Target, TargetValue};
 use crate::program::motion_site::{MotionSite, MoveArgs};
 use crate::program::state::State;
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -28,7 +28,12 @@ pub(super) struct Last<'a> {
 
 impl<'a> MotionReader<'_, 'a> {
     /// The motion that stands there, where all but its target is the last one's.
-    pub(super) fn like_the_last(&self, site: &MotionSite<'a>, at: usize, seen: &Seen<'_>) -> Option<Motion> {
+    pub(super) fn like_the_last(
+        &self,
+        site: &MotionSite<'a>,
+        at: MotionId,
+        seen: &Seen<'_>,
+    ) -> Option<Motion> {
         let (last, index) = (self.last.as_ref()?, self.evaluator.index);
         let ctx = site.ctx(index);
         let alike = last.ctx == ctx

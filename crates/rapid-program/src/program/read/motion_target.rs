@@ -8,8 +8,11 @@ use crate::program::convert;
 use crate::program::data::RobTarget;
 use crate::program::expressions::{every_call, every_index};
 use crate::program::finite_set::FiniteSet;
-use crate::program::index::{Ctx, DatumId, DatumKind, Index};
-use crate::program::motion::{Indices, Origin, Path, SkipReason, Target, TargetValue, indices_of};
+use crate::program::ids::DatumId;
+use crate::program::index::{Ctx, DatumKind, Index};
+use crate::program::motion::{
+    Indices, MotionId, Origin, Path, PersTarget, SkipReason, Target, TargetValue, indices_of,
+};
 use crate::program::motion_site::MoveArgs;
 use crate::program::names::{as_text, lower_case};
 use crate::program::tracked::names_in;
@@ -36,7 +39,7 @@ impl<'a> MotionReader<'_, 'a> {
     pub(super) fn targets(
         &mut self,
         args: &MoveArgs<'a>,
-        (ctx, path, motion): (Ctx, Path, usize),
+        (ctx, path, motion): (Ctx, Path, MotionId),
         reasons: &mut SkipReasons,
     ) -> MotionTargets {
         let index = self.evaluator.index;
@@ -91,8 +94,8 @@ impl<'a> MotionReader<'_, 'a> {
         reached.iter().all(own)
     }
 
-    /// Name and declaration of the first PERS that a motion's targets name.
-    pub(super) fn first_pers(&self, args: &MoveArgs<'a>, ctx: Ctx) -> Option<(String, Span)> {
+    /// The first PERS that a motion's targets name.
+    pub(super) fn first_pers(&self, motion: MotionId, args: &MoveArgs<'a>, ctx: Ctx) -> Option<PersTarget> {
         let index = self.evaluator.index;
         let mut first = None;
         for expr in &args.targets {
@@ -102,7 +105,11 @@ impl<'a> MotionReader<'_, 'a> {
                 }
             });
         }
-        first.map(|datum| (self.evaluator.name_of(datum), index.declaration(datum)))
+        first.map(|datum| PersTarget {
+            motion,
+            name: self.evaluator.name_of(datum),
+            declaration: index.declaration(datum),
+        })
     }
 
     fn target(
@@ -170,7 +177,7 @@ impl<'a> MotionReader<'_, 'a> {
         let index = self.evaluator.index;
         let on_ways = on_ways.filter(|set| !self.finite_sets.are_handed_unseen(index, &set.made_of));
         let Some(set) = set.or_else(|| on_ways.cloned()) else { return Vec::new() };
-        if set.made_of.iter().any(|&datum| self.read_as_data.why_kept(index, datum).is_some()) {
+        if set.made_of.iter().any(|datum| self.read_as_data.why_kept(index, datum).is_some()) {
             return Vec::new();
         }
         let converted: Result<Vec<RobTarget>, _> = set.values.iter().map(convert::robtarget).collect();

@@ -9,14 +9,14 @@
 use super::{MOST_STEPS, SlotState, State, Walker, lose, same, unknown};
 use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
-use crate::program::flow::{BLOCKERS, Slot};
-use crate::program::index::{DatumId, DatumKind, RoutineIndex};
+use crate::program::flow::BLOCKERS;
+use crate::program::ids::{DatumId, IdSet, RoutineIndex, Slot, Table};
+use crate::program::index::DatumKind;
 use crate::program::mod_ref::RoutineEffects;
 use crate::program::motion::SkipReason;
 use crate::program::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::{DataKind, RoutineKind};
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 /// More values are too many to look at each.
@@ -46,8 +46,9 @@ impl Walker<'_, '_> {
         if let Some(end) = self.cycle_end.take() {
             widened.join_settings(&end);
         }
-        for (slot, (SlotState { value, .. }, left)) in widened.slots.iter_mut().zip(&self.left).enumerate() {
-            if !self.outlives(self.tracked.data[slot]) {
+        let entered = widened.slots.iter_mut().zip(&self.left);
+        for ((SlotState { value, .. }, left), &datum) in entered.zip(&self.tracked.data) {
+            if !self.outlives(datum) {
                 continue;
             }
             for (known, at) in &left.values {
@@ -118,14 +119,13 @@ impl Walker<'_, '_> {
     /// hand calls.
     pub(super) fn not_called(&self) -> [Vec<RoutineIndex>; 2] {
         let index = self.evaluator.index;
-        let called: BTreeSet<RoutineIndex> =
-            self.effects.iter().flat_map(|t| t.calls.iter().copied()).collect();
+        let called: IdSet<RoutineIndex> = self.effects.iter().flat_map(|t| t.calls.iter()).collect();
         let task =
             |id: RoutineIndex| index.modules.get(index.routines[id].ctx.module).map(|module| module.task);
         let of_kind = |id: RoutineIndex| index.routines[id].tree.kind != RoutineKind::Trap;
-        let ids = 0..self.control_flow.routines.len();
-        let with_main: BTreeSet<Option<u32>> = ids.clone().filter(|&id| self.is_main(id)).map(task).collect();
-        let entries = ids.filter(|&id| of_kind(id) && !called.contains(&id));
+        let ids = self.control_flow.routines.ids();
+        let with_main: Vec<Option<u32>> = ids.clone().filter(|&id| self.is_main(id)).map(task).collect();
+        let entries = ids.filter(|&id| of_kind(id) && !called.contains(id));
         let (by_hand, begins) = entries.partition(|&id| !self.is_main(id) && with_main.contains(&task(id)));
         [begins, by_hand]
     }
@@ -141,7 +141,7 @@ impl Walker<'_, '_> {
         if let Some(entry) = &self.entry {
             return entry.clone();
         }
-        let mut slots = Vec::with_capacity(self.tracked.data.len());
+        let mut slots: Table<Slot, SlotState> = Table::default();
         for &datum in &self.tracked.data {
             let kind = self.evaluator.index.data[datum].kind;
             let value = match kind {

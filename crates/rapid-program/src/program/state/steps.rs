@@ -5,8 +5,9 @@ use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::errors::Recovery;
 use crate::program::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
-use crate::program::index::{Ctx, DatumKind, RoutineIndex};
-use crate::program::motion::SkipReason;
+use crate::program::ids::RoutineIndex;
+use crate::program::index::{Ctx, DatumKind};
+use crate::program::motion::{MotionId, SkipReason};
 use crate::program::names::Sym;
 use crate::program::value::Value;
 use rapid_syntax::tree::Expr;
@@ -53,7 +54,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
             FlowStep::Motions { first, count } => {
                 let mut shared = None;
                 (first.index()..first.index() + *count as usize)
-                    .for_each(|motion| self.record(motion, &state, &mut shared));
+                    .for_each(|motion| self.record(MotionId::new(motion), &state, &mut shared));
             }
             FlowStep::Assign { slot, path, value, ctx, at } => {
                 let new = self.value(value, *ctx, &state);

@@ -7,22 +7,25 @@
 use super::{ControlFlow, FoundPoints, MOST_STEPS, State, TrackedData, View, Walker, Watched};
 use crate::program::const_eval::ConstEvaluator;
 use crate::program::finite_set::{FiniteSet, MOST_VALUES};
-use crate::program::index::{Ctx, DatumId};
+use crate::program::ids::{DatumId, IdSet};
+use crate::program::index::Ctx;
+use crate::program::motion::MotionId;
 use crate::program::motion_site::MotionSites;
+use crate::program::names::ByNumber;
 use crate::program::own_position::OwnPositions;
 use crate::program::tracked::{names_in, sources};
 use crate::program::value::Value;
 use rapid_syntax::tree::Expr;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
-/// What is known of targets by the ways that lead to them; motions by their positions.
+/// What is known of targets by the ways that lead to them.
 #[derive(Debug, Default)]
 pub(in crate::program) struct TargetsOnWays {
     /// For each motion with one target the values that this can have; those whose values are not all known, or too many, are left
     /// out.
-    pub(in crate::program) values: BTreeMap<usize, FiniteSet>,
+    pub(in crate::program) values: ByNumber<MotionId, FiniteSet>,
     /// The motions with a target that can be what a search has found.
-    pub(in crate::program) found: BTreeSet<usize>,
+    pub(in crate::program) found: BTreeSet<MotionId>,
 }
 
 /// What is known of the targets of all motions, `found` being what searches have found at some time.
@@ -35,8 +38,8 @@ pub(in crate::program) fn targets_on_ways<'a>(
 ) -> TargetsOnWays {
     let index = evaluator.index;
     let mut walker = Walker::new(evaluator, sites.motions.len(), control_flow, tracked);
-    let mut to_found = BTreeMap::new();
-    for (motion, site) in sites.motions.iter().enumerate() {
+    let mut to_found = ByNumber::default();
+    for (motion, site) in sites.motions.iter().enumerate().map(|(at, site)| (MotionId::new(at), site)) {
         let (args, ctx) = (site.args(index), site.ctx(index));
         if args.targets.iter().any(|target| found.is_read(index, ctx, target)) {
             to_found.insert(motion, (args.targets.clone(), ctx));
@@ -48,7 +51,7 @@ pub(in crate::program) fn targets_on_ways<'a>(
             walker.watched.insert(motion, Watched { target, ctx, values: Some(Vec::new()) });
         }
     }
-    let any_found: BTreeSet<usize> = to_found.keys().copied().collect();
+    let any_found: BTreeSet<MotionId> = to_found.keys().copied().collect();
     if !any_found.is_empty() {
         walker.found = Some(FoundPoints { points: found, targets: to_found, motions: BTreeSet::new() });
     }
@@ -57,16 +60,16 @@ pub(in crate::program) fn targets_on_ways<'a>(
     }
     walker.run();
     if walker.steps > MOST_STEPS {
-        return TargetsOnWays { values: BTreeMap::new(), found: any_found };
+        return TargetsOnWays { values: ByNumber::default(), found: any_found };
     }
     let sources = sources(index);
     let with_sources = |watched: &Watched<'a>| {
         let mut new: Vec<DatumId> = Vec::new();
         names_in(index, watched.ctx, watched.target, &mut |datum| new.push(datum));
-        let mut made_of = BTreeSet::new();
+        let mut made_of = IdSet::default();
         while let Some(datum) = new.pop() {
             if made_of.insert(datum) {
-                new.extend(sources.iter().filter(|(to, _)| *to == datum).map(|(_, from)| *from));
+                new.extend(sources.sources_of(datum));
             }
         }
         made_of
@@ -82,7 +85,7 @@ pub(in crate::program) fn targets_on_ways<'a>(
 
 impl Walker<'_, '_> {
     /// Notes whether a target of a motion can be what a search has found on one more visit.
-    pub(super) fn watch_found(&mut self, motion: usize, state: &State) {
+    pub(super) fn watch_found(&mut self, motion: MotionId, state: &State) {
         let Some((targets, ctx)) = self.found.as_ref().and_then(|found| found.targets.get(&motion)) else {
             return;
         };
@@ -103,7 +106,7 @@ impl Walker<'_, '_> {
     }
 
     /// Notes what the target of a motion that is watched is on one more visit.
-    pub(super) fn watch(&mut self, motion: usize, state: &State) {
+    pub(super) fn watch(&mut self, motion: MotionId, state: &State) {
         let Some(Watched { target, ctx, values: Some(_) }) = self.watched.get(&motion) else { return };
         let (target, ctx) = (*target, *ctx);
         let view = View { state, tracked: self.tracked };
