@@ -209,7 +209,7 @@ fn moves(robot: &Robot, program: &[(&str, &[u8])]) -> Result<Vec<Move>, Diagnost
     }
     let entry = controller.entry().map_err(refused)?;
     controller.call(&entry, 1).map_err(refused)?;
-    Ok(controller.arm_mut().map(virtual_controller::Arm::take_moves).unwrap_or_default())
+    Ok(controller.arm_mut().map(virtual_controller::ControllerArm::take_moves).unwrap_or_default())
 }
 
 /// What is left at a program's targets.

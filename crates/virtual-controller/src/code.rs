@@ -103,7 +103,7 @@ pub(super) enum Op {
     Call(Rc<Call>),
     Jump(usize),
     /// The beginning of a loop that only what stands in its body may end: how it does.
-    LoopEnter(Rc<LoopExits>),
+    LoopEnter(Rc<CompiledExits>),
     /// The end of an endless loop's body: jump back and count a pass.
     LoopBack(usize),
     JumpUnless(Expr, usize),
@@ -145,13 +145,22 @@ pub(super) enum Op {
 
 /// How a loop's body leaves the loop, or a routine what calls it.
 #[derive(Debug)]
-pub(super) struct LoopExits {
+pub(super) struct CompiledExits {
     /// It does on some way.
     pub leaves: bool,
     /// What decides on the ways there.
     pub deciding: Vec<Expr>,
-    /// Procedures that are called and may leave in turn, with what decides on the way there and what is handed over.
-    pub calls: Vec<(Name, Vec<Expr>)>,
+    /// Procedures that are called and may leave in turn.
+    pub calls: Vec<CompiledCall>,
+}
+
+/// A call of a procedure that may leave the loop or routine it stands in.
+#[derive(Debug)]
+pub(super) struct CompiledCall {
+    /// The procedure's name.
+    pub name: Name,
+    /// What decides on the way there, and what is handed over.
+    pub deciding: Vec<Expr>,
 }
 
 /// An operation and where it stands in the source.
@@ -195,7 +204,7 @@ pub(super) struct Code {
     /// ERROR handlers: the numbers they are for (empty = all) and where they begin.
     pub handlers: Vec<(Vec<Expr>, usize)>,
     /// How its statements leave what calls it.
-    pub exits: LoopExits,
+    pub exits: CompiledExits,
     /// Where the BACKWARD section begins.
     pub backward: Option<usize>,
 }

@@ -1,7 +1,8 @@
 //! From the tree of a routine to the flat form it is executed in.
 
 use super::code::{
-    Arg, Call, Callee, Code, Expr, ExprKind, Instruction, LocalDecl, LoopExits, Name, NameRef, Op, Param,
+    Arg, Call, Callee, Code, CompiledCall, CompiledExits, Expr, ExprKind, Instruction, LocalDecl, Name,
+    NameRef, Op, Param,
 };
 use super::exits;
 use rapid_syntax::diagnostic::TextRange;
@@ -272,10 +273,13 @@ impl<'f> Compiler<'f> {
         }
     }
 
-    fn exits(&self, found: &exits::LoopExits<'_>) -> LoopExits {
+    fn exits(&self, found: &exits::BodyExits<'_>) -> CompiledExits {
         let all = |of: &[&tree::Expr]| of.iter().map(|expr| self.expr(expr)).collect();
-        let calls = found.calls.iter().map(|(name, way)| (lower_case_name(self.file, *name), all(way)));
-        LoopExits { leaves: found.leaves, deciding: all(&found.deciding), calls: calls.collect() }
+        let calls = found.calls.iter().map(|call| CompiledCall {
+            name: lower_case_name(self.file, call.name),
+            deciding: all(&call.deciding),
+        });
+        CompiledExits { leaves: found.leaves, deciding: all(&found.deciding), calls: calls.collect() }
     }
 
     fn declaration(&mut self, decl: &tree::DataDecl) {

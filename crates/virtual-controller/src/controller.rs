@@ -1,6 +1,6 @@
 //! The controller as an operator has it: what can be loaded, called, set, stopped and asked.
 
-use super::arm::Arm;
+use super::arm::ControllerArm;
 use super::backwards::BackStep;
 use super::builtin::{Tables, moves};
 use super::calendar::Calendar;
@@ -26,7 +26,7 @@ const STEP_LIMIT: u64 = 50_000_000;
 pub struct Controller {
     program: LoadedProgram,
     machine: Machine,
-    arm: Option<Arm>,
+    arm: Option<ControllerArm>,
     /// Steps one call may take before it counts as endless.
     pub step_limit: u64,
 }
@@ -49,7 +49,7 @@ impl Controller {
     /// # Errors
     /// [`SimulateError::Arm`] where the robot has no closed-form inverse kinematics.
     pub fn with_robot(robot: &Robot) -> Result<Self, SimulateError> {
-        let arm = Arm::new(robot).map_err(SimulateError::Arm)?;
+        let arm = ControllerArm::new(robot).map_err(SimulateError::Arm)?;
         Ok(Self { arm: Some(arm), ..Self::new() })
     }
 
@@ -329,12 +329,12 @@ impl Controller {
 
     /// The arm, if there is one.
     #[must_use]
-    pub fn arm(&self) -> Option<&Arm> {
+    pub fn arm(&self) -> Option<&ControllerArm> {
         self.arm.as_ref()
     }
 
     /// The arm, if there is one, to be set.
-    pub fn arm_mut(&mut self) -> Option<&mut Arm> {
+    pub fn arm_mut(&mut self) -> Option<&mut ControllerArm> {
         self.arm.as_mut()
     }
 

@@ -6,19 +6,28 @@ use std::collections::BTreeSet;
 
 /// How a body is left.
 #[derive(Debug, Default)]
-pub(super) struct LoopExits<'t> {
+pub(super) struct BodyExits<'t> {
     /// It is left on some way.
     pub leaves: bool,
     /// What decides on the ways to where it is left.
     pub deciding: Vec<&'t Expr>,
-    /// Calls of procedures, which may leave it in turn: the name, and what decides on the way there and what is handed over.
-    pub calls: Vec<(TextRange, Vec<&'t Expr>)>,
+    /// Calls of procedures, which may leave it in turn.
+    pub calls: Vec<LeavingCall<'t>>,
+}
+
+/// A call of a procedure that may leave the body it stands in.
+#[derive(Debug)]
+pub(super) struct LeavingCall<'t> {
+    /// The procedure's name.
+    pub name: TextRange,
+    /// What decides on the way there, and what is handed over.
+    pub deciding: Vec<&'t Expr>,
 }
 
 /// How a loop's body leaves the loop: by RETURN, EXIT, RAISE or a GOTO to a label outside.
 ///
 /// `label` gives a label's name the same for every spelling.
-pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<String>) -> LoopExits<'t> {
+pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<String>) -> BodyExits<'t> {
     let mut inside = BTreeSet::new();
     labels(body, label, &mut inside);
     let jumps_out = |stmt: &Stmt| match stmt.kind {
@@ -26,14 +35,14 @@ pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<Str
         StmtKind::Goto(_) => label(stmt).is_some_and(|to| !inside.contains(&to)),
         _ => false,
     };
-    let mut found = Found { jumps_out, way: Vec::new(), out: LoopExits::default() };
+    let mut found = Found { jumps_out, way: Vec::new(), out: BodyExits::default() };
     found.block(body);
     found.out
 }
 
 /// How a routine's body leaves what calls it: by EXIT or RAISE.
-pub(super) fn of_routine(body: &[Stmt]) -> LoopExits<'_> {
-    let mut found = Found { jumps_out: |_: &Stmt| false, way: Vec::new(), out: LoopExits::default() };
+pub(super) fn of_routine(body: &[Stmt]) -> BodyExits<'_> {
+    let mut found = Found { jumps_out: |_: &Stmt| false, way: Vec::new(), out: BodyExits::default() };
     found.block(body);
     found.out
 }
@@ -43,7 +52,7 @@ struct Found<'t, J> {
     jumps_out: J,
     /// What has decided on the way to the present statement.
     way: Vec<&'t Expr>,
-    out: LoopExits<'t>,
+    out: BodyExits<'t>,
 }
 
 impl<'t, J: Fn(&Stmt) -> bool> Found<'t, J> {
@@ -64,7 +73,8 @@ impl<'t, J: Fn(&Stmt) -> bool> Found<'t, J> {
                         ArgKind::Positional(value) | ArgKind::Named { value: Some(value), .. } => Some(value),
                         ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => None,
                     });
-                    self.out.calls.push((name, self.way.iter().copied().chain(handed).collect()));
+                    let deciding = self.way.iter().copied().chain(handed).collect();
+                    self.out.calls.push(LeavingCall { name, deciding });
                 }
             }
             StmtKind::While(looped) => self.way.push(&looped.cond),

@@ -14,7 +14,7 @@ mod pure;
 
 pub(super) use arguments::Args;
 
-use super::arm::Arm;
+use super::arm::ControllerArm;
 use super::code::{Call, Name};
 use super::loaded::LoadedProgram;
 use super::machine::Machine;
@@ -52,7 +52,7 @@ pub(super) struct Interpreter<'c> {
     pub program: &'c mut LoadedProgram,
     pub machine: &'c mut Machine,
     /// `None`: it computes, keeps time and lists moves, but knows no joints.
-    pub arm: Option<&'c mut Arm>,
+    pub arm: Option<&'c mut ControllerArm>,
     pub built_ins: &'static dyn BuiltIns,
 }
 

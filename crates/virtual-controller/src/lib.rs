@@ -38,7 +38,7 @@ mod truth;
 mod value;
 mod warming;
 
-pub use arm::{Arm, Move};
+pub use arm::{ControllerArm, Move};
 pub use backwards::BackStep;
 pub use builtin::{Signature, built_ins, parse as parse_value, written as value_text};
 pub use calendar::Calendar;

@@ -149,7 +149,8 @@ impl Session {
     pub fn run(&mut self) -> Result<ExecutedPass, SimulateError> {
         let meant = ended(self.original.call(&self.entry, self.options.passes)?)?;
         let done = ended(self.program.call(&self.entry, self.options.passes)?)?;
-        let moves = |c: &mut Controller| c.arm_mut().map(super::Arm::take_moves).unwrap_or_default();
+        let moves =
+            |c: &mut Controller| c.arm_mut().map(super::ControllerArm::take_moves).unwrap_or_default();
         let (intended, executed) = (moves(&mut self.original), moves(&mut self.program));
         for done in &executed {
             self.executed.insert((done.at.file.clone(), done.offset));
@@ -165,14 +166,15 @@ impl Session {
     /// The program's moves since the last pass, where it searched among them: the cell says where a search ends, so they
     /// warm the robot and are not judged.
     pub(super) fn take_search(&mut self) -> Vec<Move> {
-        let searched = |arm: &super::Arm| arm.moves().iter().any(|m| m.instruction.starts_with("search"));
+        let searched =
+            |arm: &super::ControllerArm| arm.moves().iter().any(|m| m.instruction.starts_with("search"));
         if !self.program.arm().is_some_and(searched) {
             return Vec::new();
         }
         if let Some(arm) = self.original.arm_mut() {
             arm.take_moves();
         }
-        self.program.arm_mut().map(super::Arm::take_moves).unwrap_or_default()
+        self.program.arm_mut().map(super::ControllerArm::take_moves).unwrap_or_default()
     }
 
     /// Whether a pass has something to evaluate: moves, or a failure that is not the last pass's own.

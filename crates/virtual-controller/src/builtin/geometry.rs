@@ -2,7 +2,7 @@
 
 use super::parameter::{Function, JointTarget, Parameter, RobTarget, Unevaluated, function};
 use super::tools::setup_of;
-use crate::arm::Arm;
+use crate::arm::ControllerArm;
 use crate::frame;
 use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
@@ -129,7 +129,7 @@ fn present_target(vm: &mut Interpreter<'_>, args: &Args<'_>) -> Result<Value, Fa
     arm.robtarget_of(&arm.present_joints(), &setup, &vm.program.types.robtarget)
 }
 
-fn arm<'v>(vm: &'v Interpreter<'_>) -> Result<&'v Arm, Fault> {
+fn arm<'v>(vm: &'v Interpreter<'_>) -> Result<&'v ControllerArm, Fault> {
     match vm.arm.as_deref() {
         Some(arm) => Ok(arm),
         None => raise("err_norununit", "this controller has no arm"),

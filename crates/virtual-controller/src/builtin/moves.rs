@@ -3,7 +3,7 @@
 use super::data::call_by_name;
 use super::parameter::{ExtJoint, Instruction, Parameter, RobTarget, Unevaluated, instruction, string};
 use super::tools::{setup, setup_of, tool_and_object};
-use crate::arm::{Arm, Move, Solved, SpeedOverride};
+use crate::arm::{ControllerArm, Move, SolvedMove, SpeedOverride};
 use crate::code::{Arg, Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
 use crate::interpreter::{Args, Interpreter};
@@ -94,7 +94,7 @@ fn share(percent: f32) -> f64 {
     f64::from(percent).clamp(1.0, 100.0) / 100.0
 }
 
-fn with_arm(vm: &mut Interpreter<'_>, change: impl FnOnce(&mut Arm)) -> Result<(), Fault> {
+fn with_arm(vm: &mut Interpreter<'_>, change: impl FnOnce(&mut ControllerArm)) -> Result<(), Fault> {
     if let Some(arm) = vm.arm.as_deref_mut() {
         change(arm);
     }
@@ -211,7 +211,7 @@ struct Search {
     /// Joints at which it was found, radians.
     found_q_rad: Option<[f64; 6]>,
     /// The move up to there, where it stops.
-    stops: Option<Solved>,
+    stops: Option<SolvedMove>,
 }
 
 impl Search {
@@ -246,7 +246,7 @@ fn solve(
     form: &MoveForm,
     targets: &[Vec<f64>],
     setup: &Setup,
-) -> Result<Option<Solved>, Fault> {
+) -> Result<Option<SolvedMove>, Fault> {
     let Some(arm) = vm.arm.as_deref_mut() else { return Ok(None) };
     match arm.solve_cached(form.path, targets, setup)? {
         Ok(solved) => Ok(Some(solved)),
@@ -304,7 +304,7 @@ fn move_time_s(
     vm: &mut Interpreter<'_>,
     args: &Args<'_>,
     form: &MoveForm,
-    solved: &Solved,
+    solved: &SolvedMove,
     start: Option<[f64; 6]>,
 ) -> Result<f64, Fault> {
     let slowed = vm.arm.as_deref().map(|arm| arm.speed).unwrap_or_default();

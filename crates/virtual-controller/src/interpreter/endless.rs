@@ -1,7 +1,7 @@
 //! Loops that wait for what nothing here brings about: found, and named, instead of being run for ever.
 
 use super::Interpreter;
-use crate::code::{Arg, Expr, ExprKind, Instruction, LoopExits, NameRef, Op};
+use crate::code::{Arg, CompiledCall, CompiledExits, Expr, ExprKind, Instruction, NameRef, Op};
 use crate::machine::{Access, DataRef, ExitConditions};
 use crate::outcome::{Fault, Outcome, SourceLine};
 use crate::predefined;
@@ -93,7 +93,7 @@ impl Interpreter<'_> {
     }
 
     /// What decides whether the loop at whose beginning the program is is left from inside, by itself or by what it calls.
-    pub(super) fn deciding(&mut self, exits: &LoopExits) -> ExitConditions {
+    pub(super) fn deciding(&mut self, exits: &CompiledExits) -> ExitConditions {
         let mut ways = ExitSearch { asked: Vec::new(), leaving: BTreeMap::new() };
         self.ways_out(exits, (self.machine.stack.scope.0, None), &mut ways);
         let asked: Rc<[_]> = ways.asked.into();
@@ -105,13 +105,13 @@ impl Interpreter<'_> {
     /// is one. Names are looked up in `of`, `None` for those of the routine in execution.
     fn ways_out(
         &self,
-        exits: &LoopExits,
+        exits: &CompiledExits,
         (module, of): (usize, Option<usize>),
         ways: &mut ExitSearch,
     ) -> bool {
         ways.ask(&exits.deciding, of);
         let mut leaves = exits.leaves;
-        for (name, way) in &exits.calls {
+        for CompiledCall { name, deciding: way } in &exits.calls {
             let Some(callee) = self.program.routine(module, name) else { continue };
             let known = ways.leaving.get(&callee).copied();
             let callee_leaves = known.unwrap_or_else(|| {

@@ -28,14 +28,14 @@ impl Depth<'_> {
 /// Components and elements inside one another that are followed.
 const DEEPEST: usize = 8;
 
-/// Data or a slot, and the way to a part of it, positions from 0.
-struct Place {
+/// Data or a slot, and the components and elements on the way to a part of it, positions from 0.
+struct DataPath {
     root: DataRoot,
     path: [usize; DEEPEST],
     len: usize,
 }
 
-impl Place {
+impl DataPath {
     /// All of it.
     fn whole(root: DataRoot) -> Self {
         Self { root, path: [0; DEEPEST], len: 0 }
@@ -84,13 +84,13 @@ impl Interpreter<'_> {
     }
 
     /// Where something stands that may be assigned to, and what it holds; `None` for all that is rare.
-    fn place_of(&self, target: &Expr, depth: &mut Depth<'_>) -> Option<(Place, &Value)> {
+    fn place_of(&self, target: &Expr, depth: &mut Depth<'_>) -> Option<(DataPath, &Value)> {
         match &target.kind {
             ExprKind::Local(slot) => {
                 let at = self.machine.stack.scope.1 + slot;
                 match self.machine.stack.slots.get(at)? {
                     Slot { constant: false, binding: Binding::Own(value), .. } => {
-                        Some((Place::whole(DataRoot::Slot(at)), value))
+                        Some((DataPath::whole(DataRoot::Slot(at)), value))
                     }
                     _ => None,
                 }
@@ -99,7 +99,7 @@ impl Interpreter<'_> {
                 let datum = self.program.named_datum(self.machine.stack.scope.0, named)?;
                 let is_variable = self.program.data.get(datum).is_some_and(|d| d.kind != DataKind::Const);
                 let value = self.datum_value(datum).filter(|_| is_variable)?;
-                Some((Place::whole(DataRoot::Data(datum)), value))
+                Some((DataPath::whole(DataRoot::Data(datum)), value))
             }
             ExprKind::Field(base, field) => match self.place_of(base, &mut depth.inner()?)? {
                 (place, Value::Record(record, parts)) => {
@@ -121,7 +121,7 @@ impl Interpreter<'_> {
         }
     }
 
-    fn held(&mut self, place: &Place) -> Option<&mut Value> {
+    fn held(&mut self, place: &DataPath) -> Option<&mut Value> {
         let whole = match place.root {
             DataRoot::Slot(at) => match &mut self.machine.stack.slots.get_mut(at)?.binding {
                 Binding::Own(value) => value,
