@@ -1,7 +1,7 @@
 //! What has changed between two measurements of one robot.
 
 use crate::report::changed as report;
-use metrology::diagnose::{CompareError, MeasurementComparison, Options, compare_measurements};
+use metrology::diagnose::{CompareError, DiagnosisOptions, MeasurementComparison, compare_measurements};
 use metrology::measure::Measurements;
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
@@ -13,7 +13,7 @@ pub struct ChangeCheck {
     /// The robot as its model says.
     pub robot: SerialArm,
     /// What is known of the measurements: the target's place on the flange, the noise.
-    pub options: Options,
+    pub options: DiagnosisOptions,
     /// Points, or the tool, that have moved by no more than this count as unchanged, mm; `None`: by no more than the noise.
     pub limit_mm: Option<f64>,
 }
@@ -22,7 +22,7 @@ impl ChangeCheck {
     /// A comparison with nothing known of the measurements, held to their noise.
     #[must_use]
     pub fn new(robot: impl Into<SerialArm>) -> Self {
-        Self { robot: robot.into(), options: Options::default(), limit_mm: None }
+        Self { robot: robot.into(), options: DiagnosisOptions::default(), limit_mm: None }
     }
 
     /// What has changed since `before`.

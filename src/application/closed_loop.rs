@@ -9,7 +9,7 @@ use exam::generate::{DataSet, data_set};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot, is_lasting, measured_rms_m};
-use metrology::diagnose::{self, Options};
+use metrology::diagnose::{self, DiagnosisOptions};
 use metrology::measure::Measurements;
 use nalgebra::{Isometry3, Vector3};
 use rapid_program::emit::{Clock, renamed};
@@ -74,7 +74,7 @@ impl ClosedLoop {
         })?;
         let measurements = Measurements::from_csv(set.csv.as_bytes())?;
         let mut diagnosis = Diagnosis::new(robot.clone()).and_identify();
-        diagnosis.options = Options {
+        diagnosis.options = DiagnosisOptions {
             tool_m: set.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
             sigma_m: set.task.sigma_mm.map(m_from_mm),
         };

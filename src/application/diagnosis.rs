@@ -1,7 +1,7 @@
 //! Diagnosis of a robot from measured poses.
 
 use crate::report::{DiagnosisPage, diagnosis};
-use metrology::diagnose::{self, Options, diagnose, diagnose_and_identify, gear_spectra};
+use metrology::diagnose::{self, DiagnosisOptions, diagnose, diagnose_and_identify, gear_spectra};
 use metrology::measure::Measurements;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
@@ -23,7 +23,7 @@ pub struct Diagnosis {
     /// The robot as its model says, of four to seven joints.
     pub robot: SerialArm,
     /// What is known of the measurement: the target's place on the flange, the noise.
-    pub options: Options,
+    pub options: DiagnosisOptions,
     /// What is found is made into a model as well, for [`Compensation::with_model`](super::Compensation::with_model).
     pub identify: bool,
 }
@@ -42,7 +42,7 @@ impl Diagnosis {
     /// A diagnosis with nothing known of the measurement.
     #[must_use]
     pub fn new(robot: impl Into<SerialArm>) -> Self {
-        Self { robot: robot.into(), options: Options::default(), identify: false }
+        Self { robot: robot.into(), options: DiagnosisOptions::default(), identify: false }
     }
 
     /// The same, and a model of what is found.

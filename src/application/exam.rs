@@ -6,7 +6,7 @@ use exam::generate::Task;
 use exam::measure::Measure;
 use exam::score::score;
 use exam::truth::{Sealed, Truth, seal};
-use metrology::diagnose::Options;
+use metrology::diagnose::DiagnosisOptions;
 use metrology::measure::Measurements;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::{Diagnostic, counted};
@@ -33,7 +33,7 @@ impl Question {
     /// JSON that is not that of the contract.
     pub fn answer(&self) -> serde_json::Result<Answer> {
         let mut diagnosis = Diagnosis::new(self.robot.clone());
-        diagnosis.options = Options {
+        diagnosis.options = DiagnosisOptions {
             tool_m: self.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
             sigma_m: self.task.sigma_mm.map(m_from_mm),
         };

@@ -1,7 +1,9 @@
 //! How warm a robot is, as touches of fixed points tell it.
 
 use crate::report::state as report;
-use metrology::diagnose::warmup::{RobotState, Standstill, StateError, StateOptions, thermal_state};
+use metrology::diagnose::warmup::{
+    RobotState, Standstill, StateError, StateOptions, WarmingArm, thermal_state,
+};
 use metrology::measure::Touches;
 use nalgebra::Vector3;
 use robot_model::deform::identified::{Identified, ThermalState};
@@ -67,7 +69,7 @@ impl StateEstimation {
             tau_cool_min: self.tau_cool_min.or(law.tau_min()).unwrap_or(1.0),
         };
         let [cold, settled] = &self.arms;
-        let state = thermal_state(touches, &self.robot, (law, [cold, settled]), &options)?;
+        let state = thermal_state(touches, &self.robot, WarmingArm { law, cold, settled }, &options)?;
         Ok(StateEstimated { state, points: touches.points.clone() })
     }
 }

@@ -3,7 +3,7 @@
 use super::model;
 use super::number::positive;
 use driftpost::application::joints_rad;
-use metrology::diagnose;
+use metrology::diagnose::DiagnosisOptions;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{Axis, Robot, SerialArm};
@@ -129,10 +129,10 @@ impl PriorKnowledgeArgs {
     ///
     /// # Errors
     /// A tool that is not three numbers, a noise that is not positive.
-    pub fn options(&self) -> Result<diagnose::Options, Diagnostic> {
+    pub fn options(&self) -> Result<DiagnosisOptions, Diagnostic> {
         let tool_m = self.tool.as_deref().map(tool).transpose()?;
         positive(&[("--sigma-mm", self.sigma_mm)])?;
-        Ok(diagnose::Options { tool_m, sigma_m: self.sigma_mm.map(m_from_mm) })
+        Ok(DiagnosisOptions { tool_m, sigma_m: self.sigma_mm.map(m_from_mm) })
     }
 }
 

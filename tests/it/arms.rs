@@ -6,7 +6,7 @@ use exam::effect::Effect;
 use exam::generate::{DataSet, data_set};
 use exam::rng::Rng;
 use metrology::diagnose::{
-    Findings, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
+    DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
 use metrology::measure::Measurements;
 use metrology::plan::{PlanOptions, Space, Sweeps, plan_from, poses_csv};
@@ -25,7 +25,7 @@ fn planted(arm: &SerialArm, effect: Effect, n: usize, seed: u64) -> DataSet {
     data_set(arm, "arm", &recipe, &mut Rng::new(seed, 0)).unwrap()
 }
 
-const TOLD: Options = Options { tool_m: None, sigma_m: Some(2e-5) };
+const TOLD: DiagnosisOptions = DiagnosisOptions { tool_m: None, sigma_m: Some(2e-5) };
 
 fn read(set: &DataSet) -> Measurements {
     Measurements::from_csv(set.csv.as_bytes()).unwrap()
@@ -160,7 +160,7 @@ fn a_tool_that_is_not_the_one_given_is_a_fault_of_the_file() {
     let set = planted(&arm, Effect::JointOffset { joint: 4 }, 60, 12);
     let fitted = diagnose(&read(&set), &arm, &TOLD).tool_mm.unwrap();
     let away_m = Vector3::from(fitted.map(m_from_mm)) + Vector3::new(0.0, 0.02, 0.0);
-    let found = diagnose(&read(&set), &arm, &Options { tool_m: Some(away_m), ..TOLD });
+    let found = diagnose(&read(&set), &arm, &DiagnosisOptions { tool_m: Some(away_m), ..TOLD });
     assert_eq!(found.verdict, Verdict::DataFault, "{}", summary(&found));
     assert!(found.reason.contains("mm from the one given"), "{}", found.reason);
 }

@@ -8,7 +8,7 @@ use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot};
 use metrology::diagnose::{
-    Findings, Options, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
+    DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
 use metrology::measure::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use nalgebra::{Isometry3, Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
@@ -104,7 +104,7 @@ fn mm(p: &Vector3<f64>) -> String {
 fn answer(csv: &str) -> Findings {
     let robot = SerialArm::built_in("irb140").unwrap();
     let measurements = Measurements::from_csv(csv.as_bytes()).unwrap();
-    diagnose(&measurements, &robot, &Options { tool_m: None, sigma_m: Some(SIGMA_M) })
+    diagnose(&measurements, &robot, &DiagnosisOptions { tool_m: None, sigma_m: Some(SIGMA_M) })
 }
 
 /// The first cause, and that nothing else is claimed.
@@ -156,7 +156,7 @@ fn unsteady(mut cell: Cell) -> Findings {
         }
     }
     let robot = SerialArm::built_in("irb140").unwrap();
-    diagnose(&Measurements::from_csv(csv.as_bytes()).unwrap(), &robot, &Options::default())
+    diagnose(&Measurements::from_csv(csv.as_bytes()).unwrap(), &robot, &DiagnosisOptions::default())
 }
 
 #[test]
@@ -222,7 +222,7 @@ fn a_draw_wire_is_enough_to_see_a_gear_that_gives() {
 fn validated(learn: &str, test: &str) -> [f64; 2] {
     let robot = SerialArm::built_in("irb140").unwrap();
     let read = |csv: &str| Measurements::from_csv(csv.as_bytes()).unwrap();
-    let options = Options { tool_m: None, sigma_m: Some(SIGMA_M) };
+    let options = DiagnosisOptions { tool_m: None, sigma_m: Some(SIGMA_M) };
     let model = diagnose_and_identify(&read(learn), &robot, &options).1.unwrap();
     let found = validate(&read(test), &robot, &model, RefitScope::BaseAndTool).unwrap();
     let only_tool = validate(&read(test), &robot, &model, RefitScope::Base).unwrap();

@@ -10,7 +10,7 @@ use exam::poses::{CommandedRow, MoreRows, RunSpec, Spread, states};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::truth::{QuestionKind, Truth};
-use metrology::diagnose::{self, NextMeasurement, Options, Verdict};
+use metrology::diagnose::{self, DiagnosisOptions, NextMeasurement, Verdict};
 use metrology::measure::Measurements;
 use nalgebra::Vector3;
 use rayon::prelude::*;
@@ -53,7 +53,7 @@ fn again(seed: u64, number: u64, robot: &SerialArm, tries: u64, more: MoreRows<'
 fn diagnosed(robot: &SerialArm, set: &DataSet, task: &DataSet) -> diagnose::Findings {
     let measurements = Measurements::from_csv(set.csv.as_bytes()).unwrap();
     let mut diagnosis = Diagnosis::new(robot.clone());
-    diagnosis.options = Options {
+    diagnosis.options = DiagnosisOptions {
         tool_m: task.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
         sigma_m: task.task.sigma_mm.map(m_from_mm),
     };

@@ -7,7 +7,7 @@ use exam::poses::CommandedRow;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use metrology::diagnose::signature::{PlannedMeasurement, signatures};
-use metrology::diagnose::{Findings, Options, diagnose};
+use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
 use metrology::measure::Measurements;
 use metrology::plan::{
     MeasurementPlan, MeasurementStep, PlanOptions, Space, Sweeps, plan, plan_from, rapid, template_csv,
@@ -265,7 +265,7 @@ fn contest(planned: &MeasurementPlan, tool_m: Vector3<f64>, rho: f64, seeds: u64
             let (random, chosen) = (measured(&driven), measured(&rows));
             let score = |csv: &str| {
                 let read = Measurements::from_csv(csv.as_bytes()).unwrap();
-                let found = diagnose(&read, &robot, &Options { tool_m: None, sigma_m: Some(2e-5) });
+                let found = diagnose(&read, &robot, &DiagnosisOptions { tool_m: None, sigma_m: Some(2e-5) });
                 usize::from(right(&found, effect))
             };
             [score(&random.csv), score(&chosen.csv), 1]

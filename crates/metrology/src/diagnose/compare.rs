@@ -2,7 +2,7 @@
 //! was wrong before as much as after drops out.
 
 use super::examine::diagnose;
-use super::options::Options;
+use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict};
 use crate::measure::{
     Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, Station, Stations,
@@ -103,7 +103,7 @@ pub fn compare_measurements(
     before: &Measurements,
     after: &Measurements,
     robot: &SerialArm,
-    options: &Options,
+    options: &DiagnosisOptions,
 ) -> Result<MeasurementComparison, CompareError> {
     let chain = SerialChain::nominal(robot);
     let stations = |m: &Measurements| {
@@ -148,7 +148,8 @@ pub fn compare_measurements(
 
     let sigma_m = noise_m(&old, &new, options, &pairs);
     let differences = as_measurements(&pairs, &shown, before);
-    let told = Options { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
+    let told =
+        DiagnosisOptions { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
     let diagnosis = diagnose(&differences, robot, &told);
     let tools_moved_m: Vec<(Vector3<f64>, f64)> =
         fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
@@ -209,7 +210,7 @@ fn paired<'a>(
 
 /// Noise of the difference of a pair, on average: of one reading as stated, or as seen in both files' repeats, over the
 /// readings in each mean.
-fn noise_m(old: &Stations, new: &Stations, options: &Options, pairs: &[Pair<'_>]) -> Option<f64> {
+fn noise_m(old: &Stations, new: &Stations, options: &DiagnosisOptions, pairs: &[Pair<'_>]) -> Option<f64> {
     let stated = options.sigma_m.map(|sigma_m| (sigma_m, sigma_m));
     let (before_m, after_m) =
         stated.or_else(|| old.repeats.zip(new.repeats).map(|(a, b)| (a.sigma_m, b.sigma_m)))?;

@@ -17,7 +17,7 @@ use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::next_measurements::next_measurements;
 use super::noise_fault::noise_beyond_stated;
-use super::options::Options;
+use super::options::DiagnosisOptions;
 use super::outcome::{Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Warning};
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
@@ -50,7 +50,7 @@ pub struct Prepared<'a> {
     /// What is known of the noise before the fit.
     pub noise: NoisePrior,
     /// What the caller knows beside the file.
-    pub options: &'a Options,
+    pub options: &'a DiagnosisOptions,
 }
 
 /// The diagnosis and, where one was wanted and found, the model.

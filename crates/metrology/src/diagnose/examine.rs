@@ -6,7 +6,7 @@ use super::evaluate::{Evaluation, Prepared, evaluate};
 use super::linearise::linearise;
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
-use super::options::Options;
+use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use crate::measure::{
     Fault, FaultKind, Measurements, PartFault, RegisterError, Row, RowCheck, Stations, alone, check_rows,
@@ -27,7 +27,7 @@ const FEWEST_POSES: usize = 8;
 
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
-pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &Options) -> Findings {
+pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &DiagnosisOptions) -> Findings {
     examine(measurements, robot, options, false).diagnosis
 }
 
@@ -36,7 +36,7 @@ pub fn diagnose(measurements: &Measurements, robot: &SerialArm, options: &Option
 pub fn diagnose_and_identify(
     measurements: &Measurements,
     robot: &SerialArm,
-    options: &Options,
+    options: &DiagnosisOptions,
 ) -> (Findings, Option<Identified>) {
     let Evaluation { diagnosis, identified } = examine(measurements, robot, options, true);
     let region = diagnosis.shrink.region_block.as_ref();
@@ -52,7 +52,7 @@ pub fn diagnose_and_identify(
 fn examine(
     measurements: &Measurements,
     robot: &SerialArm,
-    options: &Options,
+    options: &DiagnosisOptions,
     wants_model: bool,
 ) -> Evaluation {
     let checked = check_rows(measurements, robot);
@@ -114,7 +114,7 @@ fn from_one_stand<'a>(
     measurements: &'a Measurements,
     robot: &SerialArm,
     checked: &RowCheck,
-    options: &Options,
+    options: &DiagnosisOptions,
 ) -> Result<OneStand<'a>, Unusable> {
     let targets = measurements.targets.len().max(1);
     let columns_meant = |fault: Fault| match fault.kind {
@@ -192,7 +192,7 @@ fn usable_stations(measurements: &Measurements, checked: &RowCheck) -> Result<St
 }
 
 /// Where the repeats speak against the noise that was stated.
-fn contradicted_noise(stations: &Stations, options: &Options) -> Option<Warning> {
+fn contradicted_noise(stations: &Stations, options: &DiagnosisOptions) -> Option<Warning> {
     let seen = stations.repeats?;
     NoisePrior::contradicted(Some(&seen), options.sigma_m).then(|| Warning {
         code: "diagnose::noise",
@@ -206,7 +206,7 @@ fn contradicted_noise(stations: &Stations, options: &Options) -> Option<Warning>
 /// Registers base and target, and evaluates what that leaves.
 fn evaluated(
     measured: MeasuredRobot<'_>,
-    options: &Options,
+    options: &DiagnosisOptions,
     wants_model: bool,
 ) -> Result<Evaluation, Unusable> {
     let MeasuredRobot { robot, stations, .. } = measured;

@@ -47,7 +47,7 @@ mod zeros;
 pub use compare::{CompareError, MeasurementComparison, compare_measurements};
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
-pub use options::Options;
+pub use options::DiagnosisOptions;
 pub use outcome::{
     Cause, Detectable, ErrorReduction, FalseRow, Findings, HeldOutBlock, JointZero, JointZeros, Location,
     NextMeasurement, NextStep, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,

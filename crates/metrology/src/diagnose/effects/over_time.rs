@@ -15,17 +15,27 @@ pub fn no_clock(dataset: &Dataset) -> Option<String> {
 /// How long a measurement without times is taken to have lasted.
 const USUAL_HOURS: f64 = 2.0;
 
-/// How base and target may drift over a measurement, with the prior weight of each; and the prior standard deviation
-/// of a shift, metres: 30 um per hour.
-pub fn drift(dataset: &Dataset) -> (Vec<(Growth, f64)>, f64) {
-    let Some([from_min, to_min]) = dataset.clock else { return (Vec::new(), 0.0) };
+/// A way in which base or target may drift over a measurement.
+pub struct DriftPrior {
+    /// How it grows.
+    pub growth: Growth,
+    /// Prior weight beside the other ways.
+    pub weight: f64,
+    /// Prior standard deviation of a shift when it has grown, metres: 30 um per hour.
+    pub grown_m: f64,
+}
+
+/// How base and target may drift over a measurement.
+pub fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
+    let Some([from_min, to_min]) = dataset.clock else { return Vec::new() };
     let span_min = to_min - from_min;
     // Without times the measurement is taken to have lasted as long as most do.
     let hours = dataset.time_min.map_or(USUAL_HOURS, |_| h_from_min(span_min));
     let settling = |share: f64| Growth::Law(GrowthLaw::Exp { tau_min: share * span_min });
-    let growths =
-        vec![(Growth::Linear { from_min, to_min }, 0.7), (settling(0.15), 0.1), (settling(0.4), 0.2)];
-    (growths, 3e-5 * hours.clamp(0.5, 4.0))
+    let grown_m = 3e-5 * hours.clamp(0.5, 4.0);
+    [(Growth::Linear { from_min, to_min }, 0.7), (settling(0.15), 0.1), (settling(0.4), 0.2)]
+        .map(|(growth, weight)| DriftPrior { growth, weight, grown_m })
+        .into()
 }
 
 /// Fewest observations on each side of a step, and between two steps: the six parameters of a rigid motion could absorb

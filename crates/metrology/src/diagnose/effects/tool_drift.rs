@@ -1,7 +1,7 @@
 //! The target creeps on the flange: glue, a warm spindle.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{drift, no_clock};
+use super::over_time::{DriftPrior, drifts, no_clock};
 use super::rigid::{Motion, RigidBody};
 use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
@@ -32,10 +32,9 @@ impl Effect for ToolDrift {
         no_clock(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
-        let (growths, grown_m) = drift(dataset);
-        growths
+        drifts(dataset)
             .into_iter()
-            .map(|(growth, weight)| Candidate {
+            .map(|DriftPrior { growth, weight, grown_m }| Candidate {
                 n_reported: 3,
                 display_scale: mm_from_m(1.0),
                 weight,

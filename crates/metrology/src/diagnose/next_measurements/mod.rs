@@ -9,11 +9,11 @@ use super::dataset::{Observation, Twist, scaled};
 use super::design::{Design, registration};
 use super::effects;
 use super::model::{FittedModel, Model, Workspace};
-use super::options::Options;
+use super::options::DiagnosisOptions;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
 use super::time_course::TimeCourse;
 use super::verdict::{Judgement, OpenSlot, SHAPE_KNOWN_TO, describe_candidate, shapes_in_doubt};
-use pool::{Candidate, When, pool};
+use pool::{PoolPose, When, pool};
 use robot_model::robot::SerialArm;
 use separation::{Coefficient, FittedColumn, Pair, RivalModel, Separation, ShapeDoubt};
 
@@ -49,7 +49,7 @@ pub fn next_measurements(
     robot: &SerialArm,
     fitted: &mut FittedModel<'_>,
     judgement: &Judgement,
-    options: &Options,
+    options: &DiagnosisOptions,
 ) -> NextMeasurements {
     let Judgement { open, verdict, .. } = judgement;
     let verdict = *verdict;
@@ -293,12 +293,11 @@ impl Question {
     fn plan(
         &self,
         fitted: &FittedModel<'_>,
-        pool: Vec<Candidate>,
+        pool: Vec<PoolPose>,
         when: When,
         [most, most_times]: [usize; 2],
     ) -> Option<Planned> {
-        let rows: Vec<Vec<Vec<f64>>> =
-            pool.iter().map(|(observation, _)| self.rows(fitted, observation)).collect();
+        let rows: Vec<Vec<Vec<f64>>> = pool.iter().map(|pose| self.rows(fitted, &pose.observation)).collect();
         let mut separation =
             Separation::new(&self.gram, &self.models, self.pairs.clone(), &rows, self.sigma_m)?;
         let mut taken: Vec<usize> = Vec::new();
@@ -314,9 +313,9 @@ impl Question {
         }
         let mut order = taken;
         // On a new warm-up the minutes count.
-        order.sort_by(|a, b| pool[*a].0.clock().total_cmp(&pool[*b].0.clock()));
+        order.sort_by(|a, b| pool[*a].observation.clock().total_cmp(&pool[*b].observation.clock()));
         Some(Planned {
-            poses: order.into_iter().map(|i| pool[i].1.clone()).collect(),
+            poses: order.into_iter().map(|i| pool[i].next.clone()).collect(),
             times,
             when,
             lambda: separation.least(),

@@ -3,7 +3,7 @@
 use crate::diagnose::dataset::{Observation, ObservationKind};
 use crate::diagnose::heldout::SplitMix64;
 use crate::diagnose::linearise::Linearised;
-use crate::diagnose::options::Options;
+use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::NextMeasurement;
 use crate::measure::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
@@ -26,17 +26,23 @@ pub enum When {
     FromCold,
 }
 
-/// A pose of the pool: the arm there, and how it is written.
-pub type Candidate = (Observation, NextMeasurement);
+/// A pose that could be measured next.
+#[derive(Clone, Debug)]
+pub struct PoolPose {
+    /// The arm there.
+    pub observation: Observation,
+    /// As it is written.
+    pub next: NextMeasurement,
+}
 
 /// The pool for at most `most` rows.
 pub fn pool(
     robot: &SerialArm,
     linear: &Linearised,
-    options: &Options,
+    options: &DiagnosisOptions,
     when: When,
     most: usize,
-) -> Vec<Candidate> {
+) -> Vec<PoolPose> {
     let dataset = &linear.dataset;
     let mut random = SplitMix64::new(0x2545_f491_4f6c_dd1d);
     let chain = SerialChain::nominal(robot);
@@ -102,7 +108,7 @@ pub fn pool(
             continue;
         }
         let next = NextMeasurement { q_deg: robot.in_deg_or_mm(&q_rad), payload_kg, dir: direction };
-        all.push((observation, next));
+        all.push(PoolPose { observation, next });
     }
     all
 }

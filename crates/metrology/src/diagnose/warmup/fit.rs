@@ -123,37 +123,44 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     let stops = options.stops.clone().unwrap_or_else(|| history::longest_pause(touches));
     let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
     let mut aside = BTreeSet::new();
-    let (mut found, mut gain_nats) = of(&aside)?;
+    let mut found = of(&aside)?;
     for _ in 0..MOST_ROUNDS {
-        let mut next = false_lines(&found.residuals, &aside);
+        let mut next = false_lines(&found.warm_up.residuals, &aside);
         // So many are no accidents of single touches: it is the arm that does not go as the fit has it.
-        let are_many = next.len() as f64 > MOST_ASIDE * found.residuals.len() as f64;
+        let are_many = next.len() as f64 > MOST_ASIDE * found.warm_up.residuals.len() as f64;
         if are_many {
             next.clear();
         }
         if next == aside {
             break;
         }
-        (found, gain_nats) = of(&next)?;
+        found = of(&next)?;
         aside = next;
         if are_many {
             break;
         }
     }
     // Asked at the end: false touches hide a drift.
-    if gain_nats < ALARM_NATS {
-        return Err(FitError::NoDrift { gain_nats });
+    if found.gain_nats < ALARM_NATS {
+        return Err(FitError::NoDrift { gain_nats: found.gain_nats });
     }
-    Ok(found)
+    Ok(found.warm_up)
 }
 
-/// The fit to all touches but those of some lines, which are told beside it, and by how many nats a drift is likelier than none.
+/// A fit, and whether there is anything to fit.
+struct DriftFit {
+    warm_up: WarmUp,
+    /// By how many nats a drift is likelier than none.
+    gain_nats: f64,
+}
+
+/// The fit to all touches but those of some lines, which are listed beside it.
 fn fit_without(
     touches: &Touches,
     all: &[Point],
     aside: &BTreeSet<u64>,
     stops: &[Standstill],
-) -> Result<(WarmUp, f64), FitError> {
+) -> Result<DriftFit, FitError> {
     let points: Vec<Point> = all.iter().map(|point| point.without(aside)).collect();
     let mut grid = Vec::new();
     for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
@@ -224,7 +231,7 @@ fn fit_without(
             settled_m: p.sums(&history, stops).settled_m(),
         })
         .collect();
-    let residuals = touch_residuals((all, aside), &touches.points, &history, stops, &settled);
+    let residuals = touch_residuals(all, aside, &touches.points, &history, stops, &settled);
     let minute = |touch: Option<&Touch>| touch.map_or(0.0, |touch| touch.t_min);
     let warm_up = WarmUp {
         growth: history.law,
@@ -241,7 +248,7 @@ fn fit_without(
         span_min: [minute(touches.touches.first()), minute(touches.touches.last())],
         touches: touches.touches.len() - aside.len(),
     };
-    Ok((warm_up, gain_nats))
+    Ok(DriftFit { warm_up, gain_nats })
 }
 
 /// Probability of the law that is not the likeliest's.

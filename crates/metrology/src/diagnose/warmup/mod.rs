@@ -5,7 +5,7 @@
 //! unknown constant p_k for each point. Growth law, its time constant, that of cooling and the sizes of the priors are
 //! weighed by their evidence on a grid. Knows no RAPID and no files.
 
-mod cold_place;
+mod cold_reference;
 mod fit;
 mod fitted;
 mod history;
@@ -17,12 +17,11 @@ mod thermal_run;
 mod thermal_state;
 mod touch_residuals;
 
-pub use cold_place::FirstTouchOutlier;
 pub use fit::{FitError, FitOptions, fit};
 pub use fitted::{TouchedPoint, WarmUp};
 pub use history::Standstill;
 pub use parameters::{PARAMETERS, signature};
 pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
-pub use thermal_run::{StateOptions, TouchState};
-pub use thermal_state::{PlannedInterval, PlannedPoint, RobotState, StateError, thermal_state};
+pub use thermal_run::{FirstTouchOutlier, StateOptions, TouchState};
+pub use thermal_state::{PlannedInterval, PlannedPoint, RobotState, StateError, WarmingArm, thermal_state};
 pub use touch_residuals::TouchResidual;

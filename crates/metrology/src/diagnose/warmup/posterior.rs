@@ -82,7 +82,7 @@ struct Weighed {
 
 /// Evidence of one history of warmth, every size of the prior taken in.
 pub(super) fn log_evidence(points: &[Sums]) -> Option<f64> {
-    let (fits, _, _) = weigh(points)?;
+    let fits = weigh(points)?.fits;
     let most = fits.iter().map(|f| f.log_evidence).fold(f64::NEG_INFINITY, f64::max);
     let total: f64 = fits.iter().map(|f| (f.log_evidence - most).exp()).sum();
     Some(most + total.ln()).filter(|e| e.is_finite())
@@ -104,8 +104,17 @@ pub(super) fn log_weight_of_sizes() -> f64 {
     shifts.ln() + turns.ln()
 }
 
-/// `None` where the warmth did not change.
-fn weigh(points: &[Sums]) -> Option<(Vec<Weighed>, DMatrix<f64>, f64)> {
+/// The linear problem of one history, under every size of the prior.
+struct WeighedSizes {
+    fits: Vec<Weighed>,
+    /// Three rows for each point.
+    signature: DMatrix<f64>,
+    /// Noise of one coordinate of a touch, metres.
+    sigma_m: f64,
+}
+
+/// Weighs every size of the prior; `None` where the warmth did not change.
+fn weigh(points: &[Sums]) -> Option<WeighedSizes> {
     let rows = 3 * points.len();
     let mut signature = DMatrix::zeros(rows, PARAMETERS);
     let mut seen = DVector::zeros(rows);
@@ -151,12 +160,12 @@ fn weigh(points: &[Sums]) -> Option<(Vec<Weighed>, DMatrix<f64>, f64)> {
             });
         }
     }
-    Some((fits, signature, sigma_m))
+    Some(WeighedSizes { fits, signature, sigma_m })
 }
 
 /// What the touches say under one history of warmth; `None` where that did not change.
 pub(super) fn posterior(points: &[Sums]) -> Option<Posterior> {
-    let (fits, signature, sigma_m) = weigh(points)?;
+    let WeighedSizes { fits, signature, sigma_m } = weigh(points)?;
     let most = fits.iter().map(|f| f.log_evidence).fold(f64::NEG_INFINITY, f64::max);
     let total: f64 = fits.iter().map(|f| (f.log_evidence - most).exp()).sum();
     let mut mean = DVector::zeros(PARAMETERS);

@@ -47,7 +47,30 @@ pub struct TouchState {
     pub smoothed: [f64; 2],
 }
 
+/// A first touch that does not stand where the cold arm has its point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FirstTouchOutlier {
+    /// Its line in the file.
+    pub line: u64,
+    /// The touched point, as an index into the points of the file.
+    pub point: usize,
+    /// From where the later touches have the cold arm to where it stands, metres.
+    pub off_m: Vector3<f64>,
+    /// One standard deviation along the drift of that place, metres.
+    pub sigma_m: f64,
+}
+
+/// Touches of points, and where the cold arm touches these.
+#[derive(Clone)]
+pub(super) struct TouchedPoints {
+    /// In the order of time.
+    pub touches: Vec<PlacedTouch>,
+    /// Of each point; `None` where it was never touched.
+    pub cold: Vec<Option<ColdReference>>,
+}
+
 /// A touch, and where the nominal arm has the tip in it.
+#[derive(Clone)]
 pub(super) struct PlacedTouch {
     pub line: u64,
     pub point: usize,
@@ -76,29 +99,37 @@ pub(super) struct ThermalRun {
     steps: Vec<FilterInterval>,
 }
 
+/// A state of the filter, and how well it is known.
+#[derive(Clone, Copy)]
+struct StateEstimate {
+    mean: State,
+    covariance: Covariance,
+}
+
+impl StateEstimate {
+    fn of(filter: &ThermalFilter) -> Self {
+        Self { mean: filter.state, covariance: filter.covariance }
+    }
+}
+
 /// A step between two touches, as it was and as the filter left it.
 struct FilterInterval {
     transition: Transition,
-    expected: (State, Covariance),
-    left: (State, Covariance),
+    expected: StateEstimate,
+    left: StateEstimate,
     begins_anew: bool,
 }
 
 impl ThermalRun {
     /// Takes in the touches in the order of time, from a filter as it is at the first.
-    pub fn new(
-        mut filter: ThermalFilter,
-        touches: &[PlacedTouch],
-        places: &[Option<ColdReference>],
-        options: &StateOptions,
-    ) -> Self {
-        let mut now_min = touches.first().map_or(0.0, |touch| touch.t_min);
+    pub fn new(mut filter: ThermalFilter, points: &TouchedPoints, options: &StateOptions) -> Self {
+        let mut now_min = points.touches.first().map_or(0.0, |touch| touch.t_min);
         let (mut seen, mut steps, mut pending) = (Vec::new(), Vec::new(), Transition::identity());
         let mut log_likelihood = 0.0;
-        for touch in touches {
+        for touch in &points.touches {
             pending = advance(&mut filter, now_min, touch.t_min, &options.stops) * pending;
             now_min = touch.t_min;
-            let Some(cold) = &places[touch.point] else { continue };
+            let Some(cold) = &points.cold[touch.point] else { continue };
             let square = cold.along_m.norm_squared();
             if touch.is_first || square < LEAST_M * LEAST_M {
                 continue;
@@ -107,7 +138,7 @@ impl ThermalRun {
             let share = off_m.dot(&cold.along_m) / square;
             // The place of the cold arm was touched as well as this one.
             let variance = 2.0 * options.sigma_m * options.sigma_m / square;
-            let expected = (filter.state, filter.covariance);
+            let expected = StateEstimate::of(&filter);
             let spread = (filter.sigma().powi(2) + variance).sqrt();
             let off_sigmas = (share - filter.share()) / spread;
             let across =
@@ -121,7 +152,7 @@ impl ThermalRun {
             steps.push(FilterInterval {
                 transition: std::mem::replace(&mut pending, Transition::identity()),
                 expected,
-                left: (filter.state, filter.covariance),
+                left: StateEstimate::of(&filter),
                 begins_anew: outcome == Some(TouchOutcome::TakenAnew),
             });
             let after = [filter.share(), filter.sigma()];
@@ -147,16 +178,19 @@ impl ThermalRun {
         let mut later = last.left;
         for k in (0..self.steps.len().saturating_sub(1)).rev() {
             let (step, next) = (&self.steps[k], &self.steps[k + 1]);
-            let inverse = next.expected.1.try_inverse().filter(|_| !next.begins_anew);
+            let inverse = next.expected.covariance.try_inverse().filter(|_| !next.begins_anew);
             later = match inverse {
                 Some(inverse) => {
-                    let gain = step.left.1 * next.transition.transpose() * inverse;
-                    let state = step.left.0 + gain * (later.0 - next.expected.0);
-                    (state, step.left.1 + gain * (later.1 - next.expected.1) * gain.transpose())
+                    let gain = step.left.covariance * next.transition.transpose() * inverse;
+                    let more = later.covariance - next.expected.covariance;
+                    StateEstimate {
+                        mean: step.left.mean + gain * (later.mean - next.expected.mean),
+                        covariance: step.left.covariance + gain * more * gain.transpose(),
+                    }
                 }
                 None => step.left,
             };
-            self.touches[k].smoothed = [later.0[seen], later.1[(seen, seen)].max(0.0).sqrt()];
+            self.touches[k].smoothed = [later.mean[seen], later.covariance[(seen, seen)].max(0.0).sqrt()];
         }
     }
 
@@ -165,16 +199,16 @@ impl ThermalRun {
     /// To first order: by how much all changes where that place is one standard deviation elsewhere.
     pub fn widen(
         &mut self,
-        (point, sigma_m): (usize, f64),
+        uncertain: &FirstTouchOutlier,
         first: &ThermalFilter,
-        (touches, places): (&[PlacedTouch], &[Option<ColdReference>]),
+        points: &TouchedPoints,
         options: &StateOptions,
     ) {
-        let mut moved = places.to_vec();
-        if let Some(place) = &mut moved[point] {
-            place.at_m += place.along_m.normalize() * sigma_m;
+        let mut moved = points.clone();
+        if let Some(place) = &mut moved.cold[uncertain.point] {
+            place.at_m += place.along_m.normalize() * uncertain.sigma_m;
         }
-        let mut elsewhere = Self::new(first.clone(), touches, &moved, options);
+        let mut elsewhere = Self::new(first.clone(), &moved, options);
         elsewhere.smooth();
         let by = elsewhere.filter.state - self.filter.state;
         self.filter.covariance += by * by.transpose();

@@ -1,7 +1,7 @@
 //! The thermal state of one robot from touches of fixed points: the filter that a corrected program runs, with smoothing.
 
-use super::cold_place::{self, FirstTouchOutlier};
-use super::thermal_run::{LEAST_M, StateOptions, ThermalRun, TouchState};
+use super::cold_reference;
+use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState};
 use crate::measure::Touches;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::thermal_filter::{Covariance, State, ThermalFilter};
@@ -89,7 +89,18 @@ pub struct RobotState {
     pub plan: Vec<PlannedPoint>,
 }
 
-/// The state of a robot that goes from a cold arm to a settled one by a law, but for amount and time constants.
+/// An arm cold and settled, and how it goes from one to the other.
+#[derive(Clone, Copy)]
+pub struct WarmingArm<'a> {
+    /// The law of growth.
+    pub law: GrowthLaw,
+    /// The arm as it stands cold.
+    pub cold: &'a DeformedArm,
+    /// The arm when all has settled.
+    pub settled: &'a DeformedArm,
+}
+
+/// The state of a robot that warms as `arm` does, but for amount and time constants.
 ///
 /// The first touch of each point says where the cold arm has it, but where it is false.
 ///
@@ -98,9 +109,10 @@ pub struct RobotState {
 pub fn thermal_state(
     touches: &Touches,
     robot: &Robot,
-    (law, [cold_arm, settled_arm]): (GrowthLaw, [&DeformedArm; 2]),
+    arm: WarmingArm<'_>,
     options: &StateOptions,
 ) -> Result<RobotState, StateError> {
+    let law = arm.law;
     let first = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
     let nominal = Chain::nominal(robot);
     let conditions = Conditions::default();
@@ -111,15 +123,15 @@ pub fn thermal_state(
     // Where the controller takes the tip to be goes the other way than the tip drifts.
     let along_m = |q_rad: &[f64; 6]| {
         let [cold, settled] =
-            [cold_arm, settled_arm].map(|arm| arm.under(&conditions).point_m(q_rad, &options.tool_m));
+            [arm.cold, arm.settled].map(|arm| arm.under(&conditions).point_m(q_rad, &options.tool_m));
         cold - settled
     };
-    let (placed, mut places) = cold_place::placed(touches, tip_m, along_m);
-    let false_first = cold_place::set_right(&mut places, &placed, &first, options);
-    let first = if false_first.is_empty() { first } else { cold_place::cold(&first) };
-    let mut run = ThermalRun::new(first.clone(), &placed, &places, options);
+    let mut points = cold_reference::placed(touches, tip_m, along_m);
+    let false_first = cold_reference::correct_cold_references(&mut points, &first, options);
+    let first = if false_first.is_empty() { first } else { cold_reference::cold(&first) };
+    let mut run = ThermalRun::new(first.clone(), &points, options);
     if run.touches.is_empty() {
-        let moved = places.iter().flatten().any(|place| place.along_m.norm() >= LEAST_M);
+        let moved = points.cold.iter().flatten().any(|place| place.along_m.norm() >= LEAST_M);
         return Err(if moved || touches.touches.len() < 2 {
             StateError::TooFew
         } else {
@@ -128,18 +140,20 @@ pub fn thermal_state(
     }
     run.smooth();
     for one in &false_first {
-        run.widen((one.point, one.sigma_m), &first, (&placed, &places), options);
+        run.widen(one, &first, &points, options);
     }
-    let largest_m = places.iter().flatten().map(|place| place.along_m.norm()).fold(0.0, f64::max);
-    let mut plan: Vec<PlannedPoint> = places
+    let largest_m = points.cold.iter().flatten().map(|place| place.along_m.norm()).fold(0.0, f64::max);
+    let mut plan: Vec<PlannedPoint> = points
+        .cold
         .iter()
         .zip(&touches.points)
         .filter_map(|(place, name)| Some((place.as_ref()?.along_m.norm(), name)))
         .filter(|(settled_m, _)| *settled_m >= LEAST_M)
-        .map(|(settled_m, name)| planned(name, [settled_m, largest_m], (law, options)))
+        .map(|(settled_m, name)| planned(name, [settled_m, largest_m], law, options))
         .collect();
     plan.sort_by(|a, b| b.settled_m.total_cmp(&a.settled_m));
-    let [begin_min, end_min] = [placed.first(), placed.last()].map(|touch| touch.map_or(0.0, |t| t.t_min));
+    let [begin_min, end_min] =
+        [points.touches.first(), points.touches.last()].map(|touch| touch.map_or(0.0, |t| t.t_min));
     let stood = options.stops.iter().any(|stop| stop.to_min > begin_min && stop.from_min < end_min);
     let (state, covariance) = (run.filter.state, run.filter.covariance);
     Ok(RobotState { touches: run.touches, false_first, state, covariance, law, stood, plan })
@@ -149,7 +163,8 @@ pub fn thermal_state(
 fn planned(
     name: &str,
     [settled_m, largest_m]: [f64; 2],
-    (law, options): (GrowthLaw, &StateOptions),
+    law: GrowthLaw,
+    options: &StateOptions,
 ) -> PlannedPoint {
     let variance = (options.sigma_m / settled_m).powi(2);
     let interval = |every_min: f64| {

@@ -32,7 +32,8 @@ pub struct TouchResidual {
 
 /// Every touch of `points`, in the order of time, beside the fit to all but those of the lines `aside`.
 pub(super) fn touch_residuals(
-    (points, aside): (&[Point], &BTreeSet<u64>),
+    points: &[Point],
+    aside: &BTreeSet<u64>,
     names: &[String],
     history: &ThermalHistory,
     stops: &[Standstill],

@@ -1,6 +1,8 @@
 //! Where the cold arm has each touched point: as its first touch says, unless the later ones say that this one was false.
 
-use super::thermal_run::{ColdReference, LEAST_M, PlacedTouch, StateOptions, ThermalRun};
+use super::thermal_run::{
+    ColdReference, FirstTouchOutlier, LEAST_M, PlacedTouch, StateOptions, ThermalRun, TouchedPoints,
+};
 use crate::measure::Touches;
 use nalgebra::Vector3;
 use robot_model::deform::thermal_filter::{FIRST_CORRELATION, GATE, GATE_ACROSS, ThermalFilter};
@@ -19,56 +21,40 @@ const HALVINGS: usize = 10;
 /// Later touches of a point without which nothing is said of its first.
 const LEAST_LATER: usize = 3;
 
-/// A first touch that does not stand where the cold arm has its point.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FirstTouchOutlier {
-    /// Its line in the file.
-    pub line: u64,
-    /// The touched point, as an index into the points of the file.
-    pub point: usize,
-    /// From where the later touches have the cold arm to where it stands, metres.
-    pub off_m: Vector3<f64>,
-    /// One standard deviation along the drift of that place, metres.
-    pub sigma_m: f64,
-}
-
-/// Touches with their places, and what `along_m` says of the joints of each point's first.
+/// Touches with where the tip was by the nominal arm, and what `along_m` says of the joints of each point's first.
 pub(super) fn placed(
     touches: &Touches,
     tip_m: impl Fn(&[f64; 6]) -> Vector3<f64>,
     along_m: impl Fn(&[f64; 6]) -> Vector3<f64>,
-) -> (Vec<PlacedTouch>, Vec<Option<ColdReference>>) {
-    let mut places: Vec<Option<ColdReference>> = vec![None; touches.points.len()];
+) -> TouchedPoints {
+    let mut cold: Vec<Option<ColdReference>> = vec![None; touches.points.len()];
     let all = touches.touches.iter().map(|touch| {
         let (line, point, at_m) = (touch.line, touch.point, tip_m(&touch.q_rad));
-        let is_first = places[point].is_none();
+        let is_first = cold[point].is_none();
         if is_first {
-            places[point] = Some(ColdReference { line, at_m, along_m: along_m(&touch.q_rad) });
+            cold[point] = Some(ColdReference { line, at_m, along_m: along_m(&touch.q_rad) });
         }
         PlacedTouch { line, point, t_min: touch.t_min, at_m, is_first }
     });
-    let all = all.collect();
-    (all, places)
+    let touches = all.collect();
+    TouchedPoints { touches, cold }
 }
 
-/// Puts the places of points whose first touch is false where their later touches have them.
-///
-/// Across the drift that is where these lie; along it, where all touches are likeliest on an arm that was cold. `filter` is one
-/// of which only the table is known.
-pub(super) fn set_right(
-    places: &mut [Option<ColdReference>],
-    touches: &[PlacedTouch],
+/// First touches that are false. Each one's point is put where its later touches have it: across the drift where these lie, along it
+/// where all touches are likeliest on an arm that was cold. `filter` is one of which only the table is known.
+pub(super) fn correct_cold_references(
+    points: &mut TouchedPoints,
     filter: &ThermalFilter,
     options: &StateOptions,
 ) -> Vec<FirstTouchOutlier> {
     let filter = cold(filter);
     let mut found = Vec::new();
-    let mut left: Vec<usize> = (0..places.len()).collect();
+    let mut left: Vec<usize> = (0..points.cold.len()).collect();
     loop {
-        let now = ThermalRun::new(filter.clone(), touches, places, options).log_likelihood;
-        let mut best: Option<(usize, Candidate)> = None;
+        let now = ThermalRun::new(filter.clone(), points, options).log_likelihood;
+        let mut best: Option<(usize, LikelierReference)> = None;
         for &point in &left {
-            let Some(candidate) = candidate(point, places, touches, &filter, options) else { continue };
+            let Some(candidate) = likelier_reference(point, points, &filter, options) else { continue };
             if best.as_ref().is_none_or(|(_, b)| candidate.log_likelihood > b.log_likelihood) {
                 best = Some((point, candidate));
             }
@@ -77,7 +63,7 @@ pub(super) fn set_right(
             return found;
         };
         left.retain(|other| *other != point);
-        if let Some(place) = &mut places[point] {
+        if let Some(place) = &mut points.cold[point] {
             let off_m = place.at_m - candidate.at_m;
             found.push(FirstTouchOutlier { line: place.line, point, off_m, sigma_m: candidate.sigma_m });
             place.at_m = candidate.at_m;
@@ -95,27 +81,28 @@ pub(super) fn cold(filter: &ThermalFilter) -> ThermalFilter {
     cold
 }
 
-/// Another place of the cold arm.
-struct Candidate {
+/// Another place of a point on the cold arm.
+struct LikelierReference {
     at_m: Vector3<f64>,
     sigma_m: f64,
     log_likelihood: f64,
 }
 
-fn candidate(
+/// The likeliest place of a point on the cold arm, where that is off its first touch by more than noise takes one.
+fn likelier_reference(
     point: usize,
-    places: &[Option<ColdReference>],
-    touches: &[PlacedTouch],
+    points: &TouchedPoints,
     filter: &ThermalFilter,
     options: &StateOptions,
-) -> Option<Candidate> {
-    let place = places[point].as_ref()?;
+) -> Option<LikelierReference> {
+    let place = points.cold[point].as_ref()?;
     let length_m = place.along_m.norm();
     if length_m < LEAST_M {
         return None;
     }
     let unit = place.along_m / length_m;
-    let later: Vec<Vector3<f64>> = touches
+    let later: Vec<Vector3<f64>> = points
+        .touches
         .iter()
         .filter(|touch| touch.point == point && !touch.is_first)
         .map(|touch| touch.at_m - place.at_m)
@@ -125,12 +112,12 @@ fn candidate(
         return None;
     }
     let across_m = stands_apart(&later, options.sigma_m);
-    let mut moved = places.to_vec();
+    let mut moved = points.clone();
     let mut log_likelihood = |along_m: f64| {
-        if let Some(one) = &mut moved[point] {
+        if let Some(one) = &mut moved.cold[point] {
             one.at_m = place.at_m + across_m + unit * along_m;
         }
-        ThermalRun::new(filter.clone(), touches, &moved, options).log_likelihood
+        ThermalRun::new(filter.clone(), &moved, options).log_likelihood
     };
     let mut step_m = MOST_M / f64::from(STEPS);
     let grid = (-STEPS..=STEPS).map(|k| f64::from(k) * step_m);
@@ -151,7 +138,11 @@ fn candidate(
     let sigma_m = if bend > 0.0 { bend.sqrt().recip().min(MOST_M) } else { MOST_M };
     // One that is off by no more than noise takes a touch is no false one.
     let is_off = across_m != Vector3::zeros() || along_m.abs() > GATE * options.sigma_m.hypot(sigma_m);
-    is_off.then(|| Candidate { at_m: place.at_m + across_m + unit * along_m, sigma_m, log_likelihood: most })
+    is_off.then(|| LikelierReference {
+        at_m: place.at_m + across_m + unit * along_m,
+        sigma_m,
+        log_likelihood: most,
+    })
 }
 
 /// Where later touches lie across the drift, seen from the first, where they lie together and it does not; else there.
