@@ -30,7 +30,7 @@
 //! let robot = Robot::from_toml(include_str!("../fixtures/measurements/r2000ic/robot.toml"))?;
 //! let measured = Measurements::from_csv(include_bytes!("../fixtures/measurements/r2000ic/measurements.csv"))?;
 //!
-//! let found = Diagnosis::new(robot).run(&measured);
+//! let found = Diagnosis::new(robot).run(&measured)?;
 //! println!("{}", found.text());
 //! assert!(!found.findings.causes.is_empty());
 //! # Ok::<(), Box<dyn std::error::Error>>(())

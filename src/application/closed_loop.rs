@@ -78,7 +78,7 @@ impl ClosedLoop {
             tool_m: set.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
             sigma_m: set.task.sigma_mm.map(m_from_mm),
         };
-        let found = diagnosis.run(&measurements);
+        let found = diagnosis.run(&measurements)?;
         let Some(model) = found.model else {
             let text = format!("no model can be made of these data: {}", found.findings.reason);
             return Err(Diagnostic::error("model::none", text));

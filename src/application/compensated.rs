@@ -131,6 +131,26 @@ impl Compensated<'_> {
         pretty(out, &CompensationJson { program, plan, messages, shown: None, without_nulls: false })
     }
 
+    /// What happened, for scripts: of one robot the object of the contract, of several tasks a list of them, `{"tasks": [...]}`.
+    ///
+    /// # Errors
+    /// Those of writing to `out`.
+    pub fn write_json_of(all: &[Self], out: &mut dyn Write) -> io::Result<()> {
+        if let [made] = all
+            && made.task.is_none()
+        {
+            return made.write_json(out);
+        }
+        let one = |made: &Self| -> io::Result<serde_json::Value> {
+            let mut json = made.json()?;
+            json["task"] = made.task.as_deref().into();
+            json["robot"] = made.robot.name.as_str().into();
+            Ok(json)
+        };
+        let tasks = all.iter().map(one).collect::<io::Result<Vec<_>>>()?;
+        pretty(out, &serde_json::json!({ "tasks": tasks }))
+    }
+
     /// Whether there is a table of joints at every minute.
     ///
     /// # Errors

@@ -1,8 +1,9 @@
 //! Diagnosis of a robot from measured poses.
 
-use crate::report::{DiagnosisPage, diagnosis};
+use crate::report::{DiagnosisPage, diagnosis, plots};
 use metrology::diagnose::{self, DiagnosisOptions, diagnose, diagnose_and_identify, gear_spectra};
-use metrology::measure::Measurements;
+use metrology::measure::{FaultKind, Measurements, check_rows};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
 use std::io::{self, Write};
@@ -14,7 +15,7 @@ use std::io::{self, Write};
 ///
 /// let robot = Robot::built_in("irb140").expect("it is one of the library's");
 /// let one_row = b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n0,0,0,0,30,0,515,0,712\n";
-/// let found = Diagnosis::new(robot).run(&Measurements::from_csv(one_row)?);
+/// let found = Diagnosis::new(robot).run(&Measurements::from_csv(one_row)?)?;
 /// assert!(found.json()?.contains("\"verdict\": \"insufficient_data\""), "one row says nothing");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -52,14 +53,20 @@ impl Diagnosis {
     }
 
     /// Finds which unmodelled effects explain the measurements, and when that cannot be said.
-    #[must_use]
-    pub fn run(&self, measurements: &Measurements) -> Diagnosed {
+    ///
+    /// # Errors
+    /// Measurements of another arm. Others that contradict themselves are a finding.
+    pub fn run(&self, measurements: &Measurements) -> Result<Diagnosed, DiagnosisError> {
+        let fault = check_rows(measurements, &self.robot).fault;
+        if let Some(fault) = fault.filter(|fault| fault.kind == FaultKind::JointColumns) {
+            return Err(DiagnosisError::Joints { reason: fault.reason });
+        }
         let (findings, model) = if self.identify {
             diagnose_and_identify(measurements, &self.robot, &self.options)
         } else {
             (diagnose(measurements, &self.robot, &self.options), None)
         };
-        Diagnosed { findings, model, robot: self.robot.clone() }
+        Ok(Diagnosed { findings, model, robot: self.robot.clone() })
     }
 }
 
@@ -76,6 +83,35 @@ impl Diagnosed {
     /// A number that JSON cannot hold.
     pub fn json(&self) -> serde_json::Result<String> {
         Ok(serde_json::to_string_pretty(&self.findings)? + "\n")
+    }
+
+    /// The model of what was found; `name` and `sha256` are those of the measurements. `None` where none was asked for, or none can
+    /// be made: then [`no_model`](Self::no_model) says why.
+    #[must_use]
+    pub fn model_of(&self, name: &str, sha256: &str) -> Option<Identified> {
+        let (data, data_sha256) = (name.to_owned(), sha256.to_owned());
+        self.model.clone().map(|model| Identified { data, data_sha256, ..model })
+    }
+
+    /// Why there is no model.
+    #[must_use]
+    pub fn no_model(&self) -> Diagnostic {
+        let why = self.findings.no_model.as_ref().unwrap_or(&self.findings.reason);
+        Diagnostic::error("model::none", format!("no model can be made of these data: {why}"))
+    }
+
+    /// The measurement file without its false lines, byte for byte.
+    #[must_use]
+    pub fn cleaned(&self, measurements: &[u8]) -> Vec<u8> {
+        let lines = measurements.split_inclusive(|byte| *byte == b'\n').zip(1_u64..);
+        let kept = lines.filter(|(_, number)| self.findings.false_lines.binary_search(number).is_err());
+        kept.flat_map(|(line, _)| line.iter().copied()).collect()
+    }
+
+    /// Pictures (SVG) of the residuals by joint angle, over time and in the workspace, each with a name for its file.
+    #[must_use]
+    pub fn pictures(&self) -> Vec<(&'static str, String)> {
+        plots::pictures(&self.findings, &self.robot)
     }
 
     /// Writes the page; `name` and `sha256` are those of the measurements. Gears have their whole spectra on it where a model was
@@ -103,5 +139,32 @@ impl Diagnosed {
     #[must_use]
     pub fn residuals_csv(&self) -> String {
         diagnosis::residuals_csv(&self.findings)
+    }
+}
+
+/// Why measurements are not diagnosed.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DiagnosisError {
+    /// The file's joints are not the arm's.
+    #[error("{reason}")]
+    Joints {
+        /// Which the file has and which the arm.
+        reason: String,
+    },
+}
+
+impl DiagnosisError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Joints { .. } => "measure::fault",
+        }
+    }
+}
+
+impl From<DiagnosisError> for Diagnostic {
+    fn from(error: DiagnosisError) -> Self {
+        Self::error(error.code(), error.to_string())
     }
 }

@@ -1,6 +1,6 @@
 //! The blind exam: sets of measurements whose truth is sealed, put to the diagnosis and scored.
 
-use super::diagnosis::Diagnosis;
+use super::diagnosis::{Diagnosis, DiagnosisError};
 use exam::answer::Answer;
 use exam::generate::Task;
 use exam::measure::Measure;
@@ -30,14 +30,14 @@ impl Question {
     /// What the diagnosis says, by way of the JSON that any script reads.
     ///
     /// # Errors
-    /// JSON that is not that of the contract.
-    pub fn answer(&self) -> serde_json::Result<Answer> {
+    /// [`ExamError`]
+    pub fn answer(&self) -> Result<Answer, ExamError> {
         let mut diagnosis = Diagnosis::new(self.robot.clone());
         diagnosis.options = DiagnosisOptions {
             tool_m: self.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
             sigma_m: self.task.sigma_mm.map(m_from_mm),
         };
-        serde_json::from_str(&diagnosis.run(&self.measurements).json()?)
+        Ok(serde_json::from_str(&diagnosis.run(&self.measurements)?.json()?)?)
     }
 }
 
@@ -48,6 +48,12 @@ pub struct Exam {
 }
 
 impl Exam {
+    /// An exam of questions with their truth, which is not looked at before all are answered.
+    #[must_use]
+    pub fn new(sets: Vec<(Truth, Question)>) -> Self {
+        Self { sets }
+    }
+
     /// The exam of a sealed truth (bytes of its file), with the question of each set as `read` finds it by the set's name.
     ///
     /// # Errors
@@ -68,19 +74,30 @@ impl Exam {
             Diagnostic::error("exam::truth", text).help(AGAIN)
         })?;
         let with_question = |truth: Truth| read(&truth.name).map(|question| (truth, question));
-        Ok(Self { sets: sealed.sets.into_iter().map(with_question).collect::<Result<_, E>>()? })
+        Ok(Self::new(sealed.sets.into_iter().map(with_question).collect::<Result<_, E>>()?))
     }
 
     /// Diagnoses every set, then scores the answers.
     ///
     /// # Errors
-    /// An answer that is not that of the contract.
-    pub fn run(self) -> serde_json::Result<Scored> {
-        let answer = |(truth, question): (Truth, Question)| Ok((truth, question.answer()?));
+    /// [`ExamError`]
+    pub fn run(&self) -> Result<Scored, ExamError> {
+        let answer = |(truth, question): &(Truth, Question)| Ok((truth.clone(), question.answer()?));
         let answered: Vec<(Truth, Answer)> =
-            self.sets.into_par_iter().map(answer).collect::<serde_json::Result<_>>()?;
+            self.sets.par_iter().map(answer).collect::<Result<_, ExamError>>()?;
         Ok(Scored { measures: score(&answered), answered })
     }
+}
+
+/// Why an exam is not scored.
+#[derive(Debug, thiserror::Error)]
+pub enum ExamError {
+    /// A set is of another robot.
+    #[error(transparent)]
+    Diagnosis(#[from] DiagnosisError),
+    /// An answer is not that of the contract.
+    #[error(transparent)]
+    Answer(#[from] serde_json::Error),
 }
 
 /// What an exam came to.

@@ -26,12 +26,15 @@ mod program_comparison;
 mod program_files;
 #[cfg(feature = "mcap")]
 mod recording;
+mod restoration;
 mod simulation;
 mod state_estimation;
+mod synthesis;
 mod tabulation;
+mod tasks;
 mod touch;
 
-pub use self::exam::{Exam, Question, Scored};
+pub use self::exam::{Exam, ExamError, Question, Scored};
 pub use accuracy_check::{AccuracyCheck, AccuracyChecked, AccuracyError};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
@@ -39,7 +42,7 @@ pub use change_check::{ChangeCheck, ChangeChecked};
 pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
 pub use compensated::{Compensated, Refusal, write_file_diff};
 pub use compensation::Compensation;
-pub use diagnosis::{Diagnosed, Diagnosis};
+pub use diagnosis::{Diagnosed, Diagnosis, DiagnosisError};
 pub use fit::{Fit, Fitted};
 #[cfg(feature = "link")]
 pub use link_check::{LinkCheck, LinkChecked};
@@ -51,8 +54,12 @@ pub use other_files::{PlacedProgram, ReadOther};
 pub use own_data::{OwnData, is_own_name};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
-
+pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
+pub use synthesis::{
+    ChosenEffects, SetKind, Synthesis, SynthesisError, Synthesized, TouchSynthesis, TouchesSynthesized,
+};
 pub use tabulation::{Tabulated, Tabulation};
+pub use tasks::{check_tasks, configured_tasks};
 pub use touch::TouchRequest;

@@ -17,15 +17,20 @@ impl Compensated<'_> {
         self.page(self.drift().as_ref(), source).write(out)
     }
 
-    /// Writes one page of several tasks; of each task of `all` the changes of its files.
+    /// Writes the page of one robot's compensation, or one page of several tasks; of each of `all` the changes of its files.
     ///
     /// # Errors
     /// What writing to `out` fails with.
-    pub fn write_page_of_tasks(
+    pub fn write_page_of(
         all: &[Self],
-        sources: Vec<SourceReview>,
+        mut sources: Vec<SourceReview>,
         out: &mut dyn Write,
     ) -> io::Result<()> {
+        if let [made] = all
+            && made.task.is_none()
+        {
+            return made.write_page(sources.pop().unwrap_or_default(), out);
+        }
         let drifts: Vec<Option<TcpDrift>> = all.iter().map(Self::drift).collect();
         let pages = all.iter().zip(&drifts).zip(sources);
         let pages = pages.map(|((made, drift), source)| {

@@ -5,7 +5,7 @@ use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
-use driftpost::application::ClosedLoop;
+use driftpost::application::{ChosenEffects, ClosedLoop};
 use exam::rng::Rng;
 use std::io::Write;
 use std::path::PathBuf;
@@ -69,17 +69,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
     let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
     let mut rng = Rng::new(args.seed, 0);
-    let recipe = synth::recipe(
-        &synth::Ask {
-            effects: &args.inject,
-            name: "rehearsal".to_owned(),
-            n: args.n as usize,
-            sigma_mm: args.sigma_mm,
-            rho: args.rho,
-            spread: exam::poses::Spread::Wide,
-        },
-        &mut rng,
-    )?;
+    let chosen = ChosenEffects {
+        effects: args.inject.clone(),
+        n: args.n as usize,
+        sigma_mm: args.sigma_mm,
+        rho: args.rho,
+        spread: exam::poses::Spread::Wide,
+    };
+    let recipe = chosen.recipe("rehearsal".to_owned(), &mut rng).map_err(synth::diagnostic_of)?;
     let job = ClosedLoop::new(robot, recipe, args.inject.as_str());
     let closed = job.run(&given.program(), &mut rng);
     let model = match &closed {

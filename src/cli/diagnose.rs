@@ -1,17 +1,15 @@
 //! `driftpost diagnose`: why a robot does not stand where its model says.
 
-use super::measured::MeasurementArgs;
+use super::files::{self, Output, Pending};
+use super::measured::{MeasurementArgs, MeasurementInput};
 use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
-use super::{Console, Outcome, files};
-use driftpost::application::Diagnosis;
-use driftpost::report::plots;
+use super::{Console, Outcome, model};
+use driftpost::application::{Diagnosed, Diagnosis};
 use driftpost::report::rapid_data::{self, ControllerData};
-use metrology::diagnose::Findings;
-use metrology::measure::{FaultKind, check_rows};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Command line of `driftpost diagnose`.
 #[derive(Debug, clap::Args)]
@@ -69,6 +67,28 @@ pub struct Args {
     pub page: ReportArgs,
 }
 
+/// Results that go to files, none of them in its place yet.
+struct Outputs {
+    json: Output,
+    csv: Option<Pending>,
+    model: Option<Pending>,
+    rapid: Option<Pending>,
+    clean: Option<Pending>,
+}
+
+impl Outputs {
+    fn open(args: &Args) -> Result<Self, Diagnostic> {
+        let file = |path: &Option<PathBuf>| path.as_deref().map(Pending::new).transpose();
+        Ok(Self {
+            json: Output::new(args.json.as_deref())?,
+            csv: file(&args.csv)?,
+            model: file(&args.model_out)?,
+            rapid: file(&args.rapid_out)?,
+            clean: file(&args.clean_out)?,
+        })
+    }
+}
+
 /// Runs `diagnose`.
 ///
 /// # Errors
@@ -80,79 +100,61 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         // RAPID is for six joints.
         robot.clone().six_axis().map_err(Diagnostic::from)?;
     }
-    let to_stdout = args.json.as_deref() == Some(Path::new("-"));
-    let json = args.json.as_deref().filter(|_| !to_stdout).map(files::Pending::new).transpose()?;
-    let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
+    let outputs = Outputs::open(args)?;
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
-    if let Some(fault) = check_rows(&measurements, &robot).fault.filter(|f| f.kind == FaultKind::JointColumns)
-    {
-        return Err(Diagnostic::error("measure::fault", format!("{}: {}", given.name, fault.reason)).into());
-    }
     let controller_data = controller_data(args, options.tool_m)?;
-    let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
-    let rapid_out = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
-    let clean_out = args.clean_out.as_deref().map(files::Pending::new).transpose()?;
-    let is_model_wanted = model_out.is_some() || rapid_out.is_some();
-    let job = Diagnosis { robot, options, identify: is_model_wanted || args.page.report.is_some() };
-    let mut found = job.run(&measurements);
-    let diagnosis = &found.findings;
-    for warning in &diagnosis.warnings {
+    let identify = outputs.model.is_some() || outputs.rapid.is_some() || args.page.report.is_some();
+    let job = Diagnosis { robot, options, identify };
+    let found = job.run(&measurements).map_err(|error| model::in_file(&given.name, error.into()))?;
+    for warning in &found.findings.warnings {
         console.say(format_args!("warning[{}]: {}", warning.code, warning.message));
     }
-    let text = found.json()?;
-    if to_stdout {
-        console.out().write_all(text.as_bytes())?;
-    } else {
+    if !outputs.json.is_standard() {
         console.out().write_all(found.text().as_bytes())?;
     }
-    if let Some(json) = json {
-        json.write(text.as_bytes())?;
-    }
     page.write_with(|out| found.write_page(&given.name, &given.sha256, out))?;
-    if let Some(model) = &mut found.model {
-        (model.data, model.data_sha256) = (given.name, given.sha256);
-    }
-    if let Some(file) = rapid_out {
-        let text = found.model.as_ref().and_then(|model| rapid_data::rapid(model, &controller_data));
-        let text = text.ok_or_else(|| none(&found.findings, file.path()))?;
-        file.write(text.as_bytes())?;
-    }
-    if let (false, Some(model)) = (to_stdout, found.model.as_ref().filter(|_| is_model_wanted)) {
-        console.out().write_all(rapid_data::axis_table(model).as_bytes())?;
-    }
-    if let Some(file) = clean_out {
-        file.write(&cleaned(args, &found.findings)?)?;
-    }
-    match (model_out, &found.model) {
-        (Some(file), Some(identified)) => file.write(identified.to_toml().as_bytes())?,
-        (Some(file), None) => return Err(none(&found.findings, file.path()).into()),
-        (None, _) => {}
-    }
-    if let Some(csv) = csv {
-        csv.write(found.residuals_csv().as_bytes())?;
-    }
+    write_results(args, outputs, &found, &given, &controller_data, console)?;
     if let Some(folder) = &args.plots {
-        for (name, picture) in plots::pictures(&found.findings, &job.robot) {
-            files::Pending::new(&folder.join(name))?.write(picture.as_bytes())?;
+        for (name, picture) in found.pictures() {
+            Pending::new(&folder.join(name))?.write(picture.as_bytes())?;
         }
     }
     Ok(Outcome::Done)
 }
 
-fn none(findings: &Findings, path: &Path) -> Diagnostic {
-    let why = findings.no_model.as_ref().unwrap_or(&findings.reason);
-    let message = format!("no model can be made of these data: {why}");
-    Diagnostic::error("model::none", message).help(format!("{} was not written", path.display()))
-}
-
-/// The measurement file without its false lines, byte for byte.
-fn cleaned(args: &Args, findings: &Findings) -> Result<Vec<u8>, Diagnostic> {
-    let Some(path) = &args.source.measurements else { return Ok(Vec::new()) };
-    let bytes = files::read(path, "measurement file")?;
-    let lines = bytes.split_inclusive(|b| *b == b'\n').zip(1_u64..);
-    let kept = lines.filter(|(_, number)| findings.false_lines.binary_search(number).is_err());
-    Ok(kept.flat_map(|(line, _)| line.iter().copied()).collect())
+/// Writes JSON, RAPID, the table of axes, the file without false rows, the model and the residuals, as far as they are asked for.
+fn write_results(
+    args: &Args,
+    outputs: Outputs,
+    found: &Diagnosed,
+    given: &MeasurementInput,
+    controller_data: &ControllerData,
+    console: &mut Console,
+) -> anyhow::Result<()> {
+    let is_model_shown = !outputs.json.is_standard() && (outputs.model.is_some() || outputs.rapid.is_some());
+    outputs.json.write(console, || Ok(found.json()?.into_bytes()))?;
+    let identified = found.model_of(&given.name, &given.sha256);
+    let none = |file: &Pending| found.no_model().help(format!("{} was not written", file.path().display()));
+    if let Some(file) = outputs.rapid {
+        let text = identified.as_ref().and_then(|model| rapid_data::rapid(model, controller_data));
+        let text = text.ok_or_else(|| none(&file))?;
+        file.write(text.as_bytes())?;
+    }
+    if let Some(model) = identified.as_ref().filter(|_| is_model_shown) {
+        console.out().write_all(rapid_data::axis_table(model).as_bytes())?;
+    }
+    if let (Some(file), Some(path)) = (outputs.clean, &args.source.measurements) {
+        file.write(&found.cleaned(&files::read(path, "measurement file")?))?;
+    }
+    if let Some(file) = outputs.model {
+        let model = identified.ok_or_else(|| none(&file))?;
+        file.write(model.to_toml().as_bytes())?;
+    }
+    if let Some(csv) = outputs.csv {
+        csv.write(found.residuals_csv().as_bytes())?;
+    }
+    Ok(())
 }
 
 /// Data as they stand on the controller; RAPID that can be read.

@@ -214,6 +214,14 @@ impl Output {
         Ok(())
     }
 
+    /// The file that is to be put in its place, of which nothing is left here; what goes to standard output stays.
+    pub fn take_file(&mut self) -> Option<Pending> {
+        match self {
+            Self::File(_) => std::mem::replace(self, Self::Nowhere).into_pending(),
+            Self::Nowhere | Self::Standard => None,
+        }
+    }
+
     /// The file that is to be put in its place.
     #[must_use]
     pub fn into_pending(self) -> Option<Pending> {

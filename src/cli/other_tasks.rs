@@ -1,8 +1,8 @@
 //! Tasks of a controller's backup: those that are not among the files of a program, and those whose robots the command line names.
 
 use super::shared::{JointAngles, joint_angles};
-use driftpost::application::ProgramFiles;
-use rapid_program::program::{Overrides, Program, task_of};
+use driftpost::application::configured_tasks;
+use rapid_program::program::task_of;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;
@@ -30,38 +30,6 @@ pub fn beside(given: &[PathBuf]) -> Vec<String> {
             .map_or_else(Vec::new, |tasks| vec![format!("all but one of the tasks {}", tasks.join(", "))]);
     }
     found.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned())).collect()
-}
-
-/// Refuses tasks that are named and hold no motion, and those that hold motion and are not named.
-///
-/// # Errors
-/// `task::no-motion` and `task::not-named`.
-pub fn check_named(named: &[TaskRobot], program: &ProgramFiles) -> Result<(), Diagnostic> {
-    if named.is_empty() {
-        return Ok(());
-    }
-    let program = Program::read(program.sources(), &Overrides::default());
-    let tasks = program.motion_tasks();
-    let known: Vec<&str> = tasks.iter().map(|task| task.unwrap_or("modules outside of any task")).collect();
-    let is = |task: &Option<&str>, name: &str| task.is_some_and(|task| task.eq_ignore_ascii_case(name));
-    if let Some(of) = named.iter().find(|of| !tasks.iter().any(|task| is(task, &of.task))) {
-        let text = format!("--task {}: no module of a folder {} holds motion", of.task, of.task);
-        return Err(Diagnostic::error("task::no-motion", text)
-            .help(format!("motion is held by {}", known.join(", "))));
-    }
-    let unnamed = tasks.iter().zip(&known).find(|(task, _)| !named.iter().any(|of| is(task, &of.task)));
-    match unnamed {
-        None => Ok(()),
-        Some((_, name)) => {
-            let text = format!(
-                "{name} hold{} motion, and no --task says which robot that is",
-                if name.contains(' ') { "" } else { "s" }
-            );
-            let help =
-                "name each motion task, --task TASK=ROBOT[,DEFORMATION], or give one task's folder alone";
-            Err(Diagnostic::error("task::not-named", text).help(help))
-        }
-    }
 }
 
 /// A motion task of a backup with its robot.
@@ -176,18 +144,12 @@ fn holds_files(folder: &Path) -> bool {
     entries.into_iter().any(|path| path.is_file() || path.is_dir() && holds_files(&path))
 }
 
-/// The tasks of the section `CAB_TASKS` of `SYSPAR/SYS.cfg` in a backup's folder.
+/// The tasks that a backup's folder is configured to have.
 fn configured(backup: &Path) -> Option<Vec<String>> {
     let text = ["SYS.cfg", "SYS.CFG", "sys.cfg"]
         .iter()
         .find_map(|name| fs::read(backup.join("SYSPAR").join(name)).ok())?;
-    let text = String::from_utf8_lossy(&text);
-    let section = text.split_once("CAB_TASKS:")?.1;
-    let section = section.split_once('#').map_or(section, |(section, _)| section);
-    let names = section
-        .match_indices("-Name \"")
-        .filter_map(|(at, start)| Some(section.get(at + start.len()..)?.split_once('"')?.0.to_owned()));
-    Some(names.collect())
+    configured_tasks(&String::from_utf8_lossy(&text))
 }
 
 #[cfg(test)]

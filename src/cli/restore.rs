@@ -4,11 +4,10 @@ use super::destination::{is_folder, is_pgf};
 use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
+use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
 use driftpost::report::LocatedDiagnostic;
-use rapid_program::emit::{Altered, ModifiedIn, RestoreError, Restored, altered_core, restore};
-use rapid_program::program::pgf_without_module;
+use rapid_program::emit::{Altered, ModifiedIn, ModifiedTarget, Restored};
 use rapid_syntax::diagnostic::Diagnostic;
-use serde_json::json;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -41,25 +40,21 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     {
         return restore_program(program, args, json, console);
     }
-    let mut results: Vec<(&Path, Restored, Output)> = Vec::new();
+    let mut emitted = Vec::new();
     for path in &args.emitted {
-        let bytes = files::read(path, "emitted module")?;
-        let restored = match restore(&bytes) {
-            Err(RestoreError::IsCore) if args.emitted.len() > 1 => {
-                console.say(format_args!("{}: the common module, it has no original", path.display()));
-                warn(path, &altered_core(&bytes), console);
-                continue;
-            }
-            result => result.map_err(|error| said(path, &error))?,
-        };
-        let to = place(path, &restored, args)?;
+        emitted.push((path.display().to_string(), files::read(path, "emitted module")?));
+    }
+    let found = Restoration::new(ProgramFiles::new(emitted)).run().map_err(Diagnostic::from)?;
+    say_cores(&found, console);
+    let mut outputs = Vec::new();
+    for (path, restored) in found.originals() {
+        let to = place(Path::new(path), restored, args)?;
         keep_apart(&[], &[args.json.as_deref(), Some(&to)].into_iter().flatten().collect::<Vec<_>>())?;
         let mut output = Output::new(Some(&to))?;
         output.fill(|out| Ok(out.write_all(&restored.bytes)?))?;
-        results.push((path, restored, output));
+        outputs.push(output);
     }
-    json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
-    put_in_place(results, Vec::new(), console)
+    put_in_place(&found, outputs, Vec::new(), json, console)
 }
 
 /// A whole program, folder by folder: emitted modules become their originals, the common module goes, a `.pgf` loses it, and
@@ -70,110 +65,104 @@ fn restore_program(
     json: Output,
     console: &mut Console,
 ) -> anyhow::Result<Outcome> {
-    let Some(folder) = args.output.as_deref() else {
-        let text = format!("where the program {} goes must be said", program.display());
-        return Err(Diagnostic::error("output::needed", text).help("name a folder with -o").into());
-    };
-    if folder == Path::new("-") {
-        let text = "a whole program does not go to standard output";
-        return Err(Diagnostic::error("output::one-file", text).help("name a folder with -o").into());
-    }
+    let folder = folder(program, args)?;
     let given = ProgramInput::read(std::slice::from_ref(&program.to_path_buf()))?;
-    let (mut results, mut copies): (Vec<(&Path, Restored, Output)>, Vec<Pending>) = Default::default();
-    let mut cores: Vec<&Path> = Vec::new();
-    for ((path, place), bytes) in given.paths.iter().zip(&given.places).zip(&given.bytes) {
-        let pending = || Pending::new(&apart(path, folder.join(place))?);
-        match restore(bytes) {
-            Ok(restored) => {
-                let mut pending = pending()?;
-                pending.fill(&restored.bytes)?;
-                results.push((path, restored, Output::File(pending)));
+    let job = Restoration::of_program(given.program(), program.display().to_string());
+    let found = job.run().map_err(Diagnostic::from)?;
+    say_cores(&found, console);
+    let beside_place = |path: &Path, place: &Path, bytes: &[u8]| -> Result<Pending, Diagnostic> {
+        let mut pending = Pending::new(&apart(path, folder.join(place))?)?;
+        pending.fill(bytes)?;
+        Ok(pending)
+    };
+    let (mut outputs, mut copies) = (Vec::new(), Vec::new());
+    for (((path, place), bytes), file) in
+        given.paths.iter().zip(&given.places).zip(&given.bytes).zip(&found.files)
+    {
+        match file {
+            RestoredFile::Original(restored) => {
+                outputs.push(Output::File(beside_place(path, place, &restored.bytes)?));
             }
-            Err(RestoreError::IsCore) => {
-                console.say(format_args!("{}: the common module, it has no original", path.display()));
-                warn(path, &altered_core(bytes), console);
-                cores.push(path);
-            }
-            Err(RestoreError::NotEmitted) => {
-                let mut pending = pending()?;
-                pending.fill(bytes)?;
-                copies.push(pending);
-            }
-            Err(error) => return Err(said(path, &error).into()),
+            RestoredFile::Core(_) => {}
+            RestoredFile::Other => copies.push(beside_place(path, place, bytes)?),
         }
     }
     for (path, place) in &given.others {
-        let mut bytes = files::read(path, "file")?;
-        if is_pgf(path) {
-            let beside = path.parent().unwrap_or(Path::new(""));
-            for core in cores.iter().filter_map(|core| core.strip_prefix(beside).ok()) {
-                bytes = pgf_without_module(&bytes, &core.to_string_lossy().replace('\\', "/"));
-            }
+        let bytes = files::read(path, "file")?;
+        let bytes = if is_pgf(path) { found.list_without_cores(path, bytes) } else { bytes };
+        copies.push(beside_place(path, place, &bytes)?);
+    }
+    put_in_place(&found, outputs, copies, json, console)
+}
+
+/// Where a whole program goes.
+fn folder<'a>(program: &Path, args: &'a Args) -> Result<&'a Path, Diagnostic> {
+    match args.output.as_deref() {
+        None => {
+            let text = format!("where the program {} goes must be said", program.display());
+            Err(Diagnostic::error("output::needed", text).help("name a folder with -o"))
         }
-        let mut pending = Pending::new(&apart(path, folder.join(place))?)?;
-        pending.fill(&bytes)?;
-        copies.push(pending);
+        Some(standard) if standard == Path::new("-") => {
+            let text = "a whole program does not go to standard output";
+            Err(Diagnostic::error("output::one-file", text).help("name a folder with -o"))
+        }
+        Some(folder) => Ok(folder),
     }
-    if results.is_empty() {
-        let text = format!("no module of {} is a compensated one", program.display());
-        return Err(Diagnostic::error("restore::not-emitted", text).into());
+}
+
+fn say_cores(found: &RestoredFiles, console: &mut Console) {
+    for (path, altered) in found.cores() {
+        console.say(format_args!("{path}: the common module, it has no original"));
+        warn(path, altered, console);
     }
-    json.write(console, || Ok(format!("{:#}\n", summary(&results)).into_bytes()))?;
-    put_in_place(results, copies, console)
 }
 
 /// Puts originals and copies in their places, and says what was changed since they were compensated.
 fn put_in_place(
-    results: Vec<(&Path, Restored, Output)>,
+    found: &RestoredFiles,
+    outputs: Vec<Output>,
     copies: Vec<Pending>,
+    json: Output,
     console: &mut Console,
 ) -> anyhow::Result<Outcome> {
-    let mut outcome = Outcome::Done;
-    let (mut all, mut placed) = (copies, Vec::with_capacity(results.len()));
-    for (path, restored, output) in results {
+    let names: Vec<String> = outputs.iter().map(Output::name).collect();
+    json.write(console, || Ok(format!("{:#}\n", found.json(&names)).into_bytes()))?;
+    let mut all = copies;
+    for ((_, restored), output) in found.originals().zip(outputs) {
         if output.is_standard() {
             console.out().write_all(&restored.bytes)?;
         }
-        placed.push((path, restored, output.name()));
         all.extend(output.into_pending());
     }
     place_all(all)?;
-    for (path, restored, to) in placed {
-        if !restored.touched.is_empty() || !restored.altered.is_empty() {
-            outcome = Outcome::Difference;
-        }
-        for touched in &restored.touched {
-            let (how, what_now) = match touched.into {
-                ModifiedIn::Motion => ("touched up on the controller", "its new value is in the motion"),
-                ModifiedIn::Declaration => {
-                    ("touched up on the controller", "its new value is in the declaration")
-                }
-                ModifiedIn::DeclarationAlone => (
-                    "changed where it is declared",
-                    "the corrected motions went by its array, as it was made; those of the original go by the new value",
-                ),
-            };
-            console.say(format_args!(
-                "{}:{}: {} was {how} by {:.4} {}; {what_now}",
-                path.display(),
-                touched.line,
-                touched.target,
-                touched.moved,
-                touched.unit
-            ));
-        }
+    for ((path, restored), to) in found.originals().zip(&names) {
+        restored.touched.iter().for_each(|touched| say_touched(path, touched, console));
         warn(path, &restored.altered, console);
         let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
         console.say(format_args!("wrote {to} ({how})"));
     }
-    Ok(outcome)
+    Ok(if found.is_exact() { Outcome::Done } else { Outcome::Difference })
+}
+
+fn say_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
+    let (how, what_now) = match touched.into {
+        ModifiedIn::Motion => ("touched up on the controller", "its new value is in the motion"),
+        ModifiedIn::Declaration => ("touched up on the controller", "its new value is in the declaration"),
+        ModifiedIn::DeclarationAlone => (
+            "changed where it is declared",
+            "the corrected motions went by its array, as it was made; those of the original go by the new value",
+        ),
+    };
+    console.say(format_args!(
+        "{path}:{}: {} was {how} by {:.4} {}; {what_now}",
+        touched.line, touched.target, touched.moved, touched.unit
+    ));
 }
 
 /// What was changed in the emitted module and has no place in the original.
-fn warn(path: &Path, altered: &[Altered], console: &mut Console) {
-    let message = |what: &Altered| {
-        Diagnostic::warning(what.code(), format!("{}:{}: {what}", path.display(), what.line()))
-    };
+fn warn(path: &str, altered: &[Altered], console: &mut Console) {
+    let message =
+        |what: &Altered| Diagnostic::warning(what.code(), format!("{path}:{}: {what}", what.line()));
     console.explain(&LocatedDiagnostic::all(altered.iter().map(message), &[]), true);
 }
 
@@ -211,33 +200,4 @@ fn apart(path: &Path, to: PathBuf) -> Result<PathBuf, Diagnostic> {
         return Err(Diagnostic::error("output::is-input", text).help("name another place with -o"));
     }
     Ok(to)
-}
-
-fn said(path: &Path, error: &RestoreError) -> Diagnostic {
-    Diagnostic::error(error.code(), format!("{}: {error}", path.display()))
-}
-
-fn summary(results: &[(&Path, Restored, Output)]) -> serde_json::Value {
-    let one = |(path, restored, output): &(&Path, Restored, Output)| {
-        let touched: Vec<_> = restored
-            .touched
-            .iter()
-            .map(|t| {
-                json!({"line": t.line, "target": t.target, "value": t.value, "moved": t.moved, "unit": t.unit})
-            })
-            .collect();
-        let altered: Vec<_> = restored
-            .altered
-            .iter()
-            .map(|a| json!({"code": a.code(), "line": a.line(), "message": a.to_string()}))
-            .collect();
-        json!({
-            "file": path.display().to_string(),
-            "output": output.name(),
-            "exact": restored.exact,
-            "touched": touched,
-            "altered": altered,
-        })
-    };
-    json!({ "files": results.iter().map(one).collect::<Vec<_>>() })
 }

@@ -3,18 +3,11 @@
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model, suggest};
-use exam::generate::{DataSet, data_set};
-use exam::poses::{Recorded, Spread};
-use exam::recipe::Recipe;
-use exam::rng::Rng;
-use exam::touch::{TouchRecipe, touches};
-use exam::truth::{QuestionKind, Sealed, seal};
-use exam::{effect_spec, mixture};
+use driftpost::application::{ChosenEffects, SetKind, Synthesis, SynthesisError, TouchSynthesis};
+use exam::effect_spec;
+use exam::poses::Spread;
 use metrology::diagnose::warmup::Standstill;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::GrowthLaw;
-use robot_model::robot::{Robot, SerialArm};
-use robot_model::units::m_from_mm;
 use std::path::{Path, PathBuf};
 
 /// Command line of `driftpost synth`.
@@ -128,65 +121,49 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     check(args)?;
     let json = files::Output::new(args.json.as_deref())?;
     if let Some(points) = args.touches {
-        return touched(args, points, &args.robot.load()?, json, console);
+        return touched(args, points, json, console);
     }
-    let robot = args.robot.load_arm()?;
-    let mut sealed = Sealed { seed: args.seed, sets: Vec::new() };
-    let mut sets = Vec::new();
-    for number in 0..args.sets {
-        let set = one(args, &robot, number)?;
-        sealed.sets.push(set.truth.clone());
-        sets.push(set);
+    let mut job = Synthesis::new(args.robot.load_arm()?, args.robot.name.as_str());
+    (job.kind, job.seed, job.sets) = (kind(args), args.seed, args.sets);
+    let made = job.run().map_err(diagnostic_of)?;
+    for set in &made.sets {
+        let folder = args.out_dir.join(&set.truth.name);
+        files::Pending::new(&folder.join("measurements.csv"))?.write(set.csv.as_bytes())?;
+        let task = toml::to_string(&set.task)?;
+        files::Pending::new(&folder.join("task.toml"))?.write(task.as_bytes())?;
     }
-    write(&args.out_dir, &sets, &sealed)?;
-    let summary = serde_json::json!({ "out_dir": args.out_dir, "seed": args.seed, "sets": sets.len() });
-    json.write(console, || Ok(format!("{summary:#}\n").into_bytes()))?;
+    write_sealed(&args.out_dir, made.sealed_truth()?)?;
+    let folder = args.out_dir.display();
+    json.write(console, || Ok(format!("{:#}\n", made.json(&folder.to_string())).into_bytes()))?;
     console.say(format_args!(
-        "{} measurement sets in {}; what was put into them is in sealed/truth.json, its SHA-256 in SEAL",
-        sets.len(),
-        args.out_dir.display()
+        "{} measurement sets in {folder}; what was put into them is in sealed/truth.json, its SHA-256 in SEAL",
+        made.sets.len()
     ));
     Ok(Outcome::Done)
 }
 
 /// Fixed points touched over a warm-up.
-fn touched(
-    args: &Args,
-    points: u32,
-    robot: &Robot,
-    json: files::Output,
-    console: &mut Console,
-) -> anyhow::Result<Outcome> {
-    let deformation = model::deformation(args.deformation.as_deref(), Some(&args.growth))?;
-    let law = deformation.growth().copied();
-    let tau_min = law.and_then(|law| law.tau_min()).ok_or_else(|| {
-        Diagnostic::error("option::range", format!("--growth {} has no time constant", args.growth))
-            .help("write exp:TAU or two-stage:TAU")
-    })?;
+fn touched(args: &Args, points: u32, json: files::Output, console: &mut Console) -> anyhow::Result<Outcome> {
+    let robot = args.robot.load()?;
+    let mut job =
+        TouchSynthesis::new(robot, model::deformation(args.deformation.as_deref(), Some(&args.growth))?);
     positive(&[("--every-min", Some(args.every_min)), ("--tau-cool", Some(args.tau_cool))])?;
-    let recipe = TouchRecipe {
-        points: points as usize,
-        times: args.times as usize,
-        every_min: args.every_min,
-        stop_min: [args.stop.from_min, args.stop.to_min],
-        sigma_mm: args.sigma_mm,
-        tau_min: [tau_min, args.tau_cool],
-        two_stage: matches!(law, Some(GrowthLaw::TwoStage { .. })),
-        table: deformation.settled().0,
-        within_m: [[400.0, -300.0, 250.0], [700.0, 300.0, 550.0]].map(|corner| corner.map(m_from_mm)),
-        tool_m: [0.0, 0.0, m_from_mm(100.0)],
-    };
-    let csv = touches(robot, &recipe, &mut Rng::new(args.seed, 0)).ok_or_else(|| {
-        Diagnostic::error("synth::no-signal", "the arm does not reach into the box where the points would be")
-            .help("the points are put into the cube of the reference paper: use an arm of its size")
+    (job.points, job.times) = (points as usize, args.times as usize);
+    (job.every_min, job.stop_min) = (args.every_min, [args.stop.from_min, args.stop.to_min]);
+    (job.sigma_mm, job.tau_cool_min, job.seed) = (args.sigma_mm, args.tau_cool, args.seed);
+    let made = job.run().map_err(|error| match error {
+        SynthesisError::NoTimeConstant => {
+            let mut said = Diagnostic::from(error);
+            said.message = format!("--growth {} has no time constant", args.growth);
+            said
+        }
+        error => error.into(),
     })?;
-    files::Pending::new(&args.out_dir.join("touches.csv"))?.write(csv.as_bytes())?;
-    let truth = serde_json::to_vec_pretty(&recipe)?;
-    files::Pending::new(&args.out_dir.join("sealed").join("truth.json"))?.write(&truth)?;
-    files::Pending::new(&args.out_dir.join("SEAL"))?.write(format!("{}\n", seal(&truth)).as_bytes())?;
-    let summary = serde_json::json!({ "out_dir": args.out_dir, "seed": args.seed, "points": points, "times": args.times });
-    json.write(console, || Ok(format!("{summary:#}\n").into_bytes()))?;
     let file = args.out_dir.join("touches.csv");
+    files::Pending::new(&file)?.write(made.csv.as_bytes())?;
+    write_sealed(&args.out_dir, made.sealed_truth()?)?;
+    let folder = args.out_dir.display().to_string();
+    json.write(console, || Ok(format!("{:#}\n", made.json(&folder)).into_bytes()))?;
     console.say(format_args!(
         "{points} points touched {} times in {}; tool 0,0,100",
         args.times,
@@ -207,55 +184,25 @@ fn check(args: &Args) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// One data set. The mixture draws again, from the same stream, where what it drew leaves no signal.
-fn one(args: &Args, robot: &SerialArm, number: u32) -> Result<DataSet, Diagnostic> {
-    const TRIES: usize = 50;
-    let mut rng = Rng::new(args.seed, u64::from(number));
-    for _ in 0..TRIES {
-        let recipe = match args.effects.as_str() {
-            "mix" => mixture::recipe(number as usize, args.most_rows as usize, &mut rng),
-            "weak" => mixture::weak_recipe(number as usize, &mut rng),
-            "accidents" => mixture::accident_recipe(number as usize, args.most_rows as usize, &mut rng),
-            _ => recipe(&Ask::of(args, number), &mut rng)?,
-        };
-        if let Some(set) = data_set(robot, &args.robot.name, &recipe, &mut rng) {
-            return Ok(set);
-        }
-    }
-    Err(Diagnostic::error(
-        "synth::no-signal",
-        format!("{} cannot be made as large as asked over these poses", args.effects),
-    )
-    .help("it lies inside the registration of base and tool, or --rho is too large for it"))
-}
-
-/// What is asked of one data set.
-pub(super) struct Ask<'a> {
-    /// Effects to inject, separated by commas.
-    pub effects: &'a str,
-    /// Name of the set.
-    pub name: String,
-    /// How many rows are made.
-    pub n: usize,
-    /// Noise of each coordinate.
-    pub sigma_mm: f64,
-    /// Each effect's rms over the noise's.
-    pub rho: f64,
-    /// How the poses are spread.
-    pub spread: Spread,
-}
-
-impl<'a> Ask<'a> {
-    fn of(args: &'a Args, number: u32) -> Self {
-        Self {
-            effects: &args.effects,
-            name: format!("set_{number:04}"),
+fn kind(args: &Args) -> SetKind {
+    match args.effects.as_str() {
+        "mix" => SetKind::Mixture(args.most_rows as usize),
+        "weak" => SetKind::Weak,
+        "accidents" => SetKind::Accidents(args.most_rows as usize),
+        effects => SetKind::Chosen(ChosenEffects {
+            effects: effects.to_owned(),
             n: args.n as usize,
             sigma_mm: args.sigma_mm,
             rho: args.rho,
             spread: args.poses.into(),
-        }
+        }),
     }
+}
+
+/// The truth beside the sets, and its seal.
+fn write_sealed(out_dir: &Path, (truth, seal): (Vec<u8>, String)) -> Result<(), Diagnostic> {
+    files::Pending::new(&out_dir.join("sealed").join("truth.json"))?.write(&truth)?;
+    files::Pending::new(&out_dir.join("SEAL"))?.write(format!("{seal}\n").as_bytes())
 }
 
 /// How an effect is written, with numbers for its letters.
@@ -265,57 +212,17 @@ fn example(name: &str) -> String {
     std::iter::once(name).chain(numbers.map(|(_, number)| number)).collect()
 }
 
-/// The recipe of what is asked.
-pub(super) fn recipe(args: &Ask<'_>, rng: &mut Rng) -> Result<Recipe, Diagnostic> {
-    let mut effects = Vec::new();
-    for text in args.effects.split(',').filter(|t| *t != "none") {
-        let effect = effect_spec::parse(text, rng).map_err(|e| {
-            let name = text.split(':').next().unwrap_or(text);
-            let near = suggest::nearest(name, effect_spec::SYNTAX.map(|(known, _)| known));
-            let known = effect_spec::SYNTAX
-                .map(|(name, form)| if form.is_empty() { name.into() } else { format!("{name}:{form}") });
-            let help = match near {
-                None => known.join(", "),
-                Some(near) if near == name => format!("for example {}", example(name)),
-                Some(near) => format!("did you mean {}?", example(near)),
-            };
-            Diagnostic::error("option::effect", e.to_string()).help(help)
-        })?;
-        effects.push((effect, args.rho));
-    }
-    let kind = match effects.as_slice() {
-        [] => QuestionKind::None,
-        [(e, _)] if e.name().is_none() => QuestionKind::Outside,
-        [_] => QuestionKind::One,
-        _ => QuestionKind::Two,
+/// An error with what is to be done about it: of an effect how it, or the nearest one, is written.
+pub(super) fn diagnostic_of(error: SynthesisError) -> Diagnostic {
+    let SynthesisError::Effect { text, .. } = &error else { return error.into() };
+    let name = text.split(':').next().unwrap_or(text);
+    let near = suggest::nearest(name, effect_spec::SYNTAX.map(|(known, _)| known));
+    let known = effect_spec::SYNTAX
+        .map(|(name, form)| if form.is_empty() { name.into() } else { format!("{name}:{form}") });
+    let help = match near {
+        None => known.join(", "),
+        Some(near) if near == name => format!("for example {}", example(name)),
+        Some(near) => format!("did you mean {}?", example(near)),
     };
-    let n = args.n;
-    Ok(Recipe {
-        name: args.name.clone(),
-        kind,
-        effects,
-        n,
-        repeats: n / 6,
-        sigma_mm: args.sigma_mm,
-        stated_sigma_mm: Some(args.sigma_mm),
-        spread: args.spread,
-        recorded: Recorded { temperature: true, ..Recorded::NOTED },
-        slowness: 0.0,
-        outliers: 0.0,
-        geometry: 0.0,
-        payloads_kg: [0.0, 3.0],
-    })
-}
-
-fn write(out_dir: &Path, sets: &[DataSet], sealed: &Sealed) -> anyhow::Result<()> {
-    for set in sets {
-        let folder = out_dir.join(&set.truth.name);
-        files::Pending::new(&folder.join("measurements.csv"))?.write(set.csv.as_bytes())?;
-        let task = toml::to_string(&set.task)?;
-        files::Pending::new(&folder.join("task.toml"))?.write(task.as_bytes())?;
-    }
-    let truth = serde_json::to_vec_pretty(sealed)?;
-    files::Pending::new(&out_dir.join("sealed").join("truth.json"))?.write(&truth)?;
-    files::Pending::new(&out_dir.join("SEAL"))?.write(format!("{}\n", seal(&truth)).as_bytes())?;
-    Ok(())
+    Diagnostic::from(error).help(help)
 }

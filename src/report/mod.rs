@@ -23,6 +23,7 @@ pub mod plots;
 pub mod rapid_data;
 #[cfg(feature = "mcap")]
 mod recording;
+pub mod restored;
 mod review;
 mod short_diff;
 pub mod simulation;

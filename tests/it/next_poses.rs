@@ -57,7 +57,7 @@ fn diagnosed(robot: &SerialArm, set: &DataSet, task: &DataSet) -> diagnose::Find
         tool_m: task.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
         sigma_m: task.task.sigma_mm.map(m_from_mm),
     };
-    diagnosis.run(&measurements).findings
+    diagnosis.run(&measurements).unwrap().findings
 }
 
 fn right(truth: &Truth, cause: &diagnose::Cause) -> bool {

@@ -3,9 +3,11 @@
 use super::*;
 use clap::{Args as _, FromArgMatches as _};
 use driftpost::report::{ColorMode, write_messages};
+use rapid_program::emit::EmittedFile;
+use rapid_program::program::Program;
 use serde_json::Value;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures").join(name)
