@@ -1,11 +1,11 @@
 //! The productions of expressions and arguments.
 
-use super::input::{MAX_HEIGHT, MAX_NESTING, Read, Text};
+use super::input::{MAX_HEIGHT, MAX_NESTING, Read, State, Text};
 use super::lexical::{
     any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
 };
 use super::numbers::is_plain;
-use super::plain_list::{self, PlainList};
+use super::plain_list::{self, PlainList, PlainPart};
 use super::recover::balanced;
 use super::tree::{
     Arg, ArgKind, BinaryExpr, BinaryOp, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp,
@@ -23,6 +23,10 @@ pub(super) fn expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
     let (rest, operand) = match i.peek() {
         Some(b'0'..=b'9') => leaf(number(i), ExprKind::Number)?, // most of all expressions: a number in a list
         Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg)?,
+        Some(b'[') => match i.state.nested(|| aggregate(i)) {
+            Some(read) => read?,
+            None => return too_deep(i),
+        },
         _ => return nested_expression(i),
     };
     match rest.peek() {
@@ -214,32 +218,67 @@ pub(super) fn any_aggregate<'a>(i: Text<'a>) -> Read<'a, Expr> {
     if plain && memchr::memchr(b'!', i.bytes_until(rest)).is_none() {
         return Ok((rest, Expr { range, kind: ExprKind::Numbers }));
     }
-    Ok((rest, Expr { range, kind: ExprKind::Aggregate(Box::new(parts.into_boxed_slice())) }))
+    Ok((rest, Expr { range, kind: ExprKind::Aggregate(Box::new(parts)) }))
 }
 
 /// Expressions between commas up to the closing sign; leaves the height of the whole.
-fn list<'a>(mut i: Text<'a>, close: u8) -> Read<'a, Vec<Expr>> {
-    let mut parts = Vec::new();
+fn list<'a>(i: Text<'a>, close: u8) -> Read<'a, Box<[Expr]>> {
+    let open = &i.state.parts;
+    let own = open.borrow().len();
+    let read = parts(i, close);
+    let mut open = open.borrow_mut();
+    match read {
+        Ok((rest, ())) => Ok((rest, open.split_off(own).into_boxed_slice())),
+        Err(failure) => {
+            open.truncate(own);
+            Err(failure)
+        }
+    }
+}
+
+/// The expressions of a [`list`], behind those of the lists around it.
+fn parts<'a>(mut i: Text<'a>, close: u8) -> Read<'a, ()> {
     let mut height = 0;
     if let Ok((rest, ())) = sign(close)(i) {
         raise(rest, height)?;
-        return Ok((rest, parts));
+        return Ok((rest, ()));
     }
     loop {
-        let (rest, part) = expression(i)?;
-        parts.push(part);
-        height = height.max(i.state.height.get());
-        let rest = blank(rest);
+        let plain = if i.state.plain_forms { PlainPart::begins(i.rest) } else { None };
+        let rest = if let Some(part) = plain {
+            let rest = i.skip(part.to);
+            let range = i.skip(part.from).until(rest);
+            if part.is_string {
+                add_leaf::<true>(range, i.state)
+            } else {
+                add_leaf::<false>(range, i.state)
+            }
+            rest
+        } else {
+            let (rest, part) = expression(i)?;
+            i.state.parts.borrow_mut().push(part);
+            height = height.max(i.state.height.get());
+            blank(rest)
+        };
         match rest.peek() {
             Some(b',') => i = rest.skip(1),
             Some(b) if b == close => {
                 let rest = rest.skip(1);
                 raise(rest, height)?;
-                return Ok((rest, parts));
+                return Ok((rest, ()));
             }
             _ => return rest.no_match(),
         }
     }
+}
+
+/// A string, or a number, among the parts of the list that is open.
+///
+/// Two functions, each with its kind known and the range in a register: put together in memory of a few bytes at a time, a node is waited for.
+#[inline(never)]
+fn add_leaf<const STRING: bool>(range: TextRange, state: &State) {
+    let kind = if STRING { ExprKind::String } else { ExprKind::Number };
+    state.parts.borrow_mut().push(Expr { range, kind });
 }
 
 /// `reference = ( "TRUE" | "FALSE" | name [ "(" [ arguments ] ")" ] ) { component | indices } ;`
@@ -303,7 +342,7 @@ fn component<'a>(i: Text<'a>) -> Read<'a, TextRange> {
 pub(super) fn indices<'a>(i: Text<'a>) -> Read<'a, Box<[Expr]>> {
     let (mut i, ()) = sign(b'{')(i)?;
     if blank(i).peek() != Some(b'*') {
-        return list(i, b'}').map(|(rest, indices)| (rest, indices.into_boxed_slice()));
+        return list(i, b'}');
     }
     i.state.height.set(0);
     loop {

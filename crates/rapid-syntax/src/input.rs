@@ -45,6 +45,8 @@ pub(super) struct State {
     warnings: RefCell<Vec<Warning>>,
     /// Room for expressions of several parts until all arguments of a call are known.
     pub(super) composed: RefCell<Vec<Expr>>,
+    /// Parts of the lists that are open here, the innermost's last.
+    pub(super) parts: RefCell<Vec<Expr>>,
 }
 
 impl State {

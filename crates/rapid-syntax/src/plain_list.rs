@@ -64,6 +64,43 @@ impl PlainList {
     }
 }
 
+/// A part of a list that is a decimal number or a string, with a comma or the list's end right behind it.
+///
+/// Neither has parts of its own, nor a height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PlainPart {
+    /// Bytes of white space before it.
+    pub(super) from: usize,
+    /// Bytes up to what ends it.
+    pub(super) to: usize,
+    /// A node of the tree is not carried in here: handing on its bytes would take longer than the scan.
+    pub(super) is_string: bool,
+}
+
+impl PlainPart {
+    /// The one with which `text` begins.
+    #[inline(always)]
+    pub(super) fn begins(text: &[u8]) -> Option<Self> {
+        let from = past_spaces(text, 0);
+        let is_string = *text.get(from)? == b'"';
+        let to = if is_string { past_string(text, from) } else { past_number(text, from) }?;
+        matches!(text.get(to)?, b',' | b']' | b'}').then_some(Self { from, to, is_string })
+    }
+}
+
+/// Past a string without a quote in it, on one line.
+#[inline(always)]
+fn past_string(text: &[u8], at: usize) -> Option<usize> {
+    let mut end = at + 1;
+    loop {
+        match text.get(end)? {
+            b'"' => return Some(end + 1),
+            b'\n' | b'\r' => return None,
+            _ => end += 1,
+        }
+    }
+}
+
 /// The length of one of [`NO_EXTERNAL_AXES`] with which `text` begins.
 #[inline(always)]
 fn no_external_axes(text: &[u8]) -> Option<usize> {
