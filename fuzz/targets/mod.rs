@@ -3,6 +3,7 @@
 //! its target cannot reach.
 
 pub mod execution;
+pub mod json;
 pub mod page;
 pub mod program;
 pub mod tables;

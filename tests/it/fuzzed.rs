@@ -23,7 +23,7 @@ fn seeds(endings: &[&str], most: u64) -> Vec<Vec<u8>> {
         endings.contains(&ending.as_str()) && fs::metadata(path).unwrap().len() <= most
     };
     let seeds: Vec<Vec<u8>> = found.into_iter().filter(wanted).map(|path| fs::read(path).unwrap()).collect();
-    assert!(seeds.len() > 10, "{} seeds", seeds.len());
+    assert!(seeds.len() > 8, "{} seeds", seeds.len());
     seeds
 }
 
@@ -126,4 +126,9 @@ fn any_table_is_read_or_refused() {
 #[test]
 fn no_text_breaks_out_of_a_page() {
     run(targets::page::page, &seeds(&["mod", "csv"], 6000), 60, false);
+}
+
+#[test]
+fn any_result_makes_a_page_or_is_refused() {
+    run(targets::json::json, &seeds(&["json"], 6000), 300, false);
 }

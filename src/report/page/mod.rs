@@ -7,6 +7,7 @@
 mod compensation;
 mod diagnosis;
 mod embed;
+mod from_json;
 mod model_view;
 mod scene;
 mod source_review;
