@@ -1,6 +1,7 @@
 """Holds what `peers poses ROBOT COUNT` writes on standard input against pinocchio's forward kinematics and Jacobians.
 
-The arm is put together from RobotComponents' lengths (fixtures/oracle/robotcomponents.csv), nothing of driftpost's is in it.
+The arm is put together from the lengths of RobotComponents, or else of a Denavit-Hartenberg table of others (fixtures/oracle); nothing of
+driftpost's is in it.
 Prints the largest differences: position (m), rotation (rad), the Jacobian's linear (m/rad) and angular rows.
 """
 
@@ -15,12 +16,25 @@ NUMBERS = 54  # 6 joints, 9 of the rotation, 3 of the position, 36 of the Jacobi
 AT_ONCE = 50_000
 
 
-def lengths(robot):
-    path = pathlib.Path(__file__).parents[2] / "fixtures/oracle/robotcomponents.csv"
+def row(table, robot):
+    """A robot's first row in a table of fixtures/oracle, metres, where it stands there."""
+    path = pathlib.Path(__file__).parents[2] / "fixtures/oracle" / table
     with path.open() as file:
         for row in csv.DictReader(line for line in file if not line.startswith("#")):
-            if row["robot"] == robot:
-                return {key[:-3]: float(value) / 1000 for key, value in row.items() if key != "robot"}
+            if row.pop("robot") == robot:
+                return {key[:-3]: float(value) / 1000 for key, value in row.items() if key.endswith("_mm")}
+    return None
+
+
+def lengths(robot):
+    """Of Brandstötter's basis, with a3, the offset of axis 6 from axis 5."""
+    if at := row("robotcomponents.csv", robot):
+        return {**at, "a3": 0}
+    if at := row("denavit_hartenberg.csv", robot):
+        names = {"a1": at["a1"], "a2": -at["a3"], "a3": 0, "b": 0}
+        return {**names, "c1": at["d1"], "c2": at["a2"], "c3": at["d4"], "c4": at["d6"]}
+    if at := row("robotcomponents_offset_wrist.csv", robot):
+        return at
     raise SystemExit(f"no robot {robot}")
 
 
@@ -33,7 +47,7 @@ def arm(robot):
         (pin.JointModelRY(), [0, 0, at["c2"]]),
         (pin.JointModelRX(), [0, 0, -at["a2"]]),
         (pin.JointModelRY(), [at["c3"], 0, 0]),
-        (pin.JointModelRX(), [0, 0, 0]),
+        (pin.JointModelRX(), [0, 0, -at["a3"]]),
     ]
     model, last = pin.Model(), 0
     for i, (joint, place) in enumerate(joints):

@@ -4,6 +4,7 @@
 
 mod calibration;
 mod differential;
+mod numbers;
 mod samples;
 
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -226,6 +227,28 @@ fn main() -> io::Result<()> {
                 joints.iter().for_each(|q_rad| _ = black_box(setup.opw.forward(black_box(q_rad))));
             }
         }),
+        // A number of a target's text, and the same by the standard library; both texts are the same.
+        "write-num" | "write-num-std" => {
+            let targets = numbers::targets();
+            let (mut ours, mut by_std) = (Vec::new(), String::new());
+            numbers::ours(&targets, &mut ours);
+            numbers::by_std(&targets, &mut by_std);
+            if ours != by_std.as_bytes() {
+                return Err(io::Error::other("the two write different numbers"));
+            }
+            let count = targets.len() * numbers::NUMBERS;
+            if job == "write-num" {
+                timed(count, || {
+                    ours.clear();
+                    numbers::ours(black_box(&targets), black_box(&mut ours));
+                })
+            } else {
+                timed(count, || {
+                    by_std.clear();
+                    numbers::by_std(black_box(&targets), black_box(&mut by_std));
+                })
+            }
+        }
         _ => return Err(io::Error::other("no such job")),
     };
     println!("{ns:.1}");

@@ -4,7 +4,7 @@ use robot_model::kinematics::ClosedForm;
 use robot_model::robot::Robot;
 use std::f64::consts::PI;
 
-/// Lengths of the ortho-parallel basis (Brandstötter, Angerer, Hofbaur 2014), metres, as RobotComponents has them.
+/// Lengths of the ortho-parallel basis (Brandstötter, Angerer, Hofbaur 2014), metres, as another than driftpost says them.
 #[derive(Clone, Copy)]
 pub struct Lengths {
     pub a1: f64,
@@ -17,14 +17,28 @@ pub struct Lengths {
 }
 
 impl Lengths {
-    /// Of a built-in robot, from the table that the tests and `differential.py` read too.
+    /// Of a built-in robot, from the tables that the tests and `differential.py` read too: RobotComponents' lengths, or else those of
+    /// the first table of Denavit and Hartenberg's numbers, or GoFa's, without the offset of its wrist.
     pub fn of(name: &str) -> Option<Self> {
-        let table = include_str!("../../../fixtures/oracle/robotcomponents.csv");
-        let row = table.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(','))?;
-        let mm: Vec<f64> = row.split(',').filter_map(|field| field.parse().ok()).collect();
-        let [a1, a2, b, c1, c2, c3, c4] = <[f64; 7]>::try_from(mm).ok()?.map(|mm| mm / 1000.0);
+        let in_basis = include_str!("../../../fixtures/oracle/robotcomponents.csv");
+        let denavit_hartenberg = include_str!("../../../fixtures/oracle/denavit_hartenberg.csv");
+        let offset_wrist = include_str!("../../../fixtures/oracle/robotcomponents_offset_wrist.csv");
+        if let Some([a1, a2, b, c1, c2, c3, c4]) = row_m(in_basis, name) {
+            return Some(Self { a1, a2, b, c1, c2, c3, c4 });
+        }
+        if let Some([d1, a1, a2, a3, d4, d6]) = row_m(denavit_hartenberg, name) {
+            return Some(Self { a1, a2: -a3, b: 0.0, c1: d1, c2: a2, c3: d4, c4: d6 });
+        }
+        let [a1, a2, _a3, b, c1, c2, c3, c4] = row_m(offset_wrist, name)?;
         Some(Self { a1, a2, b, c1, c2, c3, c4 })
     }
+}
+
+/// The lengths in a robot's first row, metres.
+fn row_m<const N: usize>(table: &str, name: &str) -> Option<[f64; N]> {
+    let row = table.lines().find_map(|line| line.strip_prefix(name)?.strip_prefix(','))?;
+    let mm: Vec<f64> = row.split(',').filter_map(|field| field.parse().ok()).collect();
+    <[f64; N]>::try_from(mm).ok().map(|lengths| lengths.map(|mm| mm / 1000.0))
 }
 
 /// Numbers in 0..1, the same on every machine (xorshift, Marsaglia 2003).
