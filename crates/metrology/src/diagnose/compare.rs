@@ -110,7 +110,7 @@ pub fn compare_measurements(
         let checked = check_rows(m, robot);
         match checked.fault {
             Some(fault) => Err(CompareError::Fault { reason: fault.reason }),
-            None => Ok(gather(m, &checked.used)),
+            None => Ok(gather(m, &checked.used, None)),
         }
     };
     let (old, new) = (stations(before)?, stations(after)?);

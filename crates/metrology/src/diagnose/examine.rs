@@ -60,7 +60,7 @@ fn examine(
         measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
     let evaluation = from_one_stand(measurements, robot, &checked, options).and_then(|seen| {
         warnings.extend(seen.warning);
-        let stations = usable_stations(&seen.measurements, &checked)?;
+        let stations = usable_stations(&seen.measurements, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
         evaluated(measured, options, wants_model)
     });
@@ -172,11 +172,15 @@ fn seen_from_first_stand(
 }
 
 /// The stations of the rows that can be used, where those are enough.
-fn usable_stations(measurements: &Measurements, checked: &RowCheck) -> Result<Stations, Unusable> {
+fn usable_stations(
+    measurements: &Measurements,
+    checked: &RowCheck,
+    stated_m: Option<f64>,
+) -> Result<Stations, Unusable> {
     if let Some(fault) = find_pose_names(measurements, &checked.used) {
         return Err(fault.into());
     }
-    let mut stations = gather(measurements, &checked.used);
+    let mut stations = gather(measurements, &checked.used, stated_m);
     stations.channels.time &= checked.time_usable;
     if !stations.channels.time {
         stations.stations.iter_mut().for_each(|s| s.t_min = None);

@@ -100,6 +100,8 @@ pub(super) fn identify(
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
+        // Whoever compares with the model again needs what its sag was fitted with.
+        payload_m: (centre_m != Vector3::zeros()).then(|| linear.registration.payload_m() + centre_m),
     });
     if dataset.time_min.is_none() {
         if let Some(last_step) = without_clock(&mut identified) {

@@ -1,7 +1,7 @@
 //! Noise whose size is not known: sigma integrated out in closed form against what the repeats say of it
 //! (MacKay 1992; Gelman et al. 2013, ch. 3).
 
-use crate::measure::Repeats;
+use crate::measure::{Repeats, STATED_FREEDOM};
 
 /// Share of the prior on noise as the repeats say; the rest is noise that they do not show.
 const REPEATS_HOLD: f64 = 0.8;
@@ -10,8 +10,8 @@ const MOST_FREEDOM: f64 = 60.0;
 /// Noise can lie between these, metres.
 pub const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
 
-/// A sigma that is only stated is worth so many degrees of freedom: statements are 1.4 times off.
-const STATED_FREEDOM: f64 = 20.0;
+/// The degrees of freedom that a stated sigma is worth.
+const STATED: f64 = STATED_FREEDOM as f64;
 /// Repeats with fewer degrees of freedom than this say nothing of the noise.
 const FEWEST_FREEDOM: usize = 6;
 
@@ -42,8 +42,8 @@ impl NoisePrior {
             // Both say the same: what they say together is worth what each is worth alone.
             (Some(r), Some(stated_m)) if is_consistent(r, stated_m) => {
                 let seen = r.degrees_of_freedom as f64;
-                let freedom = STATED_FREEDOM + seen;
-                let squares = STATED_FREEDOM * stated_m * stated_m + seen * r.sigma_m * r.sigma_m;
+                let freedom = STATED + seen;
+                let squares = STATED * stated_m * stated_m + seen * r.sigma_m * r.sigma_m;
                 Self {
                     known: Some(KnownNoise {
                         sigma_m: (squares / freedom).sqrt(),
@@ -57,7 +57,7 @@ impl NoisePrior {
                 Self { known: Some(KnownNoise { sigma_m: r.sigma_m, freedom }), from_repeats: true }
             }
             (None, Some(sigma_m)) => {
-                Self { known: Some(KnownNoise { sigma_m, freedom: STATED_FREEDOM }), from_repeats: false }
+                Self { known: Some(KnownNoise { sigma_m, freedom: STATED }), from_repeats: false }
             }
             (None, None) => Self { known: None, from_repeats: false },
         }

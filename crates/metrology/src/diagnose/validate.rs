@@ -138,13 +138,15 @@ pub fn validate(
     if model.joint_kinds != robot.kinds() {
         return Err(ValidateError::ModelJoints { known: model.joint_kinds.len(), robot: robot.name.clone() });
     }
-    let gathered = gather(measurements, &checked.used);
+    let gathered = gather(measurements, &checked.used, None);
     let (stations, targets) = (&gathered.stations, gathered.targets);
     let chain = SerialChain::nominal(robot);
     let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
     let start = registered(stations, &nominal, targets, model, which)?;
+    let payload_m = model.mounting.as_ref().and_then(|mounting| mounting.payload_m);
+    let payload_m = payload_m.unwrap_or_else(|| start.payload_m());
     let PredictedStations { stations: seen, poses } =
-        predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), start.payload_m());
+        predicted(&Arc::new(robot.clone()), stations, &Arc::new(model.clone()), payload_m);
     let fitted = registered(&seen, &poses, targets, model, which)?;
     let mut rows: Vec<Distance> = Vec::new();
     for i in (0..stations.len()).filter(|&i| stations[i].reading.involves_arm()) {

@@ -142,7 +142,7 @@ pub fn performance(
     if !measurements.rows.iter().any(|row| matches!(row.reading, Reading::Point { .. })) {
         return Err(PerformanceError::NoPoints);
     }
-    let gathered = gather(measurements, &checked.used);
+    let gathered = gather(measurements, &checked.used, None);
     let chain = SerialChain::nominal(robot);
     let registration = match registered(&gathered.stations, gathered.targets, &chain, compared) {
         Ok(registration) => Some(registration),

@@ -9,6 +9,8 @@ const FALSE_REPEAT: f64 = 7.0;
 /// so many degrees of freedom of the others.
 const NO_REPEAT: f64 = 3.090;
 const FEWEST_FREEDOM: usize = 6;
+/// A sigma that is only stated is worth so many degrees of freedom: statements are 1.4 times off.
+pub const STATED_FREEDOM: usize = 20;
 
 /// What the repeats say about the noise of one row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,7 +57,13 @@ pub(super) fn false_repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> V
 /// Two repeats that contradict each other by far more than those of other poses do that lie as far apart in time: one of them is
 /// false, nobody can say which before there is a model, and their scatter is not the noise. Each stands alone. The groups are looked at
 /// from the quietest half up, so that several false ones do not hide each other.
-pub(super) fn apart_where_contradictory(rows: &[MeasurementRow], groups: Vec<Vec<usize>>) -> Vec<Vec<usize>> {
+///
+/// What is stated of the noise, `stated_m`, metres, counts as so many repeats that agree as in the evidence.
+pub(super) fn apart_where_contradictory(
+    rows: &[MeasurementRow],
+    groups: Vec<Vec<usize>>,
+    stated_m: Option<f64>,
+) -> Vec<Vec<usize>> {
     let scatter: Vec<(f64, usize)> = groups.iter().map(|group| scatter(rows, group)).collect();
     let span_min: Vec<f64> = groups.iter().map(|group| span_min(rows, group)).collect();
     let variance = |&g: &usize| scatter[g].0 / scatter[g].1 as f64;
@@ -65,8 +73,10 @@ pub(super) fn apart_where_contradictory(rows: &[MeasurementRow], groups: Vec<Vec
     for (rank, &g) in repeated.iter().enumerate() {
         // Noise that is slow lets readings differ the more the longer between them.
         let as_far = agree.iter().filter(|&&other| 2.0 * span_min[other] >= span_min[g]);
+        let stated =
+            stated_m.map_or((0.0, 0), |sigma_m| (STATED_FREEDOM as f64 * sigma_m * sigma_m, STATED_FREEDOM));
         let (squares, freedom) =
-            as_far.fold((0.0, 0), |(squares, freedom), &h| (squares + scatter[h].0, freedom + scatter[h].1));
+            as_far.fold(stated, |(squares, freedom), &h| (squares + scatter[h].0, freedom + scatter[h].1));
         let told = groups[g].len() == 2 && 2 * rank >= repeated.len() && freedom >= FEWEST_FREEDOM;
         let limit = || variance_ratio(NO_REPEAT, scatter[g].1 as f64, freedom as f64);
         if told && variance(&g) > limit() * squares / freedom as f64 {
@@ -168,6 +178,7 @@ pub(super) fn median(values: &mut [f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::measure::{Measurements, gather};
+    use robot_model::units::m_from_mm;
 
     /// Pairs of one pose whose x differs by twice 0.01, 0.02 or 0.03 mm, and in one by 1 mm.
     fn pairs(false_mm: &[f64]) -> Measurements {
@@ -190,22 +201,35 @@ mod tests {
             let t_min = f64::from(pose) + gap_min;
             text.push_str(&format!("{pose},{t_min},{pose},0,0,0,0,0,{off_mm},{off_mm},0\n"));
         }
-        let s = gather(&Measurements::from_csv(text.as_bytes()).unwrap(), &(0..24).collect::<Vec<_>>());
+        let s = gather(&Measurements::from_csv(text.as_bytes()).unwrap(), &(0..24).collect::<Vec<_>>(), None);
         assert_eq!((s.stations.len(), s.repeats.unwrap().degrees_of_freedom), (12, 36));
     }
 
     #[test]
     fn two_repeats_of_which_one_is_false_are_no_noise_and_stand_alone() {
-        let quiet = gather(&pairs(&[]), &(0..18).collect::<Vec<_>>());
+        let quiet = gather(&pairs(&[]), &(0..18).collect::<Vec<_>>(), None);
         assert_eq!((quiet.stations.len(), quiet.repeats.unwrap().degrees_of_freedom), (9, 27));
         for wrong in [&[1.0][..], &[0.8, 1.0, 2.0]] {
-            let s = gather(&pairs(wrong), &(0..18).collect::<Vec<_>>());
+            let s = gather(&pairs(wrong), &(0..18).collect::<Vec<_>>(), None);
             assert_eq!(s.stations.len(), 9 + wrong.len());
             let repeats = s.repeats.unwrap();
             assert_eq!(repeats.degrees_of_freedom, 27 - 3 * wrong.len());
             // The largest pair that is left differs by 0.06 mm in two coordinates.
             assert!(repeats.sigma_m < 0.06e-3, "{repeats:?}");
         }
+    }
+
+    /// Two pairs, one of them off by 1 mm: nobody can say which is the noise, unless 0.02 mm is stated. Were 1 mm stated, both agree.
+    #[test]
+    fn what_is_stated_tells_which_of_two_repeats_is_false() {
+        let two = pairs(&[1.0]);
+        let freedom = |stated_mm: Option<f64>| {
+            let stations = gather(&two, &[0, 1, 2, 3], stated_mm.map(m_from_mm));
+            (stations.stations.len(), stations.repeats.map(|repeats| repeats.degrees_of_freedom))
+        };
+        assert_eq!(freedom(None), (2, Some(6)));
+        assert_eq!(freedom(Some(0.02)), (3, Some(3)));
+        assert_eq!(freedom(Some(1.0)), (2, Some(6)));
     }
 
     /// Upper 1 % and 5 % points of F as tables of the distribution give them.

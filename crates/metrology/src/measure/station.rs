@@ -101,12 +101,13 @@ pub struct Stations {
 /// Pose, target, place, direction and payload (as bits): what repeats share.
 type Condition = (usize, usize, Option<usize>, Option<Joints<i8>>, u64);
 
-/// Gathers the rows that `used` names.
+/// Gathers the rows that `used` names; `stated_m`: the noise of one coordinate as stated, metres, which helps to tell whether repeats
+/// contradict each other.
 ///
 /// # Panics
 /// Never: rows that `used` does not name are left out.
 #[must_use]
-pub fn gather(measurements: &Measurements, used: &[usize]) -> Stations {
+pub fn gather(measurements: &Measurements, used: &[usize], stated_m: Option<f64>) -> Stations {
     let rows = &measurements.rows;
     let poses = pose_numbers(measurements, used);
     let mut open: BTreeMap<Condition, usize> = BTreeMap::new();
@@ -131,7 +132,7 @@ pub fn gather(measurements: &Measurements, used: &[usize]) -> Stations {
         group.retain(|index| false_rows.binary_search(index).is_err());
     }
     groups.retain(|group| !group.is_empty());
-    let groups = apart_where_contradictory(rows, groups);
+    let groups = apart_where_contradictory(rows, groups, stated_m);
     Stations {
         repeats: repeats(rows, &groups),
         stations: groups.iter().filter_map(|group| mean(rows, group, &pose_of)).collect(),
@@ -263,7 +264,7 @@ mod tests {
     #[test]
     fn repeats_of_one_pose_become_their_mean_and_their_scatter_the_noise() {
         let m = file(&[("A", 0.0, 1.0), ("A", 1.0, 3.0), ("B", 2.0, 5.0), ("B", 3.0, 5.0)]);
-        let s = gather(&m, &[0, 1, 2, 3]);
+        let s = gather(&m, &[0, 1, 2, 3], None);
         assert_eq!(s.stations.len(), 2);
         assert!((s.stations[0].reading.position_m().unwrap().x - 0.002).abs() < 1e-15);
         assert_eq!(s.stations[0].t_min, Some(0.5));
@@ -276,7 +277,7 @@ mod tests {
     #[test]
     fn repeats_far_apart_in_time_are_stations_of_their_own_but_one_pose() {
         let m = file(&[("A", 0.0, 1.0), ("A", 60.0, 3.0)]);
-        let s = gather(&m, &[0, 1]);
+        let s = gather(&m, &[0, 1], None);
         assert_eq!(s.stations.len(), 2);
         assert_eq!(s.stations[0].pose, s.stations[1].pose);
         assert!(s.repeats.is_none());
@@ -289,7 +290,7 @@ mod tests {
             rows.push(("A", 0.0, f64::from(k % 4) * 0.01));
         }
         rows.push(("A", 0.0, 10.0));
-        let s = gather(&file(&rows), &(0..9).collect::<Vec<_>>());
+        let s = gather(&file(&rows), &(0..9).collect::<Vec<_>>(), None);
         assert_eq!(s.false_rows, [8]);
         assert!(s.stations[0].reading.position_m().unwrap().x < 1e-4);
     }

@@ -172,9 +172,10 @@ fn read_mounting(mut keys: TableReader) -> Result<Mounting, ModelError> {
         return Err(keys.wrong("tools_mm", "three numbers for each target are needed".to_owned()));
     }
     let tools_m = tools.chunks_exact(3).map(|t| Vector3::from_column_slice(t).map(m_from_mm)).collect();
+    let payload_m = keys.numbers("payload_mm")?.map(|mm: [f64; 3]| Vector3::from(mm).map(m_from_mm));
     keys.finish()?;
     let at = Translation3::from(Vector3::from(base_mm).map(m_from_mm));
-    Ok(Mounting { instrument_from_base: Isometry3::from_parts(at, turn), tools_m })
+    Ok(Mounting { instrument_from_base: Isometry3::from_parts(at, turn), tools_m, payload_m })
 }
 
 fn write_mounting(out: &mut String, mounting: &Mounting) {
@@ -192,6 +193,9 @@ fn write_mounting(out: &mut String, mounting: &Mounting) {
         list(&[q.w, q.i, q.j, q.k]),
         list(&tools)
     );
+    if let Some(payload_m) = mounting.payload_m {
+        let _ = writeln!(out, "payload_mm = {}", list(payload_m.map(mm_from_m).as_slice()));
+    }
 }
 
 /// More teeth than this has no gear.

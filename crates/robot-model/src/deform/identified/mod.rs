@@ -51,6 +51,8 @@ pub struct Mounting {
     pub instrument_from_base: Isometry3<f64>,
     /// Each target's place in the flange's frame, metres.
     pub tools_m: Vec<Vector3<f64>>,
+    /// Centre of gravity of the payload that was carried, flange frame, metres, where it was found from what gave under it.
+    pub payload_m: Option<Vector3<f64>>,
 }
 
 /// A model of one robot, as found.
