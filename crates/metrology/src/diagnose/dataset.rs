@@ -277,7 +277,7 @@ pub struct Dataset {
     /// Lowest and highest temperature of each joint.
     pub joint_temperature_c: Option<Joints<[f64; 2]>>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
-    pub torque_limit_n_m: Joints<[f64; 5]>,
+    pub torque_limit_n_m: Joints<[f64; LIMITS]>,
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
     /// Largest payload of the data, kg.
@@ -413,10 +413,14 @@ fn row_clock(observations: &[Observation]) -> Option<[f64; 2]> {
 }
 
 /// Shares of the observations whose torque about a joint is taken as large enough to hold its teeth on one side.
-const HELD_SHARES: [f64; 5] = [0.12, 0.3, 0.5, 0.7, 0.9];
+const HELD_SHARES: [f64; LIMITS] = [
+    0.12, 0.05, 0.18, 0.24, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0,
+];
+/// How many of them.
+const LIMITS: usize = 19;
 
 /// For each joint the torque above which each of [`HELD_SHARES`] of the observations lies, N.m.
-fn torque_limits_n_m(observations: &[Observation], joints: usize) -> Joints<[f64; 5]> {
+fn torque_limits_n_m(observations: &[Observation], joints: usize) -> Joints<[f64; LIMITS]> {
     Joints::from_fn(joints, |j| {
         let mut torques: Vec<f64> = observations.iter().map(|s| s.loads.torque_n_m[j].abs()).collect();
         torques.sort_by(f64::total_cmp);

@@ -19,7 +19,7 @@ const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 /// The fault, with the rows that are further off than the noise could make them and the column that it is in.
 ///
 /// Structure that follows a joint, the place or time is no fault, however large: it is an error of the arm, or something that was
-/// not recorded.
+/// not recorded. Nor is scatter along one joint where nobody wrote down from which side it came.
 #[must_use]
 pub(super) fn noise_beyond_stated(
     measured: MeasuredRobot<'_>,
@@ -30,7 +30,10 @@ pub(super) fn noise_beyond_stated(
     let FittedModel { linear, model, .. } = fitted;
     let known_m = model.noise.known?.sigma_m;
     let noise_m = model.noise_m();
-    if judgement.verdict == Verdict::UnexplainedStructure || noise_m < BEYOND * known_m {
+    let play = judgement.verdict == Verdict::UnexplainedScatter
+        && judgement.location.joint.is_some()
+        && !linear.dataset.channels.direction;
+    if judgement.verdict == Verdict::UnexplainedStructure || play || noise_m < BEYOND * known_m {
         return None;
     }
     let rounded = rounding::find(measured, fitted, FaultPrior::KnownFault);
