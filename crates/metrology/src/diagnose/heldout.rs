@@ -147,6 +147,7 @@ fn held_out(fitted: &mut FittedModel<'_>, folds: &Folds, groups: &[usize]) -> Ve
         model.noise,
         &mut workspace.column_index,
         alarm,
+        &model.chosen,
     );
     let ratio = Some(model.peak.geometry_ratio);
     let fits = [

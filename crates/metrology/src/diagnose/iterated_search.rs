@@ -172,7 +172,7 @@ fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> Fitted
     let mut library = Library::new(&design, dataset, candidates);
     let groups = design.all_groups();
     let mut column_index = BTreeMap::new();
-    let chosen = library.search(&mut design, &groups, noise, &mut column_index, ALARM_NATS);
+    let chosen = library.search(&mut design, &groups, noise, &mut column_index, ALARM_NATS, &[]);
     let peak = NuisanceModel::new(&design, &groups, &cause_columns(&chosen, None), noise).null();
     let fit = solve(&design, &groups, &chosen, Some(peak.geometry_ratio));
     let model = Model {

@@ -142,11 +142,17 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> O
     Some(out)
 }
 
-/// A candidate's parameters as terms: its own, and the double frequency of a gear, which is no cause of its own.
+/// A candidate's parameters as terms: its own, and the double frequency of a gear or the constant of a gain, which are no causes of
+/// their own.
 fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Value>) -> Vec<Term> {
     if candidate.kind == EffectKind::JointOffset && candidate.variant.joint.is_none() {
         let of_joint = |(j, value)| Term::plain(candidate.kind, Some(Axis::at(j)), vec![value]);
         return values.into_iter().enumerate().map(of_joint).collect();
+    }
+    if candidate.kind == EffectKind::JointGain && candidate.variant.refined {
+        let constant = Term::plain(EffectKind::JointOffset, candidate.variant.joint, values.split_off(1));
+        let constant = Term { cause: false, ..constant };
+        return term(dataset, candidate, values).into_iter().chain([constant]).collect();
     }
     let gear = matches!(candidate.kind, EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic);
     let overtone = if gear && candidate.variant.refined { values.split_off(2) } else { Vec::new() };

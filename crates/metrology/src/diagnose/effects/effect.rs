@@ -64,7 +64,7 @@ pub struct EffectVariant {
     /// Payload mass: where the excess hangs.
     pub payload_scaling: PayloadScaling,
     /// With its own departures from the plain shape: a gear's even harmonic, a spring that hardens or softens, a link that bends by
-    /// the moment alone.
+    /// the moment alone, a gain about a zero of its own.
     pub refined: bool,
 }
 

@@ -6,8 +6,16 @@ use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
-/// The Jacobian's column J_j times q_j.
+/// The Jacobian's column J_j times q_j. With a constant of its own where the zero of the scale is not the model's: an encoder counts
+/// from its mark, a joint is zeroed in some posture.
 pub struct JointGain;
+
+/// Usual size of the gain.
+const USUAL: f64 = 6e-5;
+/// Where the scale's zero usually lies off the model's, rad and m.
+const ZERO_OFF: [f64; 2] = [1.0, 0.3];
+/// Share of the effect's prior in which the constant is there.
+const OWN_ZERO: f64 = 0.5;
 
 impl Effect for JointGain {
     fn kind(&self) -> EffectKind {
@@ -24,7 +32,18 @@ impl Effect for JointGain {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         (0..dataset.joints())
-            .map(|j| Candidate::new(EffectKind::JointGain, EffectVariant::of_joint(j), vec![6e-5]))
+            .flat_map(|j| {
+                let constant = USUAL * dataset.by_kind(j, ZERO_OFF[0], ZERO_OFF[1]);
+                let shapes = [(false, vec![USUAL], 1.0 - OWN_ZERO), (true, vec![USUAL, constant], OWN_ZERO)];
+                shapes.map(|(refined, sizes, weight)| {
+                    let variant = EffectVariant { refined, ..EffectVariant::of_joint(j) };
+                    Candidate {
+                        n_reported: 1,
+                        weight,
+                        ..Candidate::new(EffectKind::JointGain, variant, sizes)
+                    }
+                })
+            })
             .collect()
     }
     fn motion(&self, variant: &EffectVariant) -> Option<Motion> {
@@ -32,5 +51,6 @@ impl Effect for JointGain {
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
         out.push(at.observation.q_rad[of_arm(variant.joint, at.observation)]);
+        out.extend(variant.refined.then_some(1.0));
     }
 }

@@ -7,10 +7,10 @@ use nalgebra::{DMatrix, DVector};
 
 /// A candidate over a nuisance model; [`NuisanceModel::update`] follows a nuisance model that has grown.
 pub struct Projected {
-    own: DMatrix<f64>,
+    pub(super) own: DMatrix<f64>,
     with_y: DVector<f64>,
     /// With the geometry's columns.
-    geometry: DMatrix<f64>,
+    pub(super) geometry: DMatrix<f64>,
     /// How many of the nuisance model's directions are projected out.
     known: usize,
 }
@@ -237,7 +237,7 @@ impl NuisanceModel {
     }
 
     /// The candidate with itself and with the data, geometry at `ratio` out.
-    fn reduced(
+    pub(super) fn reduced(
         &self,
         candidate: &Projected,
         with_geometry: &DMatrix<f64>,

@@ -10,11 +10,13 @@
 //! than 0.01. Decisions are made at 3 and 5 nats. The tests hold it to 0.6 and 0.5.
 
 mod candidate;
+mod pair;
 mod prior;
 #[cfg(test)]
 mod tests;
 
 pub use candidate::{Projected, ScreeningPoint};
+pub use pair::{PairPeak, joined};
 
 use super::design::{Design, SlowColumns};
 use super::marginal::{Marginal, NoisePrior, SIGMA_M, log_add, log_sum};

@@ -278,3 +278,65 @@ fn causes_taken_out_leave_the_nuisance_model_of_the_others() {
     assert!(twice.without(&design, &[0], &kept).is_none());
     assert!(twice.without(&design, &[0], &first).is_some());
 }
+
+/// Two causes of one and of two parameters with sizes of their own, in geometry: against the determinant and the inverse of the data's
+/// whole covariance, summed over the same sizes. From whatever sizes the search for the best begins.
+#[test]
+fn two_causes_together_are_as_likely_as_dense_matrices_say() {
+    const NEAR: [f64; 2] = [4e4, 2e4];
+    let problem = problem(7, 2e-5, 3.0, 0.5);
+    let (mut design, nuisance) = problem.nuisance(NoisePrior::new(None, None));
+    let library = testable_effects(&problem.dataset).candidates;
+    let gear = library.iter().find(|c| {
+        c.kind == robot_model::deform::EffectKind::GearEccentricity && c.variant.joint == Some(Axis::at(1))
+    });
+    let columns = [&problem.candidate, gear.unwrap()].map(|c| design.columns_of(&problem.dataset, c));
+    let at: Vec<usize> = design.append(&columns[0]).collect();
+    let [first, second] = [0, 1].map(|k| design.products(&columns[k]).sum(&[0]));
+    let both = nuisance.project(&joined(&first, &second, &at));
+    let found = nuisance.evidence_about(&both, 1, NEAR);
+
+    let flat = dense(&problem.dataset, |o| {
+        let mut out = Vec::new();
+        registration::twists(problem.dataset.at(o), 1, &mut out);
+        out
+    });
+    let outer = &flat * flat.clone().pseudo_inverse(1e-12).unwrap();
+    let left = DMatrix::identity(flat.nrows(), flat.nrows()) - outer;
+    let eigen = left.symmetric_eigen();
+    let kept: Vec<usize> = (0..flat.nrows()).filter(|&i| eigen.eigenvalues[i] > 0.5).collect();
+    let basis = eigen.eigenvectors.select_columns(&kept);
+    let data = DVector::from_iterator(flat.nrows(), problem.residuals.iter().flat_map(|r| r[..3].to_vec()));
+    let e = basis.tr_mul(&data);
+    let geometry = basis.tr_mul(&dense(&problem.dataset, geometry_columns));
+    let [a, b] = [&problem.candidate, gear.unwrap()].map(|c| {
+        basis.tr_mul(&dense(&problem.dataset, |o| {
+            let mut out = Vec::new();
+            c.scaled_signature(problem.dataset.at(o), &mut out);
+            out
+        }))
+    });
+    let signal = |m: &DMatrix<f64>| (m.norm_squared() / kept.len() as f64).sqrt();
+    let mut exact = f64::NEG_INFINITY;
+    for &r in &nuisance.ratios {
+        for (i, k) in (0..25).map(|cell| (cell / 5 - 2, cell % 5 - 2)) {
+            let [s, t] = [NEAR[0] * f64::from(i).exp2(), NEAR[1] * f64::from(k).exp2()];
+            let covariance = DMatrix::identity(kept.len(), kept.len())
+                + &geometry * geometry.transpose() * (r * r)
+                + &a * a.transpose() * (s * s)
+                + &b * b.transpose() * (t * t);
+            let cholesky = covariance.cholesky().unwrap();
+            let half_log_det: f64 = cholesky.l().diagonal().iter().map(|v| v.ln()).sum();
+            let (log, sigma_m) = nuisance.marginal.at(e.dot(&cholesky.solve(&e)));
+            let sizes = size_prior(s * sigma_m, s * signal(&a)) + size_prior(t * sigma_m, t * signal(&b));
+            exact = log_add(exact, log - half_log_det + geometry_prior(r * sigma_m) + sizes);
+        }
+    }
+    assert!((found.log_evidence - exact).abs() < 1e-6, "{} {exact}", found.log_evidence);
+
+    let from_afar = [0.125, 8.0].map(|off| nuisance.evidence_of_two(&both, 1, NEAR.map(|near| near * off)));
+    for peak in from_afar {
+        assert!((peak.log_evidence - exact).abs() < GAIN_ERROR_NATS, "{} {exact}", peak.log_evidence);
+        assert!(peak.signs[0] > 3.0, "{:?}", peak.signs);
+    }
+}

@@ -1,9 +1,11 @@
 //! What is chosen, tried again: each cause against its alternatives, gear lines against their neighbours, two against one.
 
 use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR, cause_columns};
+use super::greedy::MOST_SWAPPED;
 use super::library::{Library, TrackedCandidate};
 use super::ranking::{BestEffect, HypothesisRanking};
 use crate::diagnose::design::Design;
+use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::marginal::NoisePrior;
 use robot_model::deform::EffectKind;
@@ -140,6 +142,40 @@ impl Library<'_> {
         }
     }
 
+    /// Puts the causes of `start`, each tried against all that were near, in the place of what was found, where these data find them
+    /// likelier: one cause after the other may end at others. Where nothing was found nothing is tried.
+    pub(super) fn restart(&mut self, search: &mut Search<'_>, start: &[ChosenCause]) {
+        let causes = |chosen: &[ChosenCause]| -> BTreeSet<_> {
+            let cause = |c: &ChosenCause| {
+                let Candidate { kind, variant, .. } = &self.candidates[c.candidate];
+                (*kind, variant.joint, variant.joint_b, variant.n)
+            };
+            chosen.iter().map(cause).collect()
+        };
+        let tried = !search.chosen.is_empty() && (1..=MOST_SWAPPED).contains(&start.len());
+        if !tried || causes(&search.chosen) == causes(start) {
+            return;
+        }
+        let found_odds = self.odds_of_chosen(search);
+        search.near.extend(start.iter().map(|c| c.candidate));
+        let found = std::mem::replace(&mut search.chosen, start.to_vec());
+        self.swap(search);
+        if self.odds_of_chosen(search) <= found_odds {
+            search.chosen = found;
+        }
+    }
+
+    /// ln odds of all that is chosen over nothing, one after the other.
+    fn odds_of_chosen(&self, search: &Search<'_>) -> f64 {
+        let mut nuisance = search.nuisance(&[]);
+        let mut odds = 0.0;
+        for one in &search.chosen {
+            odds += self.odds(self.gain(&nuisance, search.subset, one.candidate), one.candidate);
+            nuisance.grow(search.design, search.subset, &one.columns);
+        }
+        odds
+    }
+
     /// Two causes in one joint, or two that give way under load, against any one that was ever near, in the place of both: a
     /// shape can be taken for the sum of two others.
     pub(super) fn merge(&mut self, search: &mut Search<'_>) {
@@ -155,15 +191,14 @@ impl Library<'_> {
             .collect();
         for (i, k) in pairs.into_iter().rev() {
             let others = search.others(&[i, k]);
-            let (mut nuisance, ranking) = self.rank_near(search, &others);
+            let (nuisance, ranking) = self.rank_near(search, &others);
             let Some(best) = self.best_effect(&ranking) else { continue };
             let candidate = best.candidate;
             let odds = |gain: f64, c: usize| gain + self.log_prior[c] - NULL_PRIOR.ln();
             let (first, second) = (search.chosen[i].candidate, search.chosen[k].candidate);
             let single = odds(best.peak.log_evidence - ranking.null.log_evidence, candidate);
-            let mut both = odds(self.gain(&nuisance, search.subset, first), first);
-            nuisance.grow(search.design, search.subset, &search.chosen[i].columns);
-            both += odds(self.gain(&nuisance, search.subset, second), second);
+            let pair = self.evidence_of_two(&nuisance, search.subset, [&search.chosen[i], &search.chosen[k]]);
+            let both = odds(pair.log_evidence - ranking.null.log_evidence, first) + odds(0.0, second);
             if candidate != first && candidate != second && single > both {
                 self.replace(search, i, best);
                 search.chosen.remove(k);
@@ -173,7 +208,8 @@ impl Library<'_> {
     }
 
     /// `candidate` as it would be chosen over `nuisance`.
-    pub(super) fn chosen(
+    #[must_use]
+    pub fn chosen(
         &self,
         nuisance: &NuisanceModel,
         subset: &[usize],

@@ -21,7 +21,7 @@ const FAR_OFF: f64 = 1.5;
 /// Nothing is added where fewer numbers than this are left to contradict it.
 const FEWEST_FREE: f64 = 12.0;
 /// With more causes than this each is not tried against all others.
-const MOST_SWAPPED: usize = 8;
+pub(super) const MOST_SWAPPED: usize = 8;
 /// Rounds of adding and trying in turn.
 const PASSES: usize = 3;
 
@@ -29,7 +29,8 @@ impl Library<'_> {
     /// Adds effects while one passes `alarm_nats`; then tries each against all others in its place, drops what
     /// falls under, and, where that changed anything, goes on.
     ///
-    /// `design` gains the chosen effects' columns; `column_index` remembers where.
+    /// `design` gains the chosen effects' columns; `column_index` remembers where. `start`: causes that may do better in the place of
+    /// all that are found, by these data.
     pub fn search(
         &mut self,
         design: &mut Design,
@@ -37,6 +38,7 @@ impl Library<'_> {
         noise: NoisePrior,
         column_index: &mut BTreeMap<usize, Vec<usize>>,
         alarm_nats: f64,
+        start: &[ChosenCause],
     ) -> Vec<ChosenCause> {
         let mut nuisance = NuisanceModel::new(design, subset, &[], noise);
         let tracked = self.track(&nuisance, subset);
@@ -73,6 +75,7 @@ impl Library<'_> {
                 f.projected = nuisance.project(&f.sums);
             });
         }
+        self.restart(&mut search, start);
         self.drop_offsets(&mut search);
         search.chosen
     }

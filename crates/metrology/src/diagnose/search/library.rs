@@ -151,6 +151,12 @@ impl<'a> Library<'a> {
         self.near_pairs
     }
 
+    /// The pairs of causes that a search over all data weighed in the place of one.
+    #[must_use]
+    pub fn near_pairs(&self) -> &[[usize; 2]] {
+        &self.near_pairs
+    }
+
     /// The library after a search that weighed these pairs of causes.
     #[must_use]
     pub fn with_near_pairs(self, near_pairs: Vec<[usize; 2]>) -> Self {

@@ -2,14 +2,16 @@
 //! other. A search that adds one cause at a time stops there.
 //!
 //! All pairs are compared at the noise and the geometry of the model as it stands, in closed form with sizes of about the
-//! usual; the few that come near are then weighed as every cause is.
+//! usual, and with those that these data begin to see; the few that come near are then weighed as every cause is, the size of each
+//! integrated beside the other's.
 
 use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR};
 use super::exchange::Search;
 use super::greedy::BESIDE;
 use super::library::Library;
+use super::ranking::sign_nats;
 use crate::diagnose::design::side_by_side;
-use crate::diagnose::evidence::{NuisanceModel, Projected};
+use crate::diagnose::evidence::{NuisanceModel, PairPeak, Projected, joined};
 use nalgebra::{DMatrix, DVector};
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
@@ -20,8 +22,10 @@ const SHORT_LIST: usize = 5;
 const FAR_BEHIND_NATS: f64 = 6.0;
 /// In larger sets only the offsets of two joints are tried: with so many rows little else looks alike.
 const MOST_STATIONS: usize = 1000;
-/// Parameters of two causes, at most.
-const MOST_PARAMETERS: usize = 16;
+/// Parameters of two causes, at most: a hardening spring with a payload whose centre is not known, twice.
+const MOST_PARAMETERS: usize = 24;
+/// Signal over noise of a size that the data begin to see.
+const SEEN: f64 = 2.0;
 
 /// Causes that a pair may be made of, at fixed noise: products with each other and with the data over the noise's
 /// variance, all nuisance taken out.
@@ -31,13 +35,41 @@ struct Pool {
     starts: Vec<usize>,
     gram: DMatrix<f64>,
     with_data: DVector<f64>,
+    /// Rows less what the nuisance takes.
+    freedom: f64,
+}
+
+/// How large the causes of a pair are at a first look.
+#[derive(Clone, Copy)]
+enum FirstSize {
+    /// As usual.
+    Usual,
+    /// So large that these data begin to see them.
+    Seen,
 }
 
 impl Pool {
-    /// ln evidence of the causes `which` over none, parameters ~ N(0, 1) in prior sigmas.
-    fn log_evidence(&self, which: &[usize]) -> f64 {
-        let columns: Vec<usize> = which.iter().flat_map(|&k| self.starts[k]..self.starts[k + 1]).collect();
-        let n = columns.len().min(MOST_PARAMETERS);
+    /// Size of the cause `k` in prior sigmas.
+    fn size(&self, k: usize, size: FirstSize) -> f64 {
+        let own: f64 = (self.starts[k]..self.starts[k + 1]).map(|c| self.gram[(c, c)]).sum();
+        match size {
+            FirstSize::Usual => 1.0,
+            FirstSize::Seen => SEEN * (self.freedom / own.max(1e-300)).sqrt(),
+        }
+    }
+
+    /// ln evidence of the causes `which` over none, parameters ~ N(0, size^2) in prior sigmas.
+    fn log_evidence(&self, which: &[usize], size: FirstSize) -> f64 {
+        let mut columns = [0; MOST_PARAMETERS];
+        let mut sizes = [0.0; MOST_PARAMETERS];
+        let mut n = 0;
+        for &k in which {
+            let size = self.size(k, size);
+            for column in (self.starts[k]..self.starts[k + 1]).take(MOST_PARAMETERS - n) {
+                (columns[n], sizes[n]) = (column, size);
+                n += 1;
+            }
+        }
         // Cholesky with the data as a last row (Golub and Van Loan 2013, ch. 4.2), on the stack: there are thousands of pairs.
         let mut lower = [[0.0; MOST_PARAMETERS]; MOST_PARAMETERS];
         let (mut log_det, mut square) = (0.0, 0.0);
@@ -45,11 +77,12 @@ impl Pool {
         for r in 0..n {
             for c in 0..=r {
                 let known: f64 = (0..c).map(|k| lower[r][k] * lower[c][k]).sum();
-                let value = self.gram[(columns[r], columns[c])] + f64::from(u8::from(r == c)) - known;
+                let own = sizes[r] * sizes[c] * self.gram[(columns[r], columns[c])];
+                let value = own + f64::from(u8::from(r == c)) - known;
                 lower[r][c] = if r == c { value.max(1e-12).sqrt() } else { value / lower[c][c] };
             }
             let known: f64 = (0..r).map(|k| lower[r][k] * half[k]).sum();
-            half[r] = (self.with_data[columns[r]] - known) / lower[r][r];
+            half[r] = (sizes[r] * self.with_data[columns[r]] - known) / lower[r][r];
             log_det += lower[r][r].ln();
             square += half[r] * half[r];
         }
@@ -94,12 +127,17 @@ impl Library<'_> {
                 let at = self.columns_in_design(search.design, search.column_index, &[a, b]);
                 let [at_a, at_b] = [&at[0], &at[1]];
                 self.extend(search.design);
-                let first = self.chosen(&bare, search.subset, a, at_a);
-                let mut beside = search.nuisance(&others);
+                let mut first = self.chosen(&bare, search.subset, a, at_a);
+                if !self.allowed(b, &[others.as_slice(), std::slice::from_ref(&first)].concat()) {
+                    continue;
+                }
+                let mut beside = bare.clone();
                 beside.grow(search.design, search.subset, at_a);
-                let second = self.chosen(&beside, search.subset, b, at_b);
-                let gain_nats = first.gain_nats + second.gain_nats;
-                let odds = self.odds(first.gain_nats, a) + self.odds(second.gain_nats, b);
+                let mut second = self.chosen(&beside, search.subset, b, at_b);
+                let both = self.evidence_of_two(&bare, search.subset, [&first, &second]);
+                let gain_nats = both.log_evidence - bare.null().log_evidence;
+                let odds = self.odds(gain_nats, a) + self.odds(0.0, b);
+                [first.size_ratio, second.size_ratio] = both.size_ratios;
                 let enough = match single_odds {
                     Some(single_odds) => odds > single_odds,
                     None => gain_nats > (1.0 + BESIDE) * alarm_nats,
@@ -121,15 +159,34 @@ impl Library<'_> {
         }
     }
 
+    /// Evidence of two causes over `bare`, the signs that physics gives them included.
+    #[must_use]
+    pub fn evidence_of_two(
+        &self,
+        bare: &NuisanceModel,
+        subset: &[usize],
+        [first, second]: [&ChosenCause; 2],
+    ) -> PairPeak {
+        let [a, b] = [first, second].map(|c| self.products[c.candidate].sum(subset));
+        let both = bare.project(&joined(&a, &b, &first.columns));
+        let near = [first.size_ratio, second.size_ratio];
+        let mut peak = bare.evidence_of_two(&both, a.own.nrows(), near);
+        for (cause, sign) in [first, second].into_iter().zip(peak.signs) {
+            if self.candidates[cause.candidate].sign_constrained {
+                peak.log_evidence += sign_nats(sign);
+            }
+        }
+        peak
+    }
+
     /// ln odds of a candidate that gains so much over nothing.
-    fn odds(&self, gain_nats: f64, candidate: usize) -> f64 {
+    pub(super) fn odds(&self, gain_nats: f64, candidate: usize) -> f64 {
         gain_nats + self.log_prior[candidate] - NULL_PRIOR.ln()
     }
 
-    /// Whether two other causes can look like `candidate`: not like a line of a gear, or what happens at one moment.
+    /// Whether two other causes can look like `candidate`: not like a line of a gear.
     fn may_be_imitation(&self, candidate: usize) -> bool {
-        let this = &self.candidates[candidate];
-        this.kind != EffectKind::GearMesh && this.variant.t0_min().is_none() && !self.all_offsets(candidate)
+        self.candidates[candidate].kind != EffectKind::GearMesh && !self.all_offsets(candidate)
     }
 
     /// Of each effect and joint the variant that is likeliest over `bare`, and the cause `single` that they are held against, at
@@ -181,15 +238,19 @@ impl Library<'_> {
         with_data -= taken.tr_mul(&data);
         gram -= taken.transpose() * &taken;
         let precision = sigma_m.powi(-2);
-        Pool { candidates, starts, gram: gram * precision, with_data: with_data * precision }
+        let freedom = bare.freedom();
+        Pool { candidates, starts, gram: gram * precision, with_data: with_data * precision, freedom }
     }
 
-    /// Whether `candidate` may be one of two: over a part of the data only what came near over all of them.
+    /// Whether `candidate` may be one of two: of steps, which may lie in every gap, those that came near the top, and over a part of
+    /// the data only what came near over all of them.
     fn may_be_of_pair(&self, search: &Search<'_>, candidate: usize) -> bool {
         let whole = search.subset.len() == search.design.groups();
         let small = self.dataset.observations.len() <= MOST_STATIONS;
         let offset = self.candidates[candidate].kind == EffectKind::JointOffset;
+        let step = self.candidates[candidate].variant.t0_min().is_some();
         self.may_be_imitation(candidate)
+            && (!step || search.near.contains(&candidate))
             && (small || offset)
             && (whole || self.near_pairs.iter().flatten().any(|&near| near == candidate))
     }
@@ -198,7 +259,9 @@ impl Library<'_> {
     fn likely_pairs(&self, pool: &Pool, single: Option<usize>) -> Vec<[usize; 2]> {
         let odds = |which: &[usize]| -> f64 {
             let prior = which.iter().map(|&k| self.odds(0.0, pool.candidates[k])).sum::<f64>();
-            pool.log_evidence(which) + prior
+            let [usual, seen] =
+                [FirstSize::Usual, FirstSize::Seen].map(|size| pool.log_evidence(which, size));
+            usual.max(seen) + prior
         };
         let own = single.and_then(|c| pool.candidates.iter().position(|&other| other == c));
         let needed = own.map_or(0.0, |k| odds(&[k])) - FAR_BEHIND_NATS;
@@ -232,6 +295,7 @@ mod tests {
             starts: vec![0, 2, 5, 6],
             gram: columns.tr_mul(&columns),
             with_data: columns.tr_mul(&data),
+            freedom: 20.0,
         };
         for (which, taken) in [(vec![0], 0..2), (vec![0, 2], 0..2), (vec![1, 2], 2..6)] {
             let mut a = columns.columns(taken.start, taken.len()).into_owned();
@@ -239,11 +303,29 @@ mod tests {
                 a = a.insert_column(2, 0.0);
                 a.set_column(2, &columns.column(5));
             }
-            let covariance = DMatrix::identity(20, 20) + &a * a.transpose();
-            let log_det = covariance.determinant().ln();
-            let square = data.dot(&(covariance.try_inverse().unwrap() * &data));
-            let exact = -0.5 * log_det - 0.5 * square + 0.5 * data.norm_squared();
-            assert!((pool.log_evidence(&which) - exact).abs() < 1e-9, "{which:?}");
+            // A signal of twice the noise over 20 rows: 20 · 2² = size² · squares of its columns.
+            let seen = |from: usize, to: usize| {
+                let squares: f64 = (from..to).map(|k| columns.column(k).norm_squared()).sum();
+                (80.0 / squares).sqrt()
+            };
+            let widths = [(0, 2), (2, 5), (5, 6)];
+            for size in [FirstSize::Usual, FirstSize::Seen] {
+                let mut a = a.clone();
+                if let FirstSize::Seen = size {
+                    let sizes = which.iter().flat_map(|&k| {
+                        let (from, to) = widths[k];
+                        (from..to).map(move |_| seen(from, to))
+                    });
+                    for (k, size) in sizes.collect::<Vec<_>>().into_iter().enumerate() {
+                        a.column_mut(k).scale_mut(size);
+                    }
+                }
+                let covariance = DMatrix::identity(20, 20) + &a * a.transpose();
+                let log_det = covariance.determinant().ln();
+                let square = data.dot(&(covariance.try_inverse().unwrap() * &data));
+                let exact = -0.5 * log_det - 0.5 * square + 0.5 * data.norm_squared();
+                assert!((pool.log_evidence(&which, size) - exact).abs() < 1e-9, "{which:?}");
+            }
         }
     }
 }

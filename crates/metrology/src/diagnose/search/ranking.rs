@@ -219,7 +219,7 @@ impl Library<'_> {
 
 /// What the right sign adds to ln evidence, and the wrong one takes off it; `z`: by how many standard deviations the size
 /// is positive.
-fn sign_nats(z: f64) -> f64 {
+pub(super) fn sign_nats(z: f64) -> f64 {
     let sign_constrained = normal_cdf(z);
     (2.0 * (RIGHT_SIGN * sign_constrained + (1.0 - RIGHT_SIGN) * (1.0 - sign_constrained))).ln()
 }

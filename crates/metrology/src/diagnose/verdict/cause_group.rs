@@ -10,7 +10,7 @@ use robot_model::robot::Axis;
 /// A rival this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
 /// Candidates that together are this likely among the causes make up the set that cannot be told apart.
-const CREDIBLE: f64 = 0.95;
+pub const CREDIBLE: f64 = 0.95;
 
 /// How well the shape of a beam's bending, or of a base's tilt, is known, as a share of its signal: walls, ribs and bearings are
 /// in no robot file.
@@ -26,6 +26,8 @@ pub struct CauseGroup {
     pub gain_nats: f64,
     /// Its best s / sigma.
     pub size_ratio: f64,
+    /// The candidate that must be there too, with its best s / sigma, where this one is one of two in the place of one.
+    pub beside: Option<(usize, f64)>,
 }
 
 /// A slot of the model whose cause is not beyond doubt.
@@ -86,6 +88,7 @@ pub fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> V
                     probability: *probability,
                     gain_nats: peak.log_evidence - ranking.null.log_evidence,
                     size_ratio: peak.size_ratio,
+                    beside: None,
                 },
             )),
         }
@@ -102,7 +105,8 @@ pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>
     let simple = key(&workspace.library.candidates[first.best]);
     let nests = |g: &CauseGroup| {
         let rich = key(&workspace.library.candidates[g.best]);
-        let holds_offset = matches!(rich.0, EffectKind::ThermalJointDrift | EffectKind::JointStep);
+        let holds_offset = matches!(rich.0, EffectKind::ThermalJointDrift | EffectKind::JointStep)
+            || rich.0 == EffectKind::JointGain && workspace.library.candidates[g.best].variant.refined;
         simple.0 == EffectKind::JointOffset && holds_offset && simple.1 == rich.1
     };
     let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
@@ -128,10 +132,18 @@ pub fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) 
 /// Whether both give under load, and one of them in a shape that is known to [`SHAPE_KNOWN_TO`] only.
 #[must_use]
 pub fn shapes_in_doubt(one: EffectKind, other: EffectKind) -> bool {
-    use EffectKind::{BaseTilt, JointCompliance, LinkBending};
-    let rough = |kind: EffectKind| matches!(kind, LinkBending | BaseTilt);
-    let of_load = |kind: EffectKind| rough(kind) || kind == JointCompliance;
-    of_load(one) && of_load(other) && (rough(one) || rough(other))
+    let rough = has_rough_shape(one) || has_rough_shape(other);
+    gives_under_load(one) && gives_under_load(other) && rough
+}
+
+/// Whether an effect's shape under load is that of walls, ribs and bearings, which are in no robot file.
+pub fn has_rough_shape(kind: EffectKind) -> bool {
+    matches!(kind, EffectKind::LinkBending | EffectKind::BaseTilt)
+}
+
+/// Whether an effect is a give under load.
+pub fn gives_under_load(kind: EffectKind) -> bool {
+    has_rough_shape(kind) || kind == EffectKind::JointCompliance
 }
 
 /// The probabilities of causes, the first the likeliest, where the shape of the first's or of a `shared` rival's signal is known to
@@ -189,9 +201,10 @@ pub fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Option<us
 }
 
 /// What variants of one cause share.
-type Key = (EffectKind, Option<Axis>, Option<Axis>);
+pub type Key = (EffectKind, Option<Axis>, Option<Axis>);
 
-fn key(c: &Candidate) -> Key {
+/// The cause that a candidate is a variant of.
+pub fn key(c: &Candidate) -> Key {
     (c.kind, c.variant.joint, c.variant.joint_b)
 }
 

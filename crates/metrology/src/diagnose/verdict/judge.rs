@@ -2,6 +2,7 @@
 
 use super::cause_group::scan;
 use super::judgement::Judgement;
+use super::listing::at_most_one;
 use super::noise::{ReducedChiSquare, Scatter, joint_scatter, reduced_chi_square};
 use super::structure::add_gp_alternatives;
 use super::with_causes::with_causes;
@@ -30,6 +31,7 @@ pub fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
         with_causes(fitted, &chosen, &rest.ranking, scatter)
     };
     judgement.reduced_chi_square = chi.map(|chi| chi.value);
+    at_most_one(&mut judgement.causes);
     if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
         for candidate in &mut judgement.causes {
             candidate.posterior *= AS_A_CANDIDATE;

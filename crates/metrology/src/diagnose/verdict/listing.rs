@@ -14,22 +14,47 @@ pub fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
             causes.remove(a);
         }
     }
-    let scale = causes.iter().find(|c| c.effect == EffectKind::InstrumentScale).map(|c| c.slot);
-    if let Some(slot) = scale
-        && !causes.iter().any(|c| c.effect == EffectKind::LinkGeometry)
-    {
-        // A scale of the instrument and a scale of all links are one and the same to these data.
-        causes.push(Cause { slot, ..Cause::of(EffectKind::LinkGeometry, 0.0) });
-    }
+    causes.retain(|c| c.posterior > WORTH_SAYING);
+    share_scale_with_links(&mut causes);
     let thousandths = |p: f64| (1000.0 * p).round();
     causes.sort_by(|a, b| {
         let size = |c: &Cause| c.rms_mm.unwrap_or(0.0);
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });
-    let has_scale = scale.is_some();
-    causes.retain(|c| c.posterior > WORTH_SAYING || has_scale && c.effect == EffectKind::LinkGeometry);
     renumber(&mut causes);
     causes
+}
+
+/// A scale of the instrument and a scale of all links are one and the same to these data: where the first is named alone, the links
+/// stand beside it with half of its probability.
+fn share_scale_with_links(causes: &mut Vec<Cause>) {
+    let Some(at) = causes.iter().position(|c| c.effect == EffectKind::InstrumentScale) else { return };
+    if !causes.iter().any(|c| c.effect == EffectKind::LinkGeometry) {
+        causes[at].posterior *= 0.5;
+        let (slot, posterior) = (causes[at].slot, causes[at].posterior);
+        causes.insert(at + 1, Cause { slot, ..Cause::of(EffectKind::LinkGeometry, posterior) });
+    }
+}
+
+/// The highest probability of each slot.
+pub fn likeliest_of_slots(causes: &[Cause]) -> impl Iterator<Item = f64> {
+    let slots = causes.iter().map(|c| c.slot).max().unwrap_or(0);
+    let of = |slot| causes.iter().filter(move |c| c.slot == slot).map(|c| c.posterior).reduce(f64::max);
+    (1..=slots).filter_map(of)
+}
+
+/// Takes from the probabilities of each slot what they come to above 1: the difference of two large logarithms is known to some 1e-12.
+pub fn at_most_one(causes: &mut [Cause]) {
+    let slots = causes.iter().map(|c| c.slot).max().unwrap_or(0);
+    for slot in 0..=slots {
+        let mut of_slot: Vec<&mut Cause> = causes.iter_mut().filter(|c| c.slot == slot).collect();
+        let sum: f64 = of_slot.iter().map(|c| c.posterior).sum();
+        let rounding = f64::EPSILON * of_slot.len() as f64;
+        if sum + rounding > 1.0 {
+            let most = if of_slot.len() == 1 { 1.0 } else { 1.0 - 2.0 * rounding };
+            of_slot.iter_mut().for_each(|c| c.posterior = (c.posterior * most / sum).min(1.0));
+        }
+    }
 }
 
 /// Slots in the order of their likeliest causes, without gaps.
@@ -69,6 +94,54 @@ pub fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
 mod tests {
     use super::*;
     use robot_model::robot::Axis;
+
+    /// Slots with one, three and two causes, 1e-12 too likely each: no order of adding comes to more than 1; what was less stays.
+    #[test]
+    fn no_slot_is_likelier_than_one() {
+        let cause = |slot, posterior| Cause { slot, ..Cause::of(EffectKind::JointOffset, posterior) };
+        let too_much = 1.0 + 2e-12;
+        let mut causes: Vec<Cause> = vec![
+            cause(1, too_much),
+            cause(2, 0.7 * too_much),
+            cause(2, 0.2 * too_much),
+            cause(2, 0.1 * too_much),
+            cause(3, 0.5),
+            cause(3, 0.25),
+        ];
+        at_most_one(&mut causes);
+        let p: Vec<f64> = causes.iter().map(|c| c.posterior).collect();
+        assert!(p[0] <= 1.0 && p[0] > 1.0 - 1e-15);
+        for [a, b, c] in [[1, 2, 3], [1, 3, 2], [2, 3, 1], [3, 2, 1]] {
+            assert!(p[a] + p[b] + p[c] <= 1.0, "{p:?}");
+        }
+        assert!((p[1] - 0.7).abs() < 1e-14);
+        assert_eq!(p[4..], [0.5, 0.25]);
+    }
+
+    /// What the data cannot part shares its probability, and nothing is named at 0.
+    #[test]
+    fn a_scale_and_the_links_are_as_likely_as_each_other() {
+        let mut causes = vec![
+            Cause { slot: 2, ..Cause::of(EffectKind::InstrumentScale, 0.9) },
+            Cause::of(EffectKind::BaseTilt, 0.8),
+        ];
+        share_scale_with_links(&mut causes);
+        let named: Vec<_> = causes.iter().map(|c| (c.effect, c.slot, c.posterior)).collect();
+        let expected = [
+            (EffectKind::InstrumentScale, 2, 0.45),
+            (EffectKind::LinkGeometry, 2, 0.45),
+            (EffectKind::BaseTilt, 1, 0.8),
+        ];
+        assert_eq!(named, expected);
+    }
+
+    /// Two clear causes and a third that is one of three: the third slot's likeliest is 0.4.
+    #[test]
+    fn the_least_clear_slot_is_seen() {
+        let cause = |slot, posterior| Cause { slot, ..Cause::of(EffectKind::JointOffset, posterior) };
+        let causes = [cause(1, 1.0), cause(2, 0.99), cause(3, 0.4), cause(3, 0.35), cause(3, 0.25)];
+        assert_eq!(likeliest_of_slots(&causes).collect::<Vec<_>>(), [1.0, 0.99, 0.4]);
+    }
 
     #[test]
     fn what_is_named_is_not_ruled_out_in_another_place() {

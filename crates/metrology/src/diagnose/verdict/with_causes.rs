@@ -2,8 +2,9 @@
 
 use super::cause_group::{CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, scan};
 use super::judgement::Judgement;
-use super::listing::{listed, rejected};
+use super::listing::{likeliest_of_slots, listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
+use super::pair_rivals::{join_pairs, pair_rivals};
 use super::size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
 use super::structure::{
     MANY_CAUSES, SMALL_BESIDE, alternative_share, gp_alternative_share, left_over_m, likeliest_structure,
@@ -39,8 +40,9 @@ pub fn with_causes(
     for slot in 0..chosen.len() {
         found.add_slot(fitted, chosen, slot);
     }
-    let has_scale = found.causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
     let causes = listed(std::mem::take(&mut found.causes));
+    let has_scale = causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
+    let has_open_slot = likeliest_of_slots(&causes).any(|posterior| posterior < LIKELIER_THAN_NOT);
     let alternatives = rejected(std::mem::take(&mut found.alternatives), &causes);
     let moved_m = moved_m(fitted, chosen);
     let of_causes = Location {
@@ -59,7 +61,7 @@ pub fn with_causes(
     let Decision { verdict, reason, location } = outcome.unwrap_or_else(|| {
         let (verdict, reason) = if causes.is_empty() {
             (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
-        } else if found.clear < found.needed.min(2) || has_scale {
+        } else if found.clear < found.needed.min(2) || has_scale || has_open_slot {
             (Verdict::Ambiguous, format!("these data leave a choice: {}", in_short(&causes)))
         } else if found.needed > 1 {
             (Verdict::Several, format!("{} causes, each needed: {}", found.needed, in_short(&causes)))
@@ -114,6 +116,9 @@ impl CausesFound {
         let candidates = fitted.workspace.library.candidates;
         if chosen.len() > MANY_CAUSES && candidates[chosen[i].candidate].variant.n.is_some() {
             let line = line_among_many(fitted, chosen, i);
+            if line.posterior < LIKELIER_THAN_NOT {
+                return;
+            }
             self.causes.push(Cause { slot: i + 1, ..line });
             self.needed += 1;
             self.clear += 1;
@@ -123,6 +128,8 @@ impl CausesFound {
         let mut cause_groups = cause_groups(&fitted.workspace, &ranking);
         join_nested(&fitted.workspace, &mut cause_groups);
         doubt_shapes(&fitted.workspace, &mut cause_groups);
+        let pairs = pair_rivals(fitted, chosen, i, &cause_groups);
+        join_pairs(&fitted.workspace, &mut cause_groups, &pairs);
         let Some(first) = cause_groups.first() else { return };
         let near = credible(&cause_groups);
         let nothing =
