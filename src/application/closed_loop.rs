@@ -6,7 +6,7 @@ use super::diagnosis::Diagnosis;
 use super::named::Named;
 use super::program_files::ProgramFiles;
 use exam::generate::{DataSet, data_set};
-use exam::recipe::Recipe;
+use exam::recipe::{Recipe, RequestedEffect};
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot, is_lasting, measured_rms_m};
 use metrology::diagnose::{self, DiagnosisOptions};
@@ -57,7 +57,9 @@ impl ClosedLoop {
 
     fn identify(&self, rng: &mut Rng) -> Result<Identification, Diagnostic> {
         let robot = &self.robot.model;
-        if let Some((effect, _)) = self.recipe.effects.iter().find(|(effect, _)| !is_lasting(effect)) {
+        if let Some(RequestedEffect { effect, .. }) =
+            self.recipe.effects.iter().find(|asked| !is_lasting(&asked.effect))
+        {
             let name = effect.name().unwrap_or("this effect");
             return Err(Diagnostic::error(
                 "rehearse::effect",

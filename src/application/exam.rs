@@ -4,7 +4,7 @@ use super::diagnosis::{Diagnosis, DiagnosisError};
 use exam::answer::Answer;
 use exam::generate::Task;
 use exam::measure::Measure;
-use exam::score::score;
+use exam::score::{AnsweredSet, score};
 use exam::truth::{Sealed, Truth, seal};
 use metrology::diagnose::DiagnosisOptions;
 use metrology::measure::Measurements;
@@ -82,8 +82,10 @@ impl Exam {
     /// # Errors
     /// [`ExamError`]
     pub fn run(&self) -> Result<Scored, ExamError> {
-        let answer = |(truth, question): &(Truth, Question)| Ok((truth.clone(), question.answer()?));
-        let answered: Vec<(Truth, Answer)> =
+        let answer = |(truth, question): &(Truth, Question)| {
+            Ok(AnsweredSet { truth: truth.clone(), answer: question.answer()? })
+        };
+        let answered: Vec<AnsweredSet> =
             self.sets.par_iter().map(answer).collect::<Result<_, ExamError>>()?;
         Ok(Scored { measures: score(&answered), answered })
     }
@@ -106,7 +108,7 @@ pub struct Scored {
     /// Every measure with its value, and what passes.
     pub measures: Vec<Measure>,
     /// Each set's truth and answer.
-    pub answered: Vec<(Truth, Answer)>,
+    pub answered: Vec<AnsweredSet>,
 }
 
 impl Scored {
@@ -123,7 +125,7 @@ impl Scored {
     /// Table, truths and answers as `driftpost exam --json` writes them.
     #[must_use]
     pub fn json(&self) -> String {
-        let set = |(truth, answer): &(Truth, Answer)| serde_json::json!({ "truth": truth, "answer": answer });
+        let set = |set: &AnsweredSet| serde_json::json!({ "truth": set.truth, "answer": set.answer });
         let sets: Vec<_> = self.answered.iter().map(set).collect();
         format!("{:#}\n", serde_json::json!({ "measures": self.measures, "sets": sets }))
     }

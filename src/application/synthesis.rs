@@ -4,7 +4,7 @@ use exam::effect_spec::{self, EffectSpecError};
 use exam::generate::{DataSet, data_set};
 use exam::mixture;
 use exam::poses::{Recorded, Spread};
-use exam::recipe::Recipe;
+use exam::recipe::{Recipe, RequestedEffect};
 use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
 use exam::truth::{QuestionKind, Sealed, seal};
@@ -115,11 +115,11 @@ impl ChosenEffects {
         for text in self.effects.split(',').filter(|text| *text != "none") {
             let effect = effect_spec::parse(text, rng)
                 .map_err(|error| SynthesisError::Effect { text: text.to_owned(), error })?;
-            effects.push((effect, self.rho));
+            effects.push(RequestedEffect { effect, rho: self.rho });
         }
         let kind = match effects.as_slice() {
             [] => QuestionKind::None,
-            [(effect, _)] if effect.name().is_none() => QuestionKind::Outside,
+            [asked] if asked.effect.name().is_none() => QuestionKind::Outside,
             [_] => QuestionKind::One,
             _ => QuestionKind::Two,
         };

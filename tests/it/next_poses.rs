@@ -90,7 +90,7 @@ fn proposed(next: &[NextMeasurement], times: usize) -> Vec<CommandedRow> {
 
 /// As many all over the reach, as the exam's own sets are drawn.
 fn random(robot: &SerialArm, seed: u64, recipe: &Recipe, rows: usize) -> Vec<CommandedRow> {
-    let arm = exam::arm::Arm::new(robot);
+    let arm = exam::arm::ScrewArm::new(robot);
     let run = RunSpec {
         spread: Spread::Wide,
         n: rows,

@@ -4,12 +4,12 @@
 //!
 //! `cargo test --release --test it oracle:: -- --ignored --nocapture` prints the figures that stand in docs/EXAM.md.
 
-use exam::arm::{Arm, Disturbance};
-use exam::effect::{ArmState, Effect};
+use exam::arm::{Disturbance, ScrewArm};
+use exam::effect::{ArmState, Effect, SizedEffect};
 use exam::generate::data_set;
 use exam::mixture::weak_recipe;
 use exam::poses::{RunSpec, states};
-use exam::recipe::Recipe;
+use exam::recipe::{Recipe, RequestedEffect};
 use exam::rng::Rng;
 use nalgebra::{DMatrix, DVector, Isometry3, Point3, Vector3};
 use robot_model::robot::SerialArm;
@@ -31,7 +31,7 @@ pub(super) const SCALES: [(f64, f64); 6] =
 
 /// A measurement run, and how a disturbance shows in it, in units of the noise.
 pub(super) struct Reading {
-    arm: Arm,
+    arm: ScrewArm,
     tool_m: Vector3<f64>,
     states: Vec<ArmState>,
     flanges: Vec<Isometry3<f64>>,
@@ -64,7 +64,7 @@ impl Reading {
 
     pub(super) fn effect(&self, effect: Effect) -> DVector<f64> {
         let step = 1e-3 * effect.usual()[0];
-        self.column(step, |now, to| effect.disturb(&self.arm, step, now, to))
+        self.column(step, |now, to| to.add(SizedEffect { effect, amplitude: step }, &self.arm, now))
     }
 
     /// Base, target and, where orientation is measured, its target: what the registration takes.
@@ -209,7 +209,7 @@ pub(super) fn question(
     number: u64,
     recipe: impl Fn(usize, &mut Rng) -> Option<Recipe>,
 ) -> Option<(Recipe, Reading)> {
-    let arm = Arm::new(robot);
+    let arm = ScrewArm::new(robot);
     let (mut rng, mut robot_under_test) = (Rng::new(seed, number), Rng::new(seed, number));
     loop {
         let drawn = recipe(number as usize, &mut rng);
@@ -284,7 +284,7 @@ fn what_could_be_known_of_weak_effects() {
     for number in 0..SETS {
         let weak = |number, rng: &mut Rng| Some(weak_recipe(number, rng));
         let (recipe, seen) = question(&robot, SEED, number, weak).unwrap();
-        let (truth, rho) = recipe.effects[0];
+        let RequestedEffect { effect: truth, rho } = recipe.effects[0];
         let registration = seen.registration();
         let point_columns: Vec<DVector<f64>> = registration.iter().map(|c| points(c, seen.rows())).collect();
         let flat = basis(&point_columns.into_iter().filter(|c| c.norm() > 1e-12).collect::<Vec<_>>());

@@ -7,7 +7,7 @@
 use super::oracle::{Reading, SCALES, basis, log_sum, points, question};
 use exam::effect::Effect;
 use exam::mixture::recipe;
-use exam::recipe::Recipe;
+use exam::recipe::{Recipe, RequestedEffect};
 use exam::rng::Rng;
 use exam::truth::QuestionKind;
 use nalgebra::{DMatrix, DVector};
@@ -247,8 +247,8 @@ fn answered(recipe: &Recipe, seen: &Reading, number: u64) -> Vec<(bool, bool)> {
     let mut families = Families { seen, flat, taken: basis(&registration), all: Vec::new() };
     families.fill(recipe.n);
     // The true holding torque among those tried.
-    let plays = recipe.effects.iter().filter(|(effect, _)| matches!(effect, Effect::Backlash { .. }));
-    plays.for_each(|(effect, _)| families.add(1.0 / 18.0 / 6.0 / HOLDS as f64, &[*effect]));
+    let plays = recipe.effects.iter().filter(|asked| matches!(asked.effect, Effect::Backlash { .. }));
+    plays.for_each(|asked| families.add(1.0 / 18.0 / 6.0 / HOLDS as f64, &[asked.effect]));
     let project = |m: &DMatrix<f64>| m - &families.taken * (families.taken.transpose() * m);
     let geometry = project(&DMatrix::from_columns(&seen.geometry()));
     let samples = samples(&mut Rng::new(778, number));
@@ -260,13 +260,13 @@ fn answered(recipe: &Recipe, seen: &Reading, number: u64) -> Vec<(bool, bool)> {
                 &geometry * DVector::from_fn(geometry.ncols(), |_, _| recipe.geometry * rng.normal());
             let (mut first, mut in_set) = (true, true);
             for k in 0..2 {
-                let (truth, rho) = recipe.effects[k];
+                let RequestedEffect { effect: truth, rho } = recipe.effects[k];
                 let column = seen.effect(truth);
                 let at_points = points(&column, seen.rows());
                 let left = at_points.norm_squared() - (families.flat.transpose() * &at_points).norm_squared();
                 let signal = column * (rho / (left / (at_points.len() as f64 - 9.0)).sqrt());
                 let y = project(&DMatrix::from_columns(&[signal + &noise + &background]));
-                let told = recipe.effects[1 - k].0.name().unwrap();
+                let told = recipe.effects[1 - k].effect.name().unwrap();
                 let names = ranked(&families.all, &geometry, &y.column(0).into_owned(), told, &samples);
                 let before = names.iter().scan(0.0, |sum, (p, _)| Some(std::mem::replace(sum, *sum + p)));
                 let set = names.iter().zip(before).take_while(|(_, before)| *before < CREDIBLE);

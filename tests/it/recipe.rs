@@ -2,7 +2,7 @@
 
 use exam::effect::Effect;
 use exam::poses::{Recorded, Spread};
-use exam::recipe::Recipe;
+use exam::recipe::{Recipe, RequestedEffect};
 use exam::truth::QuestionKind;
 
 /// `n` noted rows all over the arm's space with `effects` (each with its size over the noise's), white noise of 0.02 mm that is told,
@@ -11,7 +11,7 @@ pub fn planted(effects: Vec<(Effect, f64)>, n: usize) -> Recipe {
     Recipe {
         name: "planted".into(),
         kind: if effects.is_empty() { QuestionKind::None } else { QuestionKind::One },
-        effects,
+        effects: effects.into_iter().map(|(effect, rho)| RequestedEffect { effect, rho }).collect(),
         n,
         repeats: 0,
         sigma_mm: 0.02,

@@ -29,7 +29,7 @@ struct Mass {
 
 /// The arm at its zero pose.
 #[derive(Clone, Debug)]
-pub struct Arm {
+pub struct ScrewArm {
     screws: Vec<Screw>,
     home: Isometry3<f64>,
     masses: Vec<Mass>,
@@ -84,7 +84,7 @@ impl Screw {
     }
 }
 
-impl Arm {
+impl ScrewArm {
     /// The arm of a robot file, with its links' masses where the file has them.
     #[must_use]
     pub fn new(robot: &SerialArm) -> Self {
@@ -213,8 +213,8 @@ impl Arm {
 mod tests {
     use super::*;
 
-    fn irb140() -> Arm {
-        Arm::new(&SerialArm::built_in("irb140").unwrap())
+    fn irb140() -> ScrewArm {
+        ScrewArm::new(&SerialArm::built_in("irb140").unwrap())
     }
 
     #[test]
@@ -230,13 +230,13 @@ mod tests {
     fn a_scara_stands_where_its_two_links_and_its_spindle_put_it() {
         let arm = SerialArm::from_toml(include_str!("../../../fixtures/robots/scara.toml")).unwrap();
         let [q1, q2, z_m]: [f64; 3] = [0.5, -1.1, -0.08];
-        let flange = Arm::new(&arm).flange(&[q1, q2, z_m, 0.7], &Disturbance::default());
+        let flange = ScrewArm::new(&arm).flange(&[q1, q2, z_m, 0.7], &Disturbance::default());
         let x = 0.325 * q1.cos() + 0.275 * (q1 + q2).cos();
         let y = 0.325 * q1.sin() + 0.275 * (q1 + q2).sin();
         let off = flange.translation.vector - Vector3::new(x, y, 0.34 + z_m - 0.02);
         assert!(off.norm() < 1e-15, "{off}");
         // The weight of spindle and payload along it: 1.5, 0.5 and 2 kg, downward.
-        let force = Arm::new(&arm).gravity_torque_n_m(&[q1, q2, z_m, 0.7], 2.0, &Point3::origin())[2];
+        let force = ScrewArm::new(&arm).gravity_torque_n_m(&[q1, q2, z_m, 0.7], 2.0, &Point3::origin())[2];
         assert!((force + 4.0 * GRAVITY_M_S2).abs() < 1e-6, "{force}");
     }
 

@@ -1,7 +1,9 @@
 //! The measurement file of a run: rows as an instrument in a place of its own records them.
+//!
+//! Writes what stands and what is at work; knows nothing of how either was drawn.
 
 use super::arm::Disturbance;
-use super::effect::{Effect, RowFault};
+use super::effect::{Effect, RowFault, SizedEffect};
 use super::recipe::Recipe;
 use super::rng::Rng;
 use super::run::MeasuredRun;
@@ -14,102 +16,169 @@ const RADIANS: usize = 2;
 /// The beam is lost for one in so many rows.
 const FROZEN: usize = 8;
 const MM_PER_INCH: f64 = 25.4;
+/// Temperature of the air and of joints at cold start, degrees Celsius, and the scatter of a thermometer, K.
+const COLD_C: f64 = 21.0;
+const THERMOMETER_K: f64 = 0.1;
 
-/// The measurement file of a run whose points are off by `off_m`: what is recorded, in the order of the rows. Those past the
-/// recipe's number draw from the second stream.
-pub(super) fn csv(
-    run: &MeasuredRun<'_>,
-    recipe: &Recipe,
-    poses: &[usize],
-    effects: &[(Effect, f64)],
-    background: &Disturbance,
-    off_m: &[Vector3<f64>],
-    [rng, later]: [&mut Rng; 2],
-) -> String {
-    let recorded = recipe.recorded;
-    let turn = Vector3::new(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), rng.uniform(-3.0, 3.0));
-    let instrument_from_base = Isometry3::new(
-        Vector3::new(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(-1.0, 1.0)),
-        turn,
-    );
-    let reflector = UnitQuaternion::from_scaled_axis(Vector3::from(rng.normal3()));
-    let has = |wanted: fn(&Effect) -> bool| effects.iter().any(|(e, _)| wanted(e));
-    let rounded = has(|e| matches!(e, Effect::JointRounding));
-    let swapped = has(|e| matches!(e, Effect::SwappedAxes));
-    // Writing to a String cannot fail.
-    let mut out = String::from("id,pose_id");
-    if recorded.time {
-        out += ",t_min";
-    }
-    let joints = run.arm.joints();
-    for j in 0..joints {
-        let unit = if run.arm.slides(j) { "mm" } else { "deg" };
-        let _ = write!(out, ",q{}_{unit}", j + 1);
-    }
-    out += ",x_mm,y_mm,z_mm";
-    if recorded.orientation {
-        out += ",qw,qx,qy,qz";
-    }
-    if recorded.direction {
-        for joint in 1..=joints {
-            let _ = write!(out, ",dir{joint}");
+/// A run with all that its file is made of.
+pub(super) struct RunRecord<'a> {
+    pub run: &'a MeasuredRun<'a>,
+    pub recipe: &'a Recipe,
+    /// Number of each row's pose.
+    pub poses: &'a [usize],
+    pub effects: &'a [SizedEffect],
+    pub background: &'a Disturbance,
+    /// How far each point is off its nominal place, noise included, metres.
+    pub off_m: &'a [Vector3<f64>],
+}
+
+/// Where an instrument stands, and how its reflector is mounted.
+struct Instrument {
+    instrument_from_base: Isometry3<f64>,
+    flange_from_reflector: UnitQuaternion<f64>,
+}
+
+impl Instrument {
+    fn draw(rng: &mut Rng) -> Self {
+        let turn = Vector3::new(rng.uniform(-0.3, 0.3), rng.uniform(-0.3, 0.3), rng.uniform(-3.0, 3.0));
+        let at_m = Vector3::new(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(-1.0, 1.0));
+        Self {
+            instrument_from_base: Isometry3::new(at_m, turn),
+            flange_from_reflector: UnitQuaternion::from_scaled_axis(Vector3::from(rng.normal3())),
         }
     }
-    if recorded.payload {
-        out += ",payload_kg";
-    }
-    if recorded.temperature {
-        for joint in 1..=joints {
-            let _ = write!(out, ",temp_j{joint}_c");
+}
+
+/// What goes wrong when the file is put together.
+struct FileFaults {
+    rounded: bool,
+    swapped: bool,
+    /// A fault of rows, with the first row that has it.
+    of_rows: Option<(RowFault, usize)>,
+}
+
+impl FileFaults {
+    fn of(effects: &[SizedEffect], rows: usize) -> Self {
+        let has = |wanted: fn(&Effect) -> bool| effects.iter().any(|sized| wanted(&sized.effect));
+        Self {
+            rounded: has(|e| matches!(e, Effect::JointRounding)),
+            swapped: has(|e| matches!(e, Effect::SwappedAxes)),
+            of_rows: effects.iter().find_map(|sized| match sized.effect {
+                Effect::RowFault { fault, from } => Some((fault, (from * rows as f64) as usize)),
+                _ => None,
+            }),
         }
-        out += ",temp_air_c";
     }
-    out.push('\n');
-    let points: Vec<Point3<f64>> = (0..run.states.len())
-        .map(|k| instrument_from_base * Point3::from(run.nominal_m[k] + off_m[k]))
-        .collect();
-    let fault = effects.iter().find_map(|(effect, _)| match effect {
-        Effect::RowFault { fault, from } => Some((*fault, (from * points.len() as f64) as usize)),
-        _ => None,
-    });
-    for ((k, now), pose) in run.states.iter().enumerate().zip(poses) {
-        let rng = if k < recipe.n { &mut *rng } else { &mut *later };
-        // writing to a String cannot fail
-        let _ = write!(out, "{k},{pose}");
+
+    fn is(&self, wanted: RowFault) -> bool {
+        self.of_rows.is_some_and(|(fault, _)| fault == wanted)
+    }
+
+    /// The row whose point stands in row `k` of `rows`.
+    fn point_of(&self, k: usize, rows: usize) -> usize {
+        match self.of_rows {
+            Some((RowFault::Frozen, from)) if (from..from + rows / FROZEN).contains(&k) => from,
+            Some((RowFault::OneLate, from)) if k > from => k - 1,
+            _ => k,
+        }
+    }
+
+    /// The cells of a point in row `k`.
+    fn coordinates(&self, k: usize, point_m: &Point3<f64>) -> [f64; 3] {
+        let [mut x, y, z] = match self.of_rows {
+            Some((RowFault::Metres, from)) if k >= from => [point_m.x, point_m.y, point_m.z],
+            _ => [point_m.x, point_m.y, point_m.z].map(mm_from_m),
+        };
+        if self.is(RowFault::Inches) {
+            x /= MM_PER_INCH;
+        }
+        if self.swapped { [y, x, z] } else { [x, y, z] }
+    }
+}
+
+impl RunRecord<'_> {
+    /// The text of the file, in the order of the rows. Those past the recipe's number draw from `later`.
+    pub(super) fn csv(&self, rng: &mut Rng, later: &mut Rng) -> String {
+        let instrument = Instrument::draw(rng);
+        let faults = FileFaults::of(self.effects, self.run.states.len());
+        let seen =
+            |k: usize| instrument.instrument_from_base * Point3::from(self.run.nominal_m[k] + self.off_m[k]);
+        let points: Vec<Point3<f64>> = (0..self.run.states.len()).map(seen).collect();
+        let mut out = self.header();
+        for (k, pose) in (0..self.run.states.len()).zip(self.poses) {
+            let rng = if k < self.recipe.n { &mut *rng } else { &mut *later };
+            // writing to a String cannot fail
+            let _ = write!(out, "{k},{pose}");
+            out += &self.arm_cells(k, &faults);
+            let point_m = &points[faults.point_of(k, points.len())];
+            let [x, y, z] = faults.coordinates(k, point_m);
+            let _ = write!(out, ",{x:.4},{y:.4},{z:.4}");
+            out += &self.optional_cells(k, &instrument, rng);
+            out.push('\n');
+        }
+        out
+    }
+
+    fn header(&self) -> String {
+        let recorded = self.recipe.recorded;
+        let joints = self.run.arm.joints();
+        let mut names = vec!["id".to_owned(), "pose_id".to_owned()];
         if recorded.time {
+            names.push("t_min".to_owned());
+        }
+        names.extend((0..joints).map(|j| {
+            let unit = if self.run.arm.slides(j) { "mm" } else { "deg" };
+            format!("q{}_{unit}", j + 1)
+        }));
+        names.extend(["x_mm", "y_mm", "z_mm"].map(str::to_owned));
+        if recorded.orientation {
+            names.extend(["qw", "qx", "qy", "qz"].map(str::to_owned));
+        }
+        if recorded.direction {
+            names.extend((1..=joints).map(|joint| format!("dir{joint}")));
+        }
+        if recorded.payload {
+            names.push("payload_kg".to_owned());
+        }
+        if recorded.temperature {
+            names.extend((1..=joints).map(|joint| format!("temp_j{joint}_c")));
+            names.push("temp_air_c".to_owned());
+        }
+        names.join(",") + "\n"
+    }
+
+    /// The time and the joints of row `k`.
+    fn arm_cells(&self, k: usize, faults: &FileFaults) -> String {
+        let now = &self.run.states[k];
+        let mut out = String::new();
+        if self.recipe.recorded.time {
             let _ = write!(out, ",{:.2}", now.t_min);
         }
         for (j, q) in now.q_rad.into_iter().enumerate() {
-            let in_radians = j == RADIANS && fault.is_some_and(|(fault, _)| fault == RowFault::Radians);
-            let deg = match run.arm.slides(j) {
+            let in_radians = j == RADIANS && faults.is(RowFault::Radians);
+            let cell = match self.run.arm.slides(j) {
                 true => mm_from_m(q),
                 false if in_radians => q,
                 false => deg_from_rad(q),
             };
-            let _ = if rounded { write!(out, ",{deg:.1}") } else { write!(out, ",{deg:.6}") };
+            let _ = if faults.rounded { write!(out, ",{cell:.1}") } else { write!(out, ",{cell:.6}") };
         }
-        let p = points[match fault {
-            Some((RowFault::Frozen, from)) if (from..from + points.len() / FROZEN).contains(&k) => from,
-            Some((RowFault::OneLate, from)) if k > from => k - 1,
-            _ => k,
-        }];
-        let [mut x, y, z] = match fault {
-            Some((RowFault::Metres, from)) if k >= from => [p.x, p.y, p.z],
-            _ => [p.x, p.y, p.z].map(mm_from_m),
-        };
-        if fault.is_some_and(|(fault, _)| fault == RowFault::Inches) {
-            x /= MM_PER_INCH;
-        }
-        let _ =
-            if swapped { write!(out, ",{y:.4},{x:.4},{z:.4}") } else { write!(out, ",{x:.4},{y:.4},{z:.4}") };
+        out
+    }
+
+    /// What is recorded of row `k` beside joints and point.
+    fn optional_cells(&self, k: usize, instrument: &Instrument, rng: &mut Rng) -> String {
+        let recorded = self.recipe.recorded;
+        let now = &self.run.states[k];
+        let mut out = String::new();
         if recorded.orientation {
             // an orientation from three reflectors 0.1 m apart is as good as the points over that distance
-            let blur = Vector3::from(rng.normal3()) * (m_from_mm(recipe.sigma_mm) / 0.1);
-            let flange = run.flange(k, effects, background).0;
+            let blur = Vector3::from(rng.normal3()) * (m_from_mm(self.recipe.sigma_mm) / 0.1);
+            let flange = self.run.flange(k, &self.run.disturbance(k, self.effects, self.background));
             let r = UnitQuaternion::from_scaled_axis(blur)
-                * instrument_from_base.rotation
+                * instrument.instrument_from_base.rotation
                 * flange.rotation
-                * reflector;
+                * instrument.flange_from_reflector;
             let _ = write!(out, ",{:.8},{:.8},{:.8},{:.8}", r.w, r.i, r.j, r.k);
         }
         if recorded.direction {
@@ -122,11 +191,10 @@ pub(super) fn csv(
         }
         if recorded.temperature {
             for warmer in now.warmer_k {
-                let _ = write!(out, ",{:.2}", 21.0 + warmer + 0.1 * rng.normal());
+                let _ = write!(out, ",{:.2}", COLD_C + warmer + THERMOMETER_K * rng.normal());
             }
-            let _ = write!(out, ",{:.2}", 21.0 + 0.1 * rng.normal());
+            let _ = write!(out, ",{:.2}", COLD_C + THERMOMETER_K * rng.normal());
         }
-        out.push('\n');
+        out
     }
-    out
 }

@@ -1,19 +1,11 @@
 //! What can disturb the virtual robot: the effects of the library, and some that no library has.
 //!
-//! Each effect adds to a [`Disturbance`] in proportion to one amplitude, so that a data set can be given an
-//! effect of any size relative to its noise.
+//! Knows names, units and usual sizes; what an effect does to the arm stands in `disturb`.
 
-use super::arm::{Arm, Disturbance};
 use super::smooth::{MovedPart, SmoothFunction};
 use nalgebra::{Point3, Vector3};
-use robot_model::robot::{Joints, MOST_JOINTS};
-use robot_model::units::h_from_min;
+use robot_model::robot::Joints;
 use serde::{Deserialize, Serialize};
-
-/// Compliance of an ordinary small arm's joints, through which a wrong payload acts, rad/(N·m).
-const USUAL_COMPLIANCE_RAD_N_M: [f64; MOST_JOINTS] = [4e-6, 6e-6, 8e-6, 50e-6, 60e-6, 80e-6, 80e-6];
-/// The same of a joint that slides, m/N.
-const USUAL_COMPLIANCE_M_N: f64 = 2e-8;
 
 /// Where the robot is and how it came there.
 #[derive(Clone, Copy, Debug)]
@@ -158,8 +150,17 @@ pub enum RowFault {
 }
 
 impl RowFault {
-    /// Every one.
+    /// Every fault, in the order in which an exam draws them.
     pub const ALL: [Self; 5] = [Self::Metres, Self::Frozen, Self::OneLate, Self::Radians, Self::Inches];
+}
+
+/// An effect with its size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SizedEffect {
+    /// What is at work.
+    pub effect: Effect,
+    /// How large it is, in the effect's own SI unit.
+    pub amplitude: f64,
 }
 
 /// A column that an effect cannot be seen without.
@@ -172,13 +173,6 @@ pub enum Channel {
     Direction,
     /// Payload as declared: `payload_kg`.
     Payload,
-}
-
-/// Shift and turn of a rigid direction: metres to a metre's worth, radians to a radian's; the turn is scaled
-/// so that both are alike at half a metre's distance.
-fn rigid(direction: &[f64; 6], amplitude: f64) -> (Vector3<f64>, Vector3<f64>) {
-    let [x, y, z, a, b, c] = *direction;
-    (Vector3::new(x, y, z) * amplitude, Vector3::new(a, b, c) * (2.0 * amplitude))
 }
 
 impl Effect {
@@ -334,126 +328,6 @@ impl Effect {
             // Hoses of a wrist, and functions drawn for six joints.
             Self::CablePull { .. } | Self::SmoothFunction(_) => joints == 6,
             _ => true,
-        }
-    }
-
-    /// Adds the effect to what disturbs the arm at one moment. `amplitude` is in the effect's own SI unit.
-    pub fn disturb(&self, arm: &Arm, amplitude: f64, now: &ArmState, to: &mut Disturbance) {
-        let q = |joint: usize| now.q_rad[joint - 1];
-        match *self {
-            Self::JointOffset { joint } => to.joint_rad[joint - 1] += amplitude,
-            Self::LinkGeometry { joint, direction } => {
-                let (shift, turn) = rigid(&direction, amplitude);
-                // link i follows joint i: its error is in the seat of the joint after it
-                to.seat_m[joint] += shift;
-                to.seat_rad[joint] += turn;
-            }
-            Self::JointCompliance { joint } => {
-                to.joint_rad[joint - 1] += amplitude * now.torque_n_m[joint - 1];
-            }
-            Self::LinkBending { joint } => {
-                // link i ends at joint i + 1 and bends under the moment there, about its own cross axes
-                let end = joint;
-                let moment = arm.moment_n_m(end, &now.q_rad, now.payload_kg, &now.payload_at_m);
-                let along = arm.link_m(joint - 1).normalize();
-                let turn = (moment - along * moment.dot(&along)) * amplitude;
-                to.seat_rad[end] += turn;
-                to.seat_m[end] += turn.cross(&arm.link_m(joint - 1)) * (2.0 / 3.0);
-            }
-            Self::BaseTilt => {
-                let moment = arm.moment_n_m(0, &now.q_rad, now.payload_kg, &now.payload_at_m);
-                to.base_rad += Vector3::new(moment.x, moment.y, 0.0) * amplitude;
-            }
-            Self::GearEccentricity { joint, phase_rad } => {
-                to.joint_rad[joint - 1] += amplitude * (q(joint) + phase_rad).sin();
-            }
-            Self::GearSecondHarmonic { joint, phase_rad } => {
-                to.joint_rad[joint - 1] += amplitude * (2.0 * q(joint) + phase_rad).sin();
-            }
-            Self::GearMesh { joint, n, phase_rad } => {
-                to.joint_rad[joint - 1] += amplitude * (f64::from(n) * q(joint) + phase_rad).sin();
-            }
-            Self::JointGain { joint } => to.joint_rad[joint - 1] += amplitude * q(joint),
-            Self::JointCoupling { joint, joint_b } => to.joint_rad[joint_b - 1] += amplitude * q(joint),
-            Self::Backlash { joint, holding_n_m } => {
-                // the play lies against the stop it was driven to, unless gravity pulls it over to the other
-                let torque = now.torque_n_m[joint - 1];
-                let side = if torque.abs() > holding_n_m {
-                    torque.signum()
-                } else {
-                    -f64::from(now.direction[joint - 1])
-                };
-                to.joint_rad[joint - 1] += 0.5 * amplitude * side;
-            }
-            Self::ThermalLinkGrowth { joint } => {
-                let growth = arm.link_m(joint - 1) * (amplitude * now.warmer_k[joint - 1]);
-                to.seat_m[joint.min(arm.joints())] += growth;
-            }
-            Self::ThermalJointDrift { joint } => {
-                to.joint_rad[joint - 1] += amplitude * now.warmer_k[joint - 1] / 10.0;
-            }
-            Self::BaseDrift { direction } => {
-                let (shift, turn) = rigid(&direction, amplitude * h_from_min(now.t_min));
-                to.base_m += shift;
-                to.base_rad += turn;
-            }
-            Self::BaseStep { t0_min, direction } if now.t_min >= t0_min => {
-                let (shift, turn) = rigid(&direction, amplitude);
-                to.base_m += shift;
-                to.base_rad += turn;
-            }
-            Self::ToolDrift { direction } => {
-                let (shift, turn) = rigid(&direction, amplitude * h_from_min(now.t_min));
-                to.seat_m[arm.joints()] += shift;
-                to.seat_rad[arm.joints()] += turn;
-            }
-            Self::ToolStep { t0_min, direction } if now.t_min >= t0_min => {
-                let (shift, turn) = rigid(&direction, amplitude);
-                to.seat_m[arm.joints()] += shift;
-                to.seat_rad[arm.joints()] += turn;
-            }
-            // a resolver that was knocked, a belt that skipped a tooth
-            Self::JointStep { joint, t0_min } if now.t_min >= t0_min => to.joint_rad[joint - 1] += amplitude,
-            Self::InstrumentScale => to.instrument_scale += amplitude,
-            Self::PayloadMass => {
-                let with = arm.gravity_torque_n_m(&now.q_rad, now.payload_kg + amplitude, &now.payload_at_m);
-                for (i, torque) in with.iter().enumerate() {
-                    let gives =
-                        if arm.slides(i) { USUAL_COMPLIANCE_M_N } else { USUAL_COMPLIANCE_RAD_N_M[i] };
-                    to.joint_rad[i] += gives * (torque - now.torque_n_m[i]);
-                }
-            }
-            Self::SquareWave { joint, n, phase_rad } => {
-                to.joint_rad[joint - 1] += amplitude * (f64::from(n) * q(joint) + phase_rad).sin().signum();
-            }
-            Self::CablePull { direction } => {
-                let pull = (q(4) + q(6)).tanh() * (1.0 + (1.3 * q(5)).cos());
-                to.seat_m[5] += Vector3::from(direction) * (amplitude * pull);
-            }
-            Self::LocalBump { center_m, radius_m, direction } => {
-                let away = (now.point_m - Vector3::from(center_m)).norm() / radius_m;
-                to.point_m += Vector3::from(direction) * (amplitude * (-0.5 * away * away).exp());
-            }
-            Self::SmoothFunction(function) => {
-                let value = |component| {
-                    amplitude * function.value(component, &now.q_rad, &now.point_m.into(), now.t_min)
-                };
-                let shift = || Vector3::new(value(0), value(1), value(2));
-                match function.moves {
-                    MovedPart::Joint(joint) => to.joint_rad[joint - 1] += value(0),
-                    MovedPart::Point => to.point_m += shift(),
-                    MovedPart::Target => to.seat_m[arm.joints()] += shift(),
-                }
-            }
-            Self::CrossTerm { joint, a, b } => {
-                to.joint_rad[joint - 1] += amplitude * (2.0 * q(a)).sin() * (1.5 * q(b)).cos();
-            }
-            Self::BaseStep { .. }
-            | Self::ToolStep { .. }
-            | Self::JointStep { .. }
-            | Self::JointRounding
-            | Self::SwappedAxes
-            | Self::RowFault { .. } => {}
         }
     }
 }

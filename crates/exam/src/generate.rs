@@ -1,11 +1,11 @@
 //! One data set: a virtual robot that is measured while its effects are at work.
 
-use super::arm::{Arm, Disturbance};
-use super::csv::csv;
-use super::effect::{ArmState, Effect};
+use super::arm::{Disturbance, ScrewArm};
+use super::csv::RunRecord;
+use super::effect::{ArmState, Effect, SizedEffect};
 use super::outside;
 use super::poses::{CommandedRow, MoreRows, RunSpec, elsewhere, states_and_more, states_of};
-use super::recipe::Recipe;
+use super::recipe::{Recipe, RequestedEffect};
 use super::rng::Rng;
 use super::run::MeasuredRun;
 use super::truth::{InjectedEffect, Truth};
@@ -14,7 +14,7 @@ use robot_model::robot::SerialArm;
 use robot_model::units::{m_from_mm, mm_from_m};
 use serde::{Deserialize, Serialize};
 
-/// What the diagnosis is told besides the measurements.
+/// What the diagnosis is given beside the measurements.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Task {
     /// A built-in robot's name.
@@ -52,7 +52,7 @@ pub fn continued_set(
     more: MoreRows<'_>,
     rng: &mut Rng,
 ) -> Option<DataSet> {
-    let arm = Arm::new(robot);
+    let arm = ScrewArm::new(robot);
     let tool_m = Vector3::new(rng.uniform(0.03, 0.12), rng.uniform(-0.08, 0.08), rng.uniform(0.05, 0.15));
     let run = RunSpec {
         spread: recipe.spread,
@@ -79,7 +79,7 @@ const OTHER_ROWS: usize = 1000;
 
 /// What is left at the rows of `run` without the effects of `truth`, over what is there with them, rms, noise with both.
 fn oracle_ratio(run: &MeasuredRun<'_>, truth: &Truth) -> f64 {
-    let effects: Vec<(Effect, f64)> = truth.effects.iter().map(|put| (put.effect, put.amplitude)).collect();
+    let effects: Vec<SizedEffect> = truth.effects.iter().map(InjectedEffect::sized).collect();
     let noise_rms_m = m_from_mm(truth.sigma_mm) * 3.0_f64.sqrt();
     let effect_rms_m = run.rms_m(&run.off_m(&effects, &Disturbance::default()));
     noise_rms_m / noise_rms_m.hypot(effect_rms_m)
@@ -97,7 +97,7 @@ pub fn planned_set(
     amplitudes: &[f64],
     rng: &mut Rng,
 ) -> Option<DataSet> {
-    let arm = Arm::new(robot);
+    let arm = ScrewArm::new(robot);
     let recipe = Recipe { n: rows.len(), ..recipe.clone() };
     let rows = RunRows {
         tool_m,
@@ -120,8 +120,9 @@ struct RunRows<'a> {
     amplitudes: Option<&'a [f64]>,
 }
 
+/// Measures the rows and says what is true of them.
 fn measured(
-    arm: &Arm,
+    arm: &ScrewArm,
     robot_name: &str,
     recipe: &Recipe,
     rows: RunRows<'_>,
@@ -130,55 +131,17 @@ fn measured(
     let RunRows { tool_m, mut states, poses, later, amplitudes } = rows;
     let more = states.split_off(recipe.n.min(states.len()));
     let mut run = MeasuredRun::new(arm, tool_m, states);
-
-    let noise_rms_m = m_from_mm(recipe.sigma_mm) * 3.0_f64.sqrt();
-    let mut injected = Vec::new();
-    let mut effects = Vec::new();
-    for (k, (effect, rho)) in recipe.effects.iter().enumerate() {
-        if !effect.fits(arm.joints()) {
-            return None;
-        }
-        let unscaled =
-            matches!(effect, Effect::JointRounding | Effect::SwappedAxes | Effect::RowFault { .. });
-        let effect = match effect {
-            Effect::SmoothFunction(function) => {
-                Effect::SmoothFunction(outside::redrawn(&run, *function, rng)?)
-            }
-            other => *other,
-        };
-        let amplitude = match amplitudes.and_then(|a| a.get(k)) {
-            Some(given) => *given,
-            None if unscaled => 1.0,
-            None => run.amplitude(effect, rho * noise_rms_m)?,
-        };
-        if amplitude > 4.0 * effect.usual()[1] {
-            return None;
-        }
-        effects.push((effect, amplitude));
-        let rms_m = run.rms_m(&run.off_m(&[(effect, amplitude)], &Disturbance::default()));
-        injected.push(InjectedEffect {
-            effect,
-            amplitude,
-            rms_mm: mm_from_m(rms_m),
-            rho: rms_m / noise_rms_m,
-        });
-    }
-    let mut background = Disturbance::default();
-    for i in 0..arm.joints() {
-        background.seat_m[i] = Vector3::from(rng.normal3()) * (1.5e-4 * recipe.geometry);
-        background.seat_rad[i] = Vector3::from(rng.normal3()) * (2.5e-4 * recipe.geometry);
-    }
-    let (mut noise_m, mut is_outlier) = noise(recipe, rng);
+    let injected = injected(&run, recipe, amplitudes, rng)?;
+    let effects: Vec<SizedEffect> = injected.iter().map(InjectedEffect::sized).collect();
+    let background = background(arm, recipe, rng);
+    let mut noise = RowNoise::draw(recipe, rng);
     let mut later = Rng::new(later, LATER);
     if !more.is_empty() {
-        let (noise, outlier) = noise(&Recipe { n: more.len(), ..recipe.clone() }, &mut later);
-        noise_m.extend(noise);
-        is_outlier.extend(outlier);
+        noise.extend(RowNoise::draw(&Recipe { n: more.len(), ..recipe.clone() }, &mut later));
         run = MeasuredRun::new(arm, tool_m, run.states.into_iter().chain(more).collect());
     }
-    let clean = run.off_m(&effects, &background);
-    let with: Vec<_> = clean.iter().zip(&noise_m).map(|(a, b)| a + b).collect();
-    let without: Vec<_> = run.off_m(&[], &background).iter().zip(&noise_m).map(|(a, b)| a + b).collect();
+    let with = noise.added_to(run.off_m(&effects, &background));
+    let without = noise.added_to(run.off_m(&[], &background));
     let truth = Truth {
         name: recipe.name.clone(),
         kind: recipe.kind,
@@ -190,11 +153,19 @@ fn measured(
         slow_noise: recipe.slowness > 0.0,
         outliers: recipe.outliers,
         geometry: recipe.geometry,
-        before_rms_mm: mm_from_m(run.sound_rms_m(&with, &is_outlier)),
-        oracle_rms_mm: mm_from_m(run.sound_rms_m(&without, &is_outlier)),
+        before_rms_mm: mm_from_m(run.sound_rms_m(&with, &noise.is_outlier)),
+        oracle_rms_mm: mm_from_m(run.sound_rms_m(&without, &noise.is_outlier)),
         oracle_ratio_elsewhere: None,
     };
-    let csv = csv(&run, recipe, &poses, &effects, &background, &with, [rng, &mut later]);
+    let record = RunRecord {
+        run: &run,
+        recipe,
+        poses: &poses,
+        effects: &effects,
+        background: &background,
+        off_m: &with,
+    };
+    let csv = record.csv(rng, &mut later);
     let stated = tool_m.map(|c| mm_from_m(c) + 0.5 * rng.normal());
     let task = Task {
         robot: robot_name.to_owned(),
@@ -204,22 +175,85 @@ fn measured(
     Some(DataSet { csv, task, truth })
 }
 
+/// The recipe's effects, as large as asked or at these `amplitudes`; `None` where one leaves no signal or is out of all proportion.
+fn injected(
+    run: &MeasuredRun<'_>,
+    recipe: &Recipe,
+    amplitudes: Option<&[f64]>,
+    rng: &mut Rng,
+) -> Option<Vec<InjectedEffect>> {
+    let noise_rms_m = m_from_mm(recipe.sigma_mm) * 3.0_f64.sqrt();
+    let mut injected = Vec::new();
+    for (k, RequestedEffect { effect, rho }) in recipe.effects.iter().enumerate() {
+        if !effect.fits(run.arm.joints()) {
+            return None;
+        }
+        let unscaled =
+            matches!(effect, Effect::JointRounding | Effect::SwappedAxes | Effect::RowFault { .. });
+        let effect = match effect {
+            Effect::SmoothFunction(function) => {
+                Effect::SmoothFunction(outside::redrawn(run, *function, rng)?)
+            }
+            other => *other,
+        };
+        let amplitude = match amplitudes.and_then(|a| a.get(k)) {
+            Some(given) => *given,
+            None if unscaled => 1.0,
+            None => run.amplitude(effect, rho * noise_rms_m)?,
+        };
+        if amplitude > 4.0 * effect.usual()[1] {
+            return None;
+        }
+        let rms_m = run.rms_m(&run.off_m(&[SizedEffect { effect, amplitude }], &Disturbance::default()));
+        let (rms_mm, rho) = (mm_from_m(rms_m), rms_m / noise_rms_m);
+        injected.push(InjectedEffect { effect, amplitude, rms_mm, rho });
+    }
+    Some(injected)
+}
+
+/// Geometry errors of all joints, in parts of the manufacturing tolerance.
+fn background(arm: &ScrewArm, recipe: &Recipe, rng: &mut Rng) -> Disturbance {
+    let mut background = Disturbance::default();
+    for i in 0..arm.joints() {
+        background.seat_m[i] = Vector3::from(rng.normal3()) * (1.5e-4 * recipe.geometry);
+        background.seat_rad[i] = Vector3::from(rng.normal3()) * (2.5e-4 * recipe.geometry);
+    }
+    background
+}
+
 /// The stream of noise in rows that are measured later.
 const LATER: u64 = 0x1a7e;
 
 /// The noise of each row, and which rows are grossly wrong.
-fn noise(recipe: &Recipe, rng: &mut Rng) -> (Vec<Vector3<f64>>, Vec<bool>) {
-    let sigma_m = m_from_mm(recipe.sigma_mm);
-    let fresh = (1.0 - recipe.slowness * recipe.slowness).sqrt();
-    let mut last = Vector3::from(rng.normal3());
-    (0..recipe.n)
-        .map(|_| {
+struct RowNoise {
+    noise_m: Vec<Vector3<f64>>,
+    is_outlier: Vec<bool>,
+}
+
+impl RowNoise {
+    fn draw(recipe: &Recipe, rng: &mut Rng) -> Self {
+        let sigma_m = m_from_mm(recipe.sigma_mm);
+        let fresh = (1.0 - recipe.slowness * recipe.slowness).sqrt();
+        let mut last = Vector3::from(rng.normal3());
+        let row = |_| {
             last = last * recipe.slowness + Vector3::from(rng.normal3()) * fresh;
             let is_outlier = rng.chance(recipe.outliers);
             let factor = if is_outlier { rng.uniform(8.0, 30.0) } else { 1.0 };
             (last * (sigma_m * factor), is_outlier)
-        })
-        .unzip()
+        };
+        let (noise_m, is_outlier) = (0..recipe.n).map(row).unzip();
+        Self { noise_m, is_outlier }
+    }
+
+    /// Puts the noise of later rows behind.
+    fn extend(&mut self, later: Self) {
+        self.noise_m.extend(later.noise_m);
+        self.is_outlier.extend(later.is_outlier);
+    }
+
+    fn added_to(&self, off_m: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
+        off_m.iter().zip(&self.noise_m).map(|(off, noise)| off + noise).collect()
+    }
 }
 
 #[cfg(test)]
@@ -228,11 +262,11 @@ mod tests {
     use crate::poses::{Recorded, Spread};
     use crate::truth::QuestionKind;
 
-    fn recipe(effects: Vec<(Effect, f64)>) -> Recipe {
+    fn recipe(effect: Effect, rho: f64) -> Recipe {
         Recipe {
             name: "one".into(),
             kind: QuestionKind::One,
-            effects,
+            effects: vec![RequestedEffect { effect, rho }],
             n: 60,
             repeats: 10,
             sigma_mm: 0.02,
@@ -251,7 +285,7 @@ mod tests {
         let robot = SerialArm::built_in("irb140").unwrap();
         for seed in 0..5 {
             let wanted = 3.0;
-            let recipe = recipe(vec![(Effect::JointCompliance { joint: 2 }, wanted)]);
+            let recipe = recipe(Effect::JointCompliance { joint: 2 }, wanted);
             let set = data_set(&robot, "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap();
             assert!((set.truth.effects[0].rho - wanted).abs() < 0.01, "{:?}", set.truth.effects);
             let noise_mm = 0.02 * 3.0_f64.sqrt();
@@ -268,7 +302,7 @@ mod tests {
     #[test]
     fn an_offset_of_joint_1_leaves_no_signal() {
         let robot = SerialArm::built_in("irb140").unwrap();
-        let recipe = recipe(vec![(Effect::JointOffset { joint: 1 }, 2.0)]);
+        let recipe = recipe(Effect::JointOffset { joint: 1 }, 2.0);
         assert!(data_set(&robot, "irb140", &recipe, &mut Rng::new(3, 0)).is_none());
     }
 
@@ -276,7 +310,7 @@ mod tests {
     fn every_row_has_every_column_and_the_same_seed_the_same_bytes() {
         let robot = SerialArm::built_in("irb140").unwrap();
         let make = || {
-            let recipe = recipe(vec![(Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.3 }, 1.0)]);
+            let recipe = recipe(Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.3 }, 1.0);
             data_set(&robot, "irb140", &recipe, &mut Rng::new(11, 2)).unwrap().csv
         };
         let csv = make();

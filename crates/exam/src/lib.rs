@@ -9,9 +9,11 @@
 pub mod answer;
 pub mod arm;
 mod csv;
+mod disturb;
 pub mod effect;
 pub mod effect_spec;
 pub mod generate;
+mod marking;
 pub mod measure;
 pub mod mixture;
 mod outside;

@@ -1,4 +1,4 @@
-//! A measure of the exam: a value with its interval, and what passes.
+//! A measure of the exam: a value with its interval, and what passes; knows nothing of effects.
 
 use serde::Serialize;
 
@@ -26,6 +26,32 @@ impl Measure {
     #[must_use]
     pub fn reaches(&self, limit: f64) -> bool {
         self.value.is_some_and(|v| if self.small_is_good { v <= limit } else { v >= limit })
+    }
+}
+
+/// A rate that is scored: its name, when it passes, and which way is good.
+pub(super) struct Criterion {
+    name: &'static str,
+    pass: f64,
+    world_class: f64,
+    small_is_good: bool,
+}
+
+impl Criterion {
+    /// A rate that is to be high.
+    pub(super) fn high(name: &'static str, pass: f64, world_class: f64) -> Self {
+        Self { name, pass, world_class, small_is_good: false }
+    }
+
+    /// A rate that is to be low.
+    pub(super) fn low(name: &'static str, pass: f64, world_class: f64) -> Self {
+        Self { name, pass, world_class, small_is_good: true }
+    }
+
+    /// The measure with what it came to.
+    pub(super) fn measure(&self, value: Option<f64>, ci90: Option<[f64; 2]>, sets: usize) -> Measure {
+        let Self { name, pass, world_class, small_is_good } = *self;
+        Measure { name, value, ci90, sets, pass, world_class, small_is_good }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::effect::{Channel, Effect, RowFault};
 use super::poses::{Recorded, Spread};
-use super::recipe::Recipe;
+use super::recipe::{Recipe, RequestedEffect};
 use super::rng::Rng;
 use super::smooth::SmoothFunction;
 use super::truth::QuestionKind;
@@ -56,6 +56,53 @@ pub fn library_effect(rng: &mut Rng, last_min: f64) -> Effect {
     }
 }
 
+/// The effects of a question of this kind, in a run of `last_min` minutes.
+fn asked(kind: QuestionKind, last_min: f64, rng: &mut Rng) -> Vec<RequestedEffect> {
+    let clear = |effect: Effect, rng: &mut Rng| RequestedEffect { effect, rho: rng.log_uniform(1.0, 5.0) };
+    match kind {
+        QuestionKind::One => {
+            vec![RequestedEffect { effect: library_effect(rng, last_min), rho: rng.log_uniform(0.3, 5.0) }]
+        }
+        QuestionKind::Two => {
+            let first = library_effect(rng, last_min);
+            let second = loop {
+                let other = library_effect(rng, last_min);
+                if other.name() != first.name() {
+                    break other;
+                }
+            };
+            vec![clear(first, rng), clear(second, rng)]
+        }
+        QuestionKind::None => Vec::new(),
+        QuestionKind::Outside => {
+            let shape = Effect::SmoothFunction(SmoothFunction::draw(rng, last_min));
+            vec![clear(shape, rng)]
+        }
+        QuestionKind::MissingChannel => {
+            let effect = loop {
+                let effect = library_effect(rng, last_min);
+                if effect.channel().is_some() {
+                    break effect;
+                }
+            };
+            vec![clear(effect, rng)]
+        }
+        QuestionKind::Fault => {
+            let effect = if rng.chance(0.5) { Effect::JointRounding } else { Effect::SwappedAxes };
+            vec![RequestedEffect { effect, rho: 1.0 }]
+        }
+    }
+}
+
+/// What is recorded where a channel is missing: without times no temperatures either.
+fn without(channel: Channel, all: Recorded) -> Recorded {
+    match channel {
+        Channel::Direction => Recorded { direction: false, ..all },
+        Channel::Time => Recorded { time: false, temperature: false, ..all },
+        Channel::Payload => Recorded { payload: false, ..all },
+    }
+}
+
 /// The recipe of data set number `number`, of at most `most_rows` rows.
 #[must_use]
 pub fn recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe {
@@ -69,47 +116,11 @@ pub fn recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe {
     };
     let sigma_mm = rng.log_uniform(0.01, 0.05);
     let all = Recorded { temperature: rng.chance(0.5), orientation: rng.chance(0.3), ..Recorded::NOTED };
-    let rho = |rng: &mut Rng| rng.log_uniform(0.3, 5.0);
-    let last_min = n as f64;
-    let mut recorded = all;
-    let mut effects = Vec::new();
-    match kind {
-        QuestionKind::One => effects.push((library_effect(rng, last_min), rho(rng))),
-        QuestionKind::Two => {
-            let first = library_effect(rng, last_min);
-            let second = loop {
-                let other = library_effect(rng, last_min);
-                if other.name() != first.name() {
-                    break other;
-                }
-            };
-            effects.push((first, rng.log_uniform(1.0, 5.0)));
-            effects.push((second, rng.log_uniform(1.0, 5.0)));
-        }
-        QuestionKind::None => {}
-        QuestionKind::Outside => {
-            let shape = Effect::SmoothFunction(SmoothFunction::draw(rng, last_min));
-            effects.push((shape, rng.log_uniform(1.0, 5.0)));
-        }
-        QuestionKind::MissingChannel => {
-            let effect = loop {
-                let effect = library_effect(rng, last_min);
-                if effect.channel().is_some() {
-                    break effect;
-                }
-            };
-            match effect.channel() {
-                Some(Channel::Direction) => recorded.direction = false,
-                Some(Channel::Time) => (recorded.time, recorded.temperature) = (false, false),
-                Some(Channel::Payload) | None => recorded.payload = false,
-            }
-            effects.push((effect, rng.log_uniform(1.0, 5.0)));
-        }
-        QuestionKind::Fault => {
-            let fault = if rng.chance(0.5) { Effect::JointRounding } else { Effect::SwappedAxes };
-            effects.push((fault, 1.0));
-        }
-    }
+    let effects = asked(kind, n as f64, rng);
+    let recorded = match (kind, effects.first().and_then(|asked| asked.effect.channel())) {
+        (QuestionKind::MissingChannel, Some(channel)) => without(channel, all),
+        _ => all,
+    };
     let misstated = if kind == QuestionKind::None && rng.chance(0.3) { 1.0 / 1.4 } else { 1.0 };
     Recipe {
         name: format!("set_{number:04}"),
@@ -139,7 +150,7 @@ pub fn weak_recipe(number: usize, rng: &mut Rng) -> Recipe {
     loop {
         let mut recipe = recipe(number, WEAK_ROWS, rng);
         if recipe.kind == QuestionKind::One {
-            recipe.effects.iter_mut().for_each(|(_, rho)| *rho = WEAK_RHO);
+            recipe.effects.iter_mut().for_each(|asked| asked.rho = WEAK_RHO);
             return recipe;
         }
     }
@@ -154,14 +165,15 @@ pub fn accident_recipe(number: usize, most_rows: usize, rng: &mut Rng) -> Recipe
         if recipe.kind != QuestionKind::One {
             continue;
         }
-        let Some((_, rho)) = recipe.effects.pop() else { continue };
+        let Some(RequestedEffect { rho, .. }) = recipe.effects.pop() else { continue };
         let accident = if rng.chance(0.5) {
             let t0_min = rng.uniform(0.25, 0.75) * recipe.n as f64;
-            (Effect::JointStep { joint: 2 + rng.below(4), t0_min }, rho)
+            RequestedEffect { effect: Effect::JointStep { joint: 2 + rng.below(4), t0_min }, rho }
         } else {
             recipe.kind = QuestionKind::Fault;
             let fault = RowFault::ALL[rng.below(RowFault::ALL.len())];
-            (Effect::RowFault { fault, from: rng.uniform(0.2, 0.7) }, 1.0)
+            let effect = Effect::RowFault { fault, from: rng.uniform(0.2, 0.7) };
+            RequestedEffect { effect, rho: 1.0 }
         };
         recipe.effects.push(accident);
         return recipe;
@@ -177,7 +189,9 @@ mod tests {
         let mut seen = std::collections::BTreeSet::new();
         for number in 0..60 {
             let recipe = accident_recipe(number, 60, &mut Rng::new(9, number as u64));
-            let [(effect, _)] = recipe.effects.as_slice() else { panic!("{:?}", recipe.effects) };
+            let [RequestedEffect { effect, .. }] = recipe.effects.as_slice() else {
+                panic!("{:?}", recipe.effects)
+            };
             seen.insert(match effect {
                 Effect::JointStep { joint, .. } => format!("jump {}", (2..=5).contains(joint)),
                 Effect::RowFault { fault, .. } => format!("{fault:?}"),
@@ -194,7 +208,7 @@ mod tests {
             .map(|number| {
                 let recipe = weak_recipe(number, &mut Rng::new(8, number as u64));
                 assert_eq!((recipe.kind, recipe.n, recipe.effects.len()), (QuestionKind::One, 30, 1));
-                assert_eq!(recipe.effects[0].1, 0.5);
+                assert_eq!(recipe.effects[0].rho, 0.5);
                 assert!(recipe.repeats <= 5);
                 recipe.spread
             })

@@ -1,7 +1,7 @@
 //! Whether a drawn shape is outside the library: no effect of it takes half of what the shape does over these poses.
 
 use super::arm::Disturbance;
-use super::effect::Effect;
+use super::effect::{Effect, SizedEffect};
 use super::registration::left_by_registration;
 use super::rng::Rng;
 use super::run::MeasuredRun;
@@ -38,7 +38,7 @@ pub(super) fn redrawn(
 /// What an effect of usual size does to the points, beside base and tool; all coordinates.
 fn field(run: &MeasuredRun<'_>, effect: Effect) -> DVector<f64> {
     let [low, high] = effect.usual();
-    let off_m = run.off_m(&[(effect, (low * high).sqrt())], &Disturbance::default());
+    let off_m = run.off_m(&[SizedEffect { effect, amplitude: (low * high).sqrt() }], &Disturbance::default());
     left_by_registration(&run.flanges, &run.nominal_m, &off_m)
 }
 
@@ -94,7 +94,7 @@ fn library(run: &MeasuredRun<'_>) -> Vec<DMatrix<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arm::Arm;
+    use crate::arm::ScrewArm;
     use crate::poses::{RunSpec, Spread, states};
     use crate::smooth::{Domain, MovedPart};
     use nalgebra::{Point3, Vector3};
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn a_function_that_is_a_line_is_the_librarys_and_one_that_winds_is_not() {
         let robot = SerialArm::built_in("irb140").unwrap();
-        let arm = Arm::new(&robot);
+        let arm = ScrewArm::new(&robot);
         let tool_m = Vector3::new(0.05, 0.02, 0.1);
         let spec = RunSpec { spread: Spread::Wide, n: 60, repeats: 0, tool_m, payloads_kg: [0.0, 0.0] };
         let states = states(&robot, &arm, &mut Rng::new(7, 0), &spec);

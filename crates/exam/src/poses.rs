@@ -1,6 +1,6 @@
 //! Which poses are measured, in which order, and how the robot got there.
 
-use super::arm::{Arm, Disturbance};
+use super::arm::{Disturbance, ScrewArm};
 use super::effect::ArmState;
 use super::rng::Rng;
 use nalgebra::{Point3, Vector3};
@@ -125,7 +125,7 @@ pub struct CommandedRow {
 
 /// The moments of a measurement run.
 #[must_use]
-pub fn states(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec) -> Vec<ArmState> {
+pub fn states(robot: &SerialArm, arm: &ScrewArm, rng: &mut Rng, run: &RunSpec) -> Vec<ArmState> {
     states_and_more(robot, arm, rng, run, MoreRows::NONE)
 }
 
@@ -149,7 +149,7 @@ impl MoreRows<'_> {
 #[must_use]
 pub(super) fn states_and_more(
     robot: &SerialArm,
-    arm: &Arm,
+    arm: &ScrewArm,
     rng: &mut Rng,
     run: &RunSpec,
     more: MoreRows<'_>,
@@ -171,7 +171,14 @@ pub(super) fn states_and_more(
 }
 
 /// Joints of row `k` of `distinct`.
-fn drawn(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec, k: usize, distinct: usize) -> Joints {
+fn drawn(
+    robot: &SerialArm,
+    arm: &ScrewArm,
+    rng: &mut Rng,
+    run: &RunSpec,
+    k: usize,
+    distinct: usize,
+) -> Joints {
     let mut tries = 0;
     loop {
         let q = joints(robot, rng, run.spread, k, distinct);
@@ -187,7 +194,7 @@ fn drawn(robot: &SerialArm, arm: &Arm, rng: &mut Rng, run: &RunSpec, k: usize, d
 #[must_use]
 pub(super) fn elsewhere(
     robot: &SerialArm,
-    arm: &Arm,
+    arm: &ScrewArm,
     rng: &mut Rng,
     run: &RunSpec,
     states: &[ArmState],
@@ -208,7 +215,12 @@ pub(super) fn elsewhere(
 
 /// The moments of a run that others planned.
 #[must_use]
-pub fn states_of(arm: &Arm, rng: &mut Rng, tool_m: Vector3<f64>, rows: &[CommandedRow]) -> Vec<ArmState> {
+pub fn states_of(
+    arm: &ScrewArm,
+    rng: &mut Rng,
+    tool_m: Vector3<f64>,
+    rows: &[CommandedRow],
+) -> Vec<ArmState> {
     let climate = Climate::new(arm.joints(), rng);
     rows.iter().enumerate().map(|(k, row)| climate.state(arm, tool_m, k, row)).collect()
 }
@@ -231,7 +243,7 @@ impl Climate {
         }
     }
 
-    fn state(&self, arm: &Arm, tool_m: Vector3<f64>, k: usize, row: &CommandedRow) -> ArmState {
+    fn state(&self, arm: &ScrewArm, tool_m: Vector3<f64>, k: usize, row: &CommandedRow) -> ArmState {
         let payload_at_m = Point3::new(0.02, 0.0, 0.09);
         let t_min = self.minutes_each * k as f64;
         ArmState {

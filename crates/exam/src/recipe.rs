@@ -4,6 +4,15 @@ use super::effect::Effect;
 use super::poses::{Recorded, Spread};
 use super::truth::QuestionKind;
 
+/// An effect that a data set is to have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RequestedEffect {
+    /// Which effect.
+    pub effect: Effect,
+    /// How large: its rms at the point over the noise's rms.
+    pub rho: f64,
+}
+
 /// What a data set is to be.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recipe {
@@ -11,15 +20,15 @@ pub struct Recipe {
     pub name: String,
     /// What kind of question it is.
     pub kind: QuestionKind,
-    /// Effects, each with the size it is to have: its rms at the point over the noise's rms.
-    pub effects: Vec<(Effect, f64)>,
+    /// Effects that are at work together.
+    pub effects: Vec<RequestedEffect>,
     /// Number of rows in all.
     pub n: usize,
     /// Of these, rows that come back to the first poses.
     pub repeats: usize,
     /// Noise of each coordinate, mm.
     pub sigma_mm: f64,
-    /// What is told to be the noise; `None` = nothing is told.
+    /// The noise that is stated to the diagnosis, mm; `None`: none is stated.
     pub stated_sigma_mm: Option<f64>,
     /// How the poses are spread.
     pub spread: Spread,

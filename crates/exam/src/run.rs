@@ -1,7 +1,7 @@
-//! A measurement run on the virtual robot: where its points stand with and without effects.
+//! A measurement run on the virtual robot: where its points stand with and without effects; knows neither file nor noise.
 
-use super::arm::{Arm, Disturbance};
-use super::effect::{ArmState, Effect};
+use super::arm::{Disturbance, ScrewArm};
+use super::effect::{ArmState, Effect, SizedEffect};
 use super::registration::rms_after_registration_m;
 use nalgebra::{Isometry3, Point3, Vector3};
 
@@ -10,7 +10,7 @@ const INSTRUMENT_M: Vector3<f64> = Vector3::new(2.1, -0.6, 0.4);
 
 /// An arm in the states in which it is measured, and where its points stand without any effect.
 pub(super) struct MeasuredRun<'a> {
-    pub arm: &'a Arm,
+    pub arm: &'a ScrewArm,
     pub tool_m: Vector3<f64>,
     pub states: Vec<ArmState>,
     pub flanges: Vec<Isometry3<f64>>,
@@ -18,38 +18,43 @@ pub(super) struct MeasuredRun<'a> {
 }
 
 impl<'a> MeasuredRun<'a> {
-    pub fn new(arm: &'a Arm, tool_m: Vector3<f64>, states: Vec<ArmState>) -> Self {
+    /// The run of an arm with the measured point at `tool_m` on its flange.
+    pub fn new(arm: &'a ScrewArm, tool_m: Vector3<f64>, states: Vec<ArmState>) -> Self {
         let flanges: Vec<_> = states.iter().map(|m| arm.flange(&m.q_rad, &Disturbance::default())).collect();
         let nominal_m = flanges.iter().map(|f| (f * Point3::from(tool_m)).coords).collect();
         Self { arm, tool_m, states, flanges, nominal_m }
     }
 
-    pub fn flange(
-        &self,
-        k: usize,
-        effects: &[(Effect, f64)],
-        background: &Disturbance,
-    ) -> (Isometry3<f64>, Disturbance) {
+    /// What `effects` do to the arm in row `k`, beside what disturbs it in every row.
+    pub fn disturbance(&self, k: usize, effects: &[SizedEffect], background: &Disturbance) -> Disturbance {
         let mut disturbance = *background;
-        for (effect, amplitude) in effects {
-            effect.disturb(self.arm, *amplitude, &self.states[k], &mut disturbance);
+        for effect in effects {
+            disturbance.add(*effect, self.arm, &self.states[k]);
         }
-        (self.arm.flange(&self.states[k].q_rad, &disturbance), disturbance)
+        disturbance
     }
 
-    /// Where the measured point stands, in the base frame.
-    pub fn point_m(&self, k: usize, effects: &[(Effect, f64)], background: &Disturbance) -> Vector3<f64> {
-        let (flange, disturbance) = self.flange(k, effects, background);
+    /// `base_from_flange` of row `k` as it is disturbed.
+    pub fn flange(&self, k: usize, disturbance: &Disturbance) -> Isometry3<f64> {
+        self.arm.flange(&self.states[k].q_rad, disturbance)
+    }
+
+    /// Where the instrument sees the measured point of row `k`, in the base frame, metres.
+    pub fn point_m(&self, k: usize, disturbance: &Disturbance) -> Vector3<f64> {
+        let flange = self.flange(k, disturbance);
         let point = (flange * Point3::from(self.tool_m)).coords + disturbance.point_m;
         // an instrument that reads long does so from where it stands, two metres before the robot
         let from_instrument = point - INSTRUMENT_M;
         point + from_instrument * disturbance.instrument_scale
     }
 
-    pub fn off_m(&self, effects: &[(Effect, f64)], background: &Disturbance) -> Vec<Vector3<f64>> {
-        (0..self.states.len()).map(|k| self.point_m(k, effects, background) - self.nominal_m[k]).collect()
+    /// How far each row's point is off its nominal place, base frame, metres.
+    pub fn off_m(&self, effects: &[SizedEffect], background: &Disturbance) -> Vec<Vector3<f64>> {
+        let disturbed = |k| self.point_m(k, &self.disturbance(k, effects, background));
+        (0..self.states.len()).map(|k| disturbed(k) - self.nominal_m[k]).collect()
     }
 
+    /// rms of what registration leaves of `off_m`, metres.
     pub fn rms_m(&self, off_m: &[Vector3<f64>]) -> f64 {
         rms_after_registration_m(&self.flanges, &self.nominal_m, off_m)
     }
@@ -68,7 +73,8 @@ impl<'a> MeasuredRun<'a> {
     pub fn amplitude(&self, effect: Effect, wanted_rms_m: f64) -> Option<f64> {
         let [low, high] = effect.usual();
         let trial = (low * high).sqrt();
-        let rms = self.rms_m(&self.off_m(&[(effect, trial)], &Disturbance::default()));
+        let rms =
+            self.rms_m(&self.off_m(&[SizedEffect { effect, amplitude: trial }], &Disturbance::default()));
         (rms > 1e-9).then(|| trial * wanted_rms_m / rms)
     }
 }

@@ -2,98 +2,73 @@
 //!
 //! Reads the diagnosis's JSON as any script would; a missing or misspelt field counts as a wrong answer.
 
-use super::answer::{Answer, Cause};
-use super::measure::{Measure, wilson90};
-use super::mixture::{WEAK_RHO, WEAK_ROWS};
+use super::answer::Answer;
+use super::marking::{
+    any_right, confident_and_wrong, finds_a_cause, first_right, gives_a_set, is, is_weak, names_a_cause, rho,
+    says_outside, shrink_share,
+};
+use super::measure::{Criterion, Measure, wilson90};
 use super::truth::{QuestionKind, Truth};
 
-/// An effect is weak by design where its size is within this share of the weak class's.
-const WEAK_WITHIN: f64 = 0.05;
-
-/// An answer names causes and stands by them.
-fn names_a_cause(answer: &Answer) -> bool {
-    matches!(answer.verdict.as_str(), "explained" | "several")
+/// A data set's truth, and what was answered.
+#[derive(Clone, Debug)]
+pub struct AnsweredSet {
+    /// What was withheld.
+    pub truth: Truth,
+    /// What was said.
+    pub answer: Answer,
 }
 
-fn is(truth: &Truth, k: usize, cause: &Cause) -> bool {
-    truth.effects.get(k).is_some_and(|t| t.effect.name() == Some(cause.effect.as_str()))
-}
+/// Counts over all sets.
+struct Grader<'a>(&'a [AnsweredSet]);
 
-fn first_right(truth: &Truth, answer: &Answer) -> bool {
-    answer.causes.first().is_some_and(|c| is(truth, 0, c))
-}
-
-fn any_right(truth: &Truth, cause: &Cause) -> bool {
-    (0..truth.effects.len()).any(|k| is(truth, k, cause))
-}
-
-fn confident_and_wrong(truth: &Truth, answer: &Answer) -> bool {
-    names_a_cause(answer)
-        && answer
-            .causes
-            .first()
-            .is_some_and(|c| c.posterior.is_some_and(|p| p >= 0.9) && !any_right(truth, c))
-}
-
-/// The answer to a question of one effect is a set of causes: of one, where it is told apart from its rivals.
-fn gives_a_set(truth: &Truth, answer: &Answer) -> bool {
-    truth.kind == QuestionKind::One && matches!(answer.verdict.as_str(), "explained" | "ambiguous")
-}
-
-/// Share of what an oracle that knows the effect takes off that the diagnosis takes off.
-fn shrink_share(truth: &Truth, answer: &Answer) -> Option<f64> {
-    let shrink = answer.shrink?;
-    let possible = truth.before_rms_mm - truth.oracle_rms_mm;
-    let taken_off = shrink.before_rms_mm? - shrink.causes_only_rms_mm?;
-    (possible > 0.1 * truth.before_rms_mm).then(|| taken_off / possible)
-}
-
-type Answered<'a> = (&'a Truth, &'a Answer);
-
-struct Grader<'a>(Vec<Answered<'a>>);
-
-impl<'a> Grader<'a> {
+impl Grader<'_> {
+    /// The share of `hit` among the sets that are `asked`.
     fn rate(
         &self,
-        name: &'static str,
-        [pass, world_class]: [f64; 2],
-        small_is_good: bool,
-        asked: impl Fn(&Answered<'a>) -> bool,
-        hit: impl Fn(&Answered<'a>) -> bool,
+        criterion: &Criterion,
+        asked: impl Fn(&Truth, &Answer) -> bool,
+        hit: impl Fn(&Truth, &Answer) -> bool,
     ) -> Measure {
-        let asked: Vec<_> = self.0.iter().filter(|p| asked(p)).collect();
-        let hits = asked.iter().filter(|p| hit(p)).count();
+        let asked: Vec<&AnsweredSet> = self.0.iter().filter(|set| asked(&set.truth, &set.answer)).collect();
+        let hits = asked.iter().filter(|set| hit(&set.truth, &set.answer)).count();
         let sets = asked.len();
         let value = (sets > 0).then(|| hits as f64 / sets as f64);
-        Measure { name, value, ci90: wilson90(hits, sets), sets, pass, world_class, small_is_good }
+        criterion.measure(value, wilson90(hits, sets), sets)
     }
 
-    fn quantile(&self, name: &'static str, [pass, world_class]: [f64; 2], level: f64) -> Measure {
-        let mut shares: Vec<f64> = self
-            .0
+    /// Sets of one effect that was named first.
+    fn named_right(&self) -> impl Iterator<Item = &AnsweredSet> {
+        self.0
             .iter()
-            .filter(|(t, a)| t.kind == QuestionKind::One && first_right(t, a))
-            .filter_map(|(t, a)| shrink_share(t, a))
-            .collect();
+            .filter(|set| set.truth.kind == QuestionKind::One && first_right(&set.truth, &set.answer))
+    }
+
+    /// A quantile of the share that the diagnosis takes off of what an oracle takes off.
+    fn shrink_quantile(&self, criterion: &Criterion, level: f64) -> Measure {
+        let mut shares: Vec<f64> =
+            self.named_right().filter_map(|set| shrink_share(&set.truth, &set.answer)).collect();
         shares.sort_by(f64::total_cmp);
         let value = shares.get((level * shares.len().saturating_sub(1) as f64).round() as usize).copied();
-        Measure { name, value, ci90: None, sets: shares.len(), pass, world_class, small_is_good: false }
+        criterion.measure(value, None, shares.len())
     }
 
     /// How often the interval of the shrink holds what an oracle that knows the effect reaches at other poses: at those measured
     /// the same noise stands in both, and any interval would hold it.
-    fn interval(&self, name: &'static str, asked: impl Fn(&Truth) -> bool) -> Measure {
+    fn shrink_interval(&self, criterion: &Criterion, asked: impl Fn(&Truth) -> bool) -> Measure {
         self.rate(
-            name,
-            [0.80, 0.87],
-            false,
-            |(t, a)| {
-                let named = names_a_cause(a) || a.verdict == "ambiguous";
-                let there = a.shrink.is_some_and(|s| s.ci90.is_some());
-                let told = t.oracle_ratio_elsewhere.is_some();
-                t.kind == QuestionKind::One && asked(t) && named && first_right(t, a) && there && told
+            criterion,
+            |t, a| {
+                let has_interval = a.shrink.is_some_and(|s| s.ci90.is_some());
+                let has_oracle = t.oracle_ratio_elsewhere.is_some();
+                t.kind == QuestionKind::One
+                    && asked(t)
+                    && finds_a_cause(a)
+                    && first_right(t, a)
+                    && has_interval
+                    && has_oracle
             },
-            |(t, a)| {
+            |t, a| {
                 let interval = a.shrink.and_then(|s| s.ci90).zip(t.oracle_ratio_elsewhere);
                 interval.is_some_and(|([low, high], ratio)| (low..=high).contains(&ratio))
             },
@@ -105,10 +80,10 @@ impl<'a> Grader<'a> {
         let stated: Vec<(f64, bool)> = self
             .0
             .iter()
-            .filter(|(t, a)| t.kind == QuestionKind::One && names_a_cause(a))
-            .filter_map(|(t, a)| {
-                let cause = a.causes.first()?;
-                Some((cause.posterior?.clamp(0.0, 1.0), is(t, 0, cause)))
+            .filter(|set| set.truth.kind == QuestionKind::One && names_a_cause(&set.answer))
+            .filter_map(|set| {
+                let cause = set.answer.causes.first()?;
+                Some((cause.posterior?.clamp(0.0, 1.0), is(&set.truth, 0, cause)))
             })
             .collect();
         let sets = stated.len();
@@ -121,153 +96,157 @@ impl<'a> Grader<'a> {
                 (mean - right).abs()
             })
             .sum();
-        Measure {
-            name: "calibration error of the stated probability",
-            value: (sets > 0).then(|| error / sets as f64),
-            ci90: None,
+        Criterion::low("calibration error of the stated probability", 0.10, 0.04).measure(
+            (sets > 0).then(|| error / sets as f64),
+            None,
             sets,
-            pass: 0.10,
-            world_class: 0.04,
-            small_is_good: true,
-        }
+        )
     }
 
+    /// How many causes the sets of causes hold that cannot be told apart.
     fn ambiguity_size(&self) -> Measure {
-        let sizes: Vec<usize> =
-            self.0.iter().filter(|(t, a)| gives_a_set(t, a)).map(|(_, a)| a.causes.len()).collect();
-        Measure {
-            name: "mean size of that set",
-            value: (!sizes.is_empty()).then(|| sizes.iter().sum::<usize>() as f64 / sizes.len() as f64),
-            ci90: None,
-            sets: sizes.len(),
-            pass: 3.0,
-            world_class: 1.5,
-            small_is_good: true,
-        }
+        let sizes: Vec<usize> = self
+            .0
+            .iter()
+            .filter(|set| gives_a_set(&set.truth, &set.answer))
+            .map(|set| set.answer.causes.len())
+            .collect();
+        let mean = (!sizes.is_empty()).then(|| sizes.iter().sum::<usize>() as f64 / sizes.len() as f64);
+        Criterion::low("mean size of that set", 3.0, 1.5).measure(mean, None, sizes.len())
+    }
+
+    /// Whether the right effect is named, where one is at work.
+    fn recognition(&self) -> Vec<Measure> {
+        vec![
+            self.rate(
+                &Criterion::high("first answer right, rho >= 1, N >= 60", 0.85, 0.95),
+                |t, _| t.kind == QuestionKind::One && rho(t) >= 1.0 && t.n >= 60,
+                first_right,
+            ),
+            self.rate(
+                &Criterion::high("first answer right, rho = .5, N = 30", 0.55, 0.75),
+                |t, _| is_weak(t),
+                first_right,
+            ),
+            self.rate(
+                &Criterion::high("one of the first two right, rho = .5, N = 30", 0.90, 0.90),
+                |t, _| is_weak(t),
+                |t, a| a.causes.iter().take(2).any(|c| is(t, 0, c)),
+            ),
+        ]
+    }
+
+    /// Causes that are named and not there.
+    fn false_answers(&self) -> Vec<Measure> {
+        vec![
+            self.rate(
+                &Criterion::low("false alarms without effect", 0.10, 0.05),
+                |t, _| t.kind == QuestionKind::None,
+                |_, a| finds_a_cause(a),
+            ),
+            self.rate(
+                &Criterion::low("confident and wrong, overall", 0.05, 0.02),
+                |t, _| t.kind != QuestionKind::MissingChannel,
+                confident_and_wrong,
+            ),
+            self.rate(
+                &Criterion::low("confident and wrong, missing channel", 0.30, 0.10),
+                |t, _| t.kind == QuestionKind::MissingChannel,
+                confident_and_wrong,
+            ),
+        ]
+    }
+
+    /// Sets of causes that cannot be told apart.
+    fn ambiguity(&self) -> Vec<Measure> {
+        vec![
+            self.rate(&Criterion::high("ambiguity set holds the truth", 0.90, 0.95), gives_a_set, |t, a| {
+                a.causes.iter().any(|c| is(t, 0, c))
+            }),
+            self.ambiguity_size(),
+        ]
+    }
+
+    /// What no effect of the library explains.
+    fn outside_the_library(&self) -> Vec<Measure> {
+        let is_outside = |t: &Truth| matches!(t.kind, QuestionKind::Outside | QuestionKind::MissingChannel);
+        vec![
+            self.rate(
+                &Criterion::high("outside the library: recall", 0.80, 0.95),
+                |t, _| is_outside(t),
+                // Without times the order of the rows tells what steps and drifts: the right name is as good an answer.
+                |t, a| says_outside(a) || t.kind == QuestionKind::MissingChannel && first_right(t, a),
+            ),
+            self.rate(
+                &Criterion::high("outside the library: precision", 0.80, 0.90),
+                |_, a| says_outside(a),
+                |t, _| is_outside(t) || t.slow_noise,
+            ),
+        ]
+    }
+
+    /// Two effects at once, and faults of the file.
+    fn several(&self) -> Vec<Measure> {
+        vec![
+            self.rate(
+                &Criterion::high("two effects: both found", 0.75, 0.90),
+                |t, _| t.kind == QuestionKind::Two,
+                |t, a| finds_a_cause(a) && (0..2).all(|k| a.causes.iter().any(|c| is(t, k, c))),
+            ),
+            self.rate(
+                &Criterion::low("spurious cause beside the true ones", 0.10, 0.05),
+                |t, a| matches!(t.kind, QuestionKind::One | QuestionKind::Two) && names_a_cause(a),
+                |t, a| a.causes.iter().any(|c| !any_right(t, c)),
+            ),
+            self.rate(
+                &Criterion::high("faults of the file found", 0.80, 0.95),
+                |t, _| t.kind == QuestionKind::Fault,
+                |t, a| a.verdict == "data_fault" || first_right(t, a),
+            ),
+        ]
+    }
+
+    /// How far the error shrinks, how sure the diagnosis is, and in which joint.
+    fn sizes(&self) -> Vec<Measure> {
+        vec![
+            self.shrink_quantile(&Criterion::high("shrink against the oracle: median", 0.90, 0.98), 0.5),
+            self.shrink_quantile(&Criterion::high("shrink against the oracle: worst tenth", 0.60, 0.85), 0.1),
+            // Geometry in the background is in the model that the interval is of, and not in what the oracle knows.
+            self.shrink_interval(
+                &Criterion::high("90 % interval of the shrink holds the oracle's elsewhere", 0.80, 0.87),
+                |t| t.geometry == 0.0,
+            ),
+            self.calibration(),
+            self.rate(
+                &Criterion::high("right joint", 0.90, 0.97),
+                |t, a| {
+                    t.kind == QuestionKind::One && first_right(t, a) && t.effects[0].effect.joint().is_some()
+                },
+                |t, a| a.causes[0].joint == t.effects[0].effect.joint(),
+            ),
+        ]
     }
 }
 
-fn rho(truth: &Truth) -> f64 {
-    truth.effects.first().map_or(0.0, |e| e.rho)
-}
-
-fn says_outside(answer: &Answer) -> bool {
-    answer.verdict.starts_with("unexplained")
-}
-
-/// The table of measures over all sets: truths with their answers, in any order.
+/// The table of measures over all sets, in any order.
 #[must_use]
-pub fn score(answered: &[(Truth, Answer)]) -> Vec<Measure> {
-    let grader = Grader(answered.iter().map(|(t, a)| (t, a)).collect());
-    let one = |t: &Truth| t.kind == QuestionKind::One;
-    let weak = |t: &Truth| one(t) && t.n == WEAK_ROWS && (rho(t) / WEAK_RHO - 1.0).abs() < WEAK_WITHIN;
-    let cause = |a: &Answer| names_a_cause(a) || a.verdict == "ambiguous";
-    vec![
-        grader.rate(
-            "first answer right, rho >= 1, N >= 60",
-            [0.85, 0.95],
-            false,
-            |(t, _)| one(t) && rho(t) >= 1.0 && t.n >= 60,
-            |(t, a)| first_right(t, a),
-        ),
-        grader.rate(
-            "first answer right, rho = .5, N = 30",
-            [0.55, 0.75],
-            false,
-            |(t, _)| weak(t),
-            |(t, a)| first_right(t, a),
-        ),
-        grader.rate(
-            "one of the first two right, rho = .5, N = 30",
-            [0.90, 0.90],
-            false,
-            |(t, _)| weak(t),
-            |(t, a)| a.causes.iter().take(2).any(|c| is(t, 0, c)),
-        ),
-        grader.rate(
-            "false alarms without effect",
-            [0.10, 0.05],
-            true,
-            |(t, _)| t.kind == QuestionKind::None,
-            |(_, a)| cause(a),
-        ),
-        grader.rate(
-            "confident and wrong, overall",
-            [0.05, 0.02],
-            true,
-            |(t, _)| t.kind != QuestionKind::MissingChannel,
-            |(t, a)| confident_and_wrong(t, a),
-        ),
-        grader.rate(
-            "confident and wrong, missing channel",
-            [0.30, 0.10],
-            true,
-            |(t, _)| t.kind == QuestionKind::MissingChannel,
-            |(t, a)| confident_and_wrong(t, a),
-        ),
-        grader.rate(
-            "ambiguity set holds the truth",
-            [0.90, 0.95],
-            false,
-            |(t, a)| gives_a_set(t, a),
-            |(t, a)| a.causes.iter().any(|c| is(t, 0, c)),
-        ),
-        grader.ambiguity_size(),
-        grader.rate(
-            "outside the library: recall",
-            [0.80, 0.95],
-            false,
-            |(t, _)| matches!(t.kind, QuestionKind::Outside | QuestionKind::MissingChannel),
-            // Without times the order of the rows tells what steps and drifts: the right name is as good an answer.
-            |(t, a)| says_outside(a) || t.kind == QuestionKind::MissingChannel && first_right(t, a),
-        ),
-        grader.rate(
-            "outside the library: precision",
-            [0.80, 0.90],
-            false,
-            |(_, a)| says_outside(a),
-            |(t, _)| matches!(t.kind, QuestionKind::Outside | QuestionKind::MissingChannel) || t.slow_noise,
-        ),
-        grader.rate(
-            "two effects: both found",
-            [0.75, 0.90],
-            false,
-            |(t, _)| t.kind == QuestionKind::Two,
-            |(t, a)| cause(a) && (0..2).all(|k| a.causes.iter().any(|c| is(t, k, c))),
-        ),
-        grader.rate(
-            "spurious cause beside the true ones",
-            [0.10, 0.05],
-            true,
-            |(t, a)| matches!(t.kind, QuestionKind::One | QuestionKind::Two) && names_a_cause(a),
-            |(t, a)| a.causes.iter().any(|c| !any_right(t, c)),
-        ),
-        grader.rate(
-            "faults of the file found",
-            [0.80, 0.95],
-            false,
-            |(t, _)| t.kind == QuestionKind::Fault,
-            |(t, a)| a.verdict == "data_fault" || first_right(t, a),
-        ),
-        grader.quantile("shrink against the oracle: median", [0.90, 0.98], 0.5),
-        grader.quantile("shrink against the oracle: worst tenth", [0.60, 0.85], 0.1),
-        // Geometry in the background is in the model that the interval is of, and not in what the oracle knows.
-        grader.interval("90 % interval of the shrink holds the oracle's elsewhere", |t| t.geometry == 0.0),
-        grader.calibration(),
-        grader.rate(
-            "right joint",
-            [0.90, 0.97],
-            false,
-            |(t, a)| one(t) && first_right(t, a) && t.effects[0].effect.joint().is_some(),
-            |(t, a)| a.causes[0].joint == t.effects[0].effect.joint(),
-        ),
+pub fn score(answered: &[AnsweredSet]) -> Vec<Measure> {
+    let grader = Grader(answered);
+    [
+        grader.recognition(),
+        grader.false_answers(),
+        grader.ambiguity(),
+        grader.outside_the_library(),
+        grader.several(),
+        grader.sizes(),
     ]
+    .concat()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::ErrorReduction;
+    use crate::answer::{Cause, ErrorReduction};
     use crate::effect::Effect;
     use crate::poses::{Recorded, Spread};
     use crate::truth::InjectedEffect;
@@ -321,6 +300,7 @@ mod tests {
     fn each_kind_of_answer_is_counted_where_it_belongs() {
         let gear = Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.0 };
         let sag = Effect::JointCompliance { joint: 3 };
+        let answered = |(truth, answer)| AnsweredSet { truth, answer };
         let answered = [
             (truth(QuestionKind::One, &[gear]), answer("explained", &[("gear_mesh", 2, 1.0)])),
             (truth(QuestionKind::One, &[sag]), answer("explained", &[("joint_gain", 3, 0.95)])),
@@ -335,7 +315,8 @@ mod tests {
                 answer("several", &[("gear_mesh", 2, 1.0), ("joint_compliance", 3, 0.9)]),
             ),
             (truth(QuestionKind::MissingChannel, &[]), answer("unexplained_scatter", &[])),
-        ];
+        ]
+        .map(answered);
         let table = score(&answered);
         assert_eq!(value(&table, "first answer right, rho >= 1"), 2.0 / 3.0);
         assert_eq!(value(&table, "false alarms"), 0.5);

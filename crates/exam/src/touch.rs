@@ -1,7 +1,7 @@
 //! Fixed points touched over a warm-up and one stop, on the virtual arm: its seats move as a table says, in proportion to
 //! two lags (or one) that are followed step by step.
 
-use super::arm::{Arm, Disturbance};
+use super::arm::{Disturbance, ScrewArm};
 use super::rng::Rng;
 use nalgebra::{Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
 use robot_model::robot::Robot;
@@ -45,7 +45,7 @@ const TRIES: usize = 2_000_000;
 /// The file of touches; `None` where the arm does not reach into the box.
 #[must_use]
 pub fn touches(robot: &Robot, recipe: &TouchRecipe, rng: &mut Rng) -> Option<String> {
-    let arm = Arm::new(&robot.into());
+    let arm = ScrewArm::new(&robot.into());
     let tool = Point3::from(Vector3::from(recipe.tool_m));
     let still = Disturbance::default();
     let mut points = Vec::new();
@@ -95,7 +95,7 @@ pub fn touches(robot: &Robot, recipe: &TouchRecipe, rng: &mut Rng) -> Option<Str
 
 /// Joints at which the disturbed arm's tip is at `goal`, with the least turn from `q_rad`.
 fn jogged(
-    arm: &Arm,
+    arm: &ScrewArm,
     warm: &Disturbance,
     q_rad: &[f64; 6],
     tool: &Point3<f64>,
@@ -121,7 +121,7 @@ fn jogged(
 }
 
 /// A pose whose tip is in the box: the first four near its alternate corners, the fifth in the middle, more anywhere.
-fn pose(robot: &Robot, arm: &Arm, recipe: &TouchRecipe, k: usize, rng: &mut Rng) -> Option<[f64; 6]> {
+fn pose(robot: &Robot, arm: &ScrewArm, recipe: &TouchRecipe, k: usize, rng: &mut Rng) -> Option<[f64; 6]> {
     const CORNERS: [[f64; 3]; 5] =
         [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0], [0.5, 0.5, 0.5]];
     const NEAR: f64 = 0.12;
@@ -176,7 +176,7 @@ mod tests {
         let csv = touches(&robot, &recipe, &mut Rng::new(1, 0)).unwrap();
         let rows: Vec<Vec<f64>> =
             csv.lines().skip(1).map(|l| l.split(',').skip(1).map(|v| v.parse().unwrap()).collect()).collect();
-        let arm = Arm::new(&(&robot).into());
+        let arm = ScrewArm::new(&(&robot).into());
         let tip = |row: &[f64]| {
             let q_rad: [f64; 6] = std::array::from_fn(|j| rad_from_deg(row[j + 1]));
             (arm.flange(&q_rad, &Disturbance::default()) * Point3::new(0.0, 0.0, 0.1)).coords

@@ -1,6 +1,6 @@
 //! The sealed truth of a data set, and the seal.
 
-use super::effect::Effect;
+use super::effect::{Effect, SizedEffect};
 use super::poses::{Recorded, Spread};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -35,6 +35,14 @@ pub struct InjectedEffect {
     pub rms_mm: f64,
     /// The same over the rms of the noise.
     pub rho: f64,
+}
+
+impl InjectedEffect {
+    /// The effect with its amplitude alone.
+    #[must_use]
+    pub fn sized(&self) -> SizedEffect {
+        SizedEffect { effect: self.effect, amplitude: self.amplitude }
+    }
 }
 
 /// All that is withheld about one data set.

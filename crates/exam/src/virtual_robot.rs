@@ -1,11 +1,11 @@
 //! The virtual robot of a data set once more: where it really stands at joints that a program commands.
 
-use super::arm::{Arm, Disturbance};
-use super::effect::{ArmState, Effect};
+use super::arm::{Disturbance, ScrewArm};
+use super::effect::{ArmState, Effect, SizedEffect};
 use super::registration::rms_after_registration_m;
 use super::rng::Rng;
 use super::smooth::{Domain, SmoothFunction};
-use super::truth::Truth;
+use super::truth::{InjectedEffect, Truth};
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::m_from_mm;
@@ -26,8 +26,8 @@ pub struct Commanded {
 /// The robot that a data set was measured on.
 #[derive(Clone, Debug)]
 pub struct VirtualRobot {
-    arm: Arm,
-    effects: Vec<(Effect, f64)>,
+    arm: ScrewArm,
+    effects: Vec<SizedEffect>,
 }
 
 /// The effects that stay as they are: those of warmth need a history that a program does not have.
@@ -51,8 +51,8 @@ impl VirtualRobot {
     /// The robot of `truth`.
     #[must_use]
     pub fn from_truth(robot: &SerialArm, truth: &Truth) -> Self {
-        let effects = truth.effects.iter().map(|put| (put.effect, put.amplitude)).collect();
-        Self { arm: Arm::new(robot), effects }
+        let effects = truth.effects.iter().map(InjectedEffect::sized).collect();
+        Self { arm: ScrewArm::new(robot), effects }
     }
 
     /// `base_from_flange` as it really is.
@@ -71,8 +71,8 @@ impl VirtualRobot {
             point_m: nominal.translation.vector,
         };
         let mut disturbance = Disturbance::default();
-        for (effect, amplitude) in &self.effects {
-            effect.disturb(&self.arm, *amplitude, &now, &mut disturbance);
+        for effect in &self.effects {
+            disturbance.add(*effect, &self.arm, &now);
         }
         self.arm.flange(&at.q_rad, &disturbance)
     }
