@@ -249,9 +249,9 @@ fn parts<'a>(mut i: Text<'a>, close: u8) -> Read<'a, ()> {
             let rest = i.skip(part.to);
             let range = i.skip(part.from).until(rest);
             if part.is_string {
-                add_leaf::<true>(range, i.state)
+                add_leaf::<true>(range, i.state);
             } else {
-                add_leaf::<false>(range, i.state)
+                add_leaf::<false>(range, i.state);
             }
             rest
         } else {
