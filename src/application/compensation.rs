@@ -7,7 +7,7 @@ use super::touch::TouchRequest;
 use crate::report::LocatedDiagnostic;
 use rapid_program::compensate::plan::Totals;
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options, TouchingArm};
-use rapid_program::emit::{Clock, EmitOptions, EmittedFile, ROOM, emit_each};
+use rapid_program::emit::{Clock, EmitOptions, EmittedFile, MAX_AMOUNT, emit_each};
 use rapid_program::program::motion::SkipReason;
 use rapid_program::program::{Overrides, Program, is_of_task};
 use rapid_syntax::SourceFile;
@@ -184,8 +184,8 @@ impl Compensation {
             Err(why) => return refuse(program, messages, why),
         };
         let with_room = (touch.is_some() && self.options.form == FormChoice::Schedule).then(|| {
-            let model = self.options.model.as_ref().map(|model| Arc::new(model.with_drift(ROOM)));
-            (self.deformation.model.scaled(ROOM), Options { model, ..self.options.clone() })
+            let model = self.options.model.as_ref().map(|model| Arc::new(model.with_drift(MAX_AMOUNT)));
+            (self.deformation.model.scaled(MAX_AMOUNT), Options { model, ..self.options.clone() })
         });
         let (deformation, asked) = match &with_room {
             Some((deformation, options)) => (deformation, options),

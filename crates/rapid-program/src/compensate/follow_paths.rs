@@ -4,7 +4,7 @@
 
 use super::model::Model;
 use super::nominal::{Point, Resolved};
-use super::path::{Corrected, Ends, Leg, deviations_m};
+use super::path::{CorrectedLeg, Ends, Leg, deviations_m};
 use super::plan::{PlannedMotion, Status};
 use crate::parallel;
 use crate::program::Program;
@@ -28,15 +28,16 @@ pub(super) fn follow_paths(
         let numbers = (first..).take(planned.len());
         let follow = |i: usize| Followed::new(i, (program, resolved), model, warm, worst_bucket[i]);
         let followed: Vec<Followed> = numbers.filter(|&i| compensated[i]).filter_map(follow).collect();
-        let solved = Solved::new(&followed, &compensated, warm);
+        let warm_joints = WarmJoints::new(&followed, &compensated, warm);
         let legs = followed.iter().map(|one| {
             let path = program.motions[one.motion].setup.path;
             let leg = Leg { path, start: &one.start, points: &one.points };
-            let ends = |&bucket: &usize| (bucket, solved.ends(one, &leg, bucket, compensated[one.before]));
-            let buckets = one.buckets.iter().map(ends).collect();
-            (leg, buckets)
+            let ends =
+                |&bucket: &usize| (bucket, warm_joints.ends(one, &leg, bucket, compensated[one.before]));
+            let in_buckets = one.buckets.iter().map(ends).collect();
+            CorrectedLeg { leg, in_buckets }
         });
-        let legs: Vec<Corrected<'_>> = legs.collect();
+        let legs: Vec<CorrectedLeg<'_>> = legs.collect();
         for (one, deviation_m) in followed.iter().zip(deviations_m(&legs, warm.as_slice(), model)) {
             planned[one.motion - first].mid_path_m = deviation_m;
         }
@@ -72,39 +73,46 @@ impl<'a> Followed<'a> {
     }
 }
 
-/// A point of a motion in a bucket: the bucket, the motion, and whether it is the motion's last one.
-type Place = (usize, usize, bool);
+/// A point of a motion in a bucket.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct BucketPoint {
+    bucket: usize,
+    motion: usize,
+    /// It is the motion's last point, and not the circle point of an arc.
+    is_end: bool,
+}
 
 /// The warm arm's joints at points of motions.
-struct Solved {
+struct WarmJoints {
     /// In their order, each once.
-    places: Vec<Place>,
+    points: Vec<BucketPoint>,
     /// Radians; `None` where the arm does not get there.
     q_rad: Vec<Option<[f64; 6]>>,
 }
 
-impl Solved {
+impl WarmJoints {
     fn new(followed: &[Followed<'_>], compensated: &[bool], warm: &DeformedArms) -> Self {
-        let mut wanted: Vec<(Place, &Point<'_>)> = Vec::new();
+        let mut wanted: Vec<(BucketPoint, &Point<'_>)> = Vec::new();
         for one in followed {
             for &bucket in &one.buckets {
                 if compensated[one.before] {
-                    wanted.push(((bucket, one.before, true), &one.start));
+                    let end = BucketPoint { bucket, motion: one.before, is_end: true };
+                    wanted.push((end, &one.start));
                 }
                 let last = one.points.len().saturating_sub(1);
                 for (k, point) in one.points.iter().enumerate() {
                     // Of more than two only the last counts: the others are elements of an array.
                     if k == last || one.points.len() == 2 {
-                        wanted.push(((bucket, one.motion, k == last), point));
+                        wanted.push((BucketPoint { bucket, motion: one.motion, is_end: k == last }, point));
                     }
                 }
             }
         }
-        wanted.sort_by_key(|(place, _)| *place);
-        wanted.dedup_by_key(|(place, _)| *place);
+        wanted.sort_by_key(|(at, _)| *at);
+        wanted.dedup_by_key(|(at, _)| *at);
         let mut q_rad = Vec::with_capacity(wanted.len());
-        for some in wanted.chunk_by(|(a, _), (b, _)| a.0 == b.0) {
-            let Some(arm) = some.first().and_then(|((bucket, ..), _)| warm.as_slice().get(*bucket)) else {
+        for some in wanted.chunk_by(|(a, _), (b, _)| a.bucket == b.bucket) {
+            let Some(arm) = some.first().and_then(|(at, _)| warm.as_slice().get(at.bucket)) else {
                 q_rad.extend(some.iter().map(|_| None));
                 continue;
             };
@@ -114,17 +122,19 @@ impl Solved {
                 q_rad.push(solved.ok().map(|solved| solved.q_rad));
             });
         }
-        Self { places: wanted.into_iter().map(|(place, _)| place).collect(), q_rad }
+        Self { points: wanted.into_iter().map(|(at, _)| at).collect(), q_rad }
     }
 
-    fn at(&self, place: Place) -> Option<[f64; 6]> {
-        *self.q_rad.get(self.places.binary_search(&place).ok()?)?
+    fn at(&self, point: BucketPoint) -> Option<[f64; 6]> {
+        *self.q_rad.get(self.points.binary_search(&point).ok()?)?
     }
 
     /// The joints with which the warm arm goes the way of a motion in a bucket.
     fn ends(&self, one: &Followed<'_>, leg: &Leg<'_>, bucket: usize, start_corrected: bool) -> Option<Ends> {
-        let start = if start_corrected { self.at((bucket, one.before, true))? } else { one.start.q_rad };
-        let via = if leg.goes_by_a_point() { Some(self.at((bucket, one.motion, false))?) } else { None };
-        Some(Ends { start, via, end: self.at((bucket, one.motion, true))? })
+        let end_of = |motion: usize| self.at(BucketPoint { bucket, motion, is_end: true });
+        let start = if start_corrected { end_of(one.before)? } else { one.start.q_rad };
+        let circle_point = BucketPoint { bucket, motion: one.motion, is_end: false };
+        let via = if leg.goes_by_a_point() { Some(self.at(circle_point)?) } else { None };
+        Some(Ends { start, via, end: end_of(one.motion)? })
     }
 }

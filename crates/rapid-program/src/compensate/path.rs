@@ -48,49 +48,67 @@ impl Leg<'_> {
     }
 }
 
-/// A leg with the corrected joints in each bucket in which it is looked at.
-pub(super) type Corrected<'a> = (Leg<'a>, Vec<(usize, Option<Ends>)>);
+/// A leg with the joints by which it is corrected.
+pub(super) struct CorrectedLeg<'a> {
+    pub(super) leg: Leg<'a>,
+    /// The buckets in which it is looked at, by their positions, each with the joints; `None` where the arm does not get there.
+    pub(super) in_buckets: Vec<(usize, Option<Ends>)>,
+}
+
+/// A leg in a bucket, each by its position.
+struct LegInBucket {
+    bucket: usize,
+    leg: usize,
+    ends: Option<Ends>,
+}
+
+/// A moment of a leg in a bucket: its position in the list of those, and the share of the way, 0 to 1.
+struct AskedSample {
+    at: usize,
+    share: f64,
+}
 
 /// For each leg the largest distance at a half, and in the worst bucket at the quarters, metres; the arm of each bucket is one of
 /// `arms`. `None` where the nominal arm cannot follow.
 pub(super) fn deviations_m(
-    legs: &[Corrected<'_>],
+    legs: &[CorrectedLeg<'_>],
     arms: &[DeformedArm],
     model: &Model<'_>,
 ) -> Vec<Option<f64>> {
-    let programmed = ways(legs.iter().map(|(leg, _)| Some((leg, leg.programmed()?))), model);
+    let programmed = ways(legs.iter().map(|CorrectedLeg { leg, .. }| Some((leg, leg.programmed()?))), model);
     // Bucket after bucket: what one arm does is asked side by side.
-    let mut in_bucket: Vec<(usize, usize, Option<Ends>)> = Vec::new();
-    for (i, (_, buckets)) in legs.iter().enumerate() {
-        in_bucket.extend(buckets.iter().map(|(bucket, ends)| (*bucket, i, *ends)));
+    let mut in_buckets: Vec<LegInBucket> = Vec::new();
+    for (leg, CorrectedLeg { in_buckets: own, .. }) in legs.iter().enumerate() {
+        in_buckets.extend(own.iter().map(|&(bucket, ends)| LegInBucket { bucket, leg, ends }));
     }
-    in_bucket.sort_by_key(|(bucket, ..)| *bucket);
-    let corrected = ways(in_bucket.iter().map(|(_, i, ends)| Some((&legs[*i].0, (*ends)?))), model);
-    let far_m = |asked: &[(usize, f64)]| {
-        let place = |(k, s): &(usize, f64)| {
-            let (bucket, i, _) = in_bucket.get(*k)?;
-            let (programmed, way) = (programmed.get(*i)?.as_ref()?, corrected.get(*k)?.as_ref()?);
-            Some(Place { leg: &legs[*i].0, programmed, way, arm: arms.get(*bucket)?, s: *s })
+    in_buckets.sort_by_key(|one| one.bucket);
+    let corrected = ways(in_buckets.iter().map(|one| Some((&legs[one.leg].leg, one.ends?))), model);
+    let far_m = |asked: &[AskedSample]| {
+        let sample = |&AskedSample { at, share }: &AskedSample| {
+            let one = in_buckets.get(at)?;
+            let (programmed, way) = (programmed.get(one.leg)?.as_ref()?, corrected.get(at)?.as_ref()?);
+            Some(WaySample { leg: &legs[one.leg].leg, programmed, way, arm: arms.get(one.bucket)?, share })
         };
-        far_each(&asked.iter().map(place).collect::<Vec<Option<Place<'_>>>>(), model)
+        far_each(&asked.iter().map(sample).collect::<Vec<Option<WaySample<'_>>>>(), model)
     };
 
-    let halves: Vec<(usize, f64)> = (0..in_bucket.len()).map(|k| (k, 0.5)).collect();
+    let halves: Vec<AskedSample> = (0..in_buckets.len()).map(|at| AskedSample { at, share: 0.5 }).collect();
     // The worst and where it is; nothing of a leg that cannot be followed somewhere.
     let mut worst: Vec<Option<Option<(f64, usize)>>> = vec![Some(None); legs.len()];
-    for (k, (far_m, (_, i, _))) in far_m(&halves).into_iter().zip(&in_bucket).enumerate() {
-        worst[*i] = match (worst[*i], far_m) {
+    for (at, (far_m, one)) in far_m(&halves).into_iter().zip(&in_buckets).enumerate() {
+        worst[one.leg] = match (worst[one.leg], far_m) {
             (None, _) | (_, None) => None,
             (Some(Some(most)), Some(far_m)) if far_m <= most.0 => Some(Some(most)),
-            (Some(_), Some(far_m)) => Some(Some((far_m, k))),
+            (Some(_), Some(far_m)) => Some(Some((far_m, at))),
         };
     }
-    let mut quarters: Vec<(usize, f64)> =
-        worst.iter().flatten().flatten().flat_map(|(_, k)| [(*k, 0.25), (*k, 0.75)]).collect();
-    quarters.sort_by_key(|(k, _)| *k);
+    let both = |at: usize| [0.25, 0.75].map(|share| AskedSample { at, share });
+    let mut quarters: Vec<AskedSample> =
+        worst.iter().flatten().flatten().flat_map(|(_, at)| both(*at)).collect();
+    quarters.sort_by_key(|sample| sample.at);
     let mut deviations_m: Vec<Option<f64>> = worst.into_iter().map(|worst| Some(worst??.0)).collect();
-    for (far_m, (k, _)) in far_m(&quarters).into_iter().zip(&quarters) {
-        let most = in_bucket.get(*k).and_then(|(_, i, _)| deviations_m[*i].as_mut());
+    for (far_m, sample) in far_m(&quarters).into_iter().zip(&quarters) {
+        let most = in_buckets.get(sample.at).and_then(|one| deviations_m[one.leg].as_mut());
         if let (Some(most), Some(far_m)) = (most, far_m) {
             *most = most.max(far_m);
         }
@@ -105,8 +123,13 @@ struct Way {
     track: Option<Track>,
 }
 
-/// Which poses a track goes by: start, circle point, end.
-type OnTrack = (usize, Option<usize>, usize);
+/// Which poses a track goes by, by their positions in a list.
+struct TrackPoses {
+    start: usize,
+    /// That at the circle point of an arc.
+    via: Option<usize>,
+    end: usize,
+}
 
 /// The ways of some legs.
 fn ways<'l>(legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>, model: &Model<'_>) -> Vec<Option<Way>> {
@@ -124,72 +147,73 @@ fn ways<'l>(legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>, model: &Mod
         let on_track = (!leg.joints_count()).then(|| {
             let start = stand(&ends.start, placement);
             let via = ends.via.as_ref().map(|via| stand(via, placement));
-            (start, via, stand(&ends.end, placement))
+            TrackPoses { start, via, end: stand(&ends.end, placement) }
         });
         Some((ends, on_track))
     });
-    let numbered: Vec<Option<(Ends, Option<OnTrack>)>> = numbered.collect();
+    let numbered: Vec<Option<(Ends, Option<TrackPoses>)>> = numbered.collect();
     let q_rad: Vec<[f64; 6]> = stands.iter().map(|(q_rad, _)| *q_rad).collect();
     let mut poses: Vec<Isometry3<f64>> = Vec::with_capacity(stands.len());
     let mut each = stands.iter();
     model.nominal.forward_each(&q_rad, |base_from_flange| {
         poses.extend(each.next().map(|(_, placement)| placement.object_from_tcp(&base_from_flange)));
     });
-    let way = |(ends, on_track): (Ends, Option<OnTrack>)| {
-        let track =
-            on_track.map(|(start, via, end)| Track::new(poses[start], via.map(|via| poses[via]), poses[end]));
+    let way = |(ends, on_track): (Ends, Option<TrackPoses>)| {
+        let track = on_track
+            .map(|of: TrackPoses| Track::new(poses[of.start], of.via.map(|via| poses[via]), poses[of.end]));
         Way { ends, track }
     };
     numbered.into_iter().map(|one| one.map(way)).collect()
 }
 
-/// Where on a leg its corrected way is compared with the programmed one.
-struct Place<'a> {
+/// A share of a leg at which its corrected way is compared with the programmed one.
+struct WaySample<'a> {
     leg: &'a Leg<'a>,
     programmed: &'a Way,
     way: &'a Way,
     arm: &'a DeformedArm,
-    s: f64,
+    /// From 0 at the start to 1 at the end.
+    share: f64,
 }
 
-/// How far the arm is at each of these places from the programmed way, metres; `None` where the nominal arm does not get there.
-fn far_each(places: &[Option<Place<'_>>], model: &Model<'_>) -> Vec<Option<f64>> {
-    let joints = joints_at(places, model);
-    let mut far_m = Vec::with_capacity(places.len());
-    let arm = |place: &Option<Place<'_>>| place.as_ref().map(|place| std::ptr::from_ref(place.arm));
+/// How far the arm is at each of these samples from the programmed way, metres; `None` where the nominal arm does not get there.
+fn far_each(samples: &[Option<WaySample<'_>>], model: &Model<'_>) -> Vec<Option<f64>> {
+    let joints = joints_at(samples, model);
+    let mut far_m = Vec::with_capacity(samples.len());
+    let arm = |sample: &Option<WaySample<'_>>| sample.as_ref().map(|sample| std::ptr::from_ref(sample.arm));
     let mut rest = joints.as_slice();
-    for some in places.chunk_by(|a, b| arm(a) == arm(b)) {
+    for some in samples.chunk_by(|a, b| arm(a) == arm(b)) {
         let (joints, others) = rest.split_at(some.len());
         rest = others;
         let known =
-            || some.iter().flatten().zip(joints).filter_map(|(place, q_rad)| Some((place, (*q_rad)?)));
+            || some.iter().flatten().zip(joints).filter_map(|(sample, q_rad)| Some((sample, (*q_rad)?)));
         let q_rad: Vec<[f64; 6]> = known().map(|(_, q_rad)| q_rad).collect();
-        let conditions: Vec<Conditions> = known().map(|(place, _)| place.leg.end().conditions).collect();
+        let conditions: Vec<Conditions> = known().map(|(sample, _)| sample.leg.end().conditions).collect();
         let mut frames: Vec<Isometry3<f64>> = Vec::with_capacity(q_rad.len());
-        if let Some(place) = some.iter().flatten().next() {
-            place.arm.forward_each(&q_rad, &conditions, |there| frames.push(there));
+        if let Some(sample) = some.iter().flatten().next() {
+            sample.arm.forward_each(&q_rad, &conditions, |there| frames.push(there));
         }
         let mut frames = frames.into_iter();
         far_m.extend(
-            some.iter().zip(joints).map(|(place, q_rad)| {
-                q_rad.and_then(|_| Some(place.as_ref()?.far_m(&frames.next()?, model)))
+            some.iter().zip(joints).map(|(sample, q_rad)| {
+                q_rad.and_then(|_| Some(sample.as_ref()?.far_m(&frames.next()?, model)))
             }),
         );
     }
     far_m
 }
 
-/// The joints with which the nominal arm goes through these places, radians.
-fn joints_at(places: &[Option<Place<'_>>], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
+/// The joints with which the nominal arm goes through these samples, radians.
+fn joints_at(samples: &[Option<WaySample<'_>>], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
     let mut asked = Vec::new();
-    let mut joints: Vec<Option<[f64; 6]>> = Vec::with_capacity(places.len());
-    for place in places {
-        let place = place.as_ref();
-        joints.push(place.map(|place| place.way.ends.at(place.s)));
-        let on_track = place.and_then(|place| Some((place, place.way.track.as_ref()?)));
-        let Some((place, track)) = on_track else { continue };
-        let pose = track.pose(place.s).map(|pose| place.leg.end().placement.base_from_flange(&pose));
-        let branch = usize::try_from(model.closed.configuration(&place.way.ends.end).cfx);
+    let mut joints: Vec<Option<[f64; 6]>> = Vec::with_capacity(samples.len());
+    for sample in samples {
+        let sample = sample.as_ref();
+        joints.push(sample.map(|sample| sample.way.ends.at(sample.share)));
+        let on_track = sample.and_then(|sample| Some((sample, sample.way.track.as_ref()?)));
+        let Some((sample, track)) = on_track else { continue };
+        let pose = track.pose(sample.share).map(|pose| sample.leg.end().placement.base_from_flange(&pose));
+        let branch = usize::try_from(model.closed.configuration(&sample.way.ends.end).cfx);
         match (pose, branch) {
             (Some(pose), Ok(branch)) => asked.push((joints.len() - 1, (pose, branch))),
             _ => {
@@ -212,7 +236,7 @@ fn joints_at(places: &[Option<Place<'_>>], model: &Model<'_>) -> Vec<Option<[f64
     joints
 }
 
-impl Place<'_> {
+impl WaySample<'_> {
     /// Distance of the arm, whose flange is there, from the programmed way.
     fn far_m(&self, base_from_flange: &Isometry3<f64>, model: &Model<'_>) -> f64 {
         let placement = self.leg.end().placement;
@@ -222,7 +246,7 @@ impl Place<'_> {
         match (&self.way.track, &self.programmed.track) {
             (Some(_), Some(meant)) => meant.distance_m(&seen(base_from_flange)),
             _ => {
-                let meant = seen(&model.nominal.forward(&self.programmed.ends.at(self.s)));
+                let meant = seen(&model.nominal.forward(&self.programmed.ends.at(self.share)));
                 (seen(base_from_flange) - meant).norm()
             }
         }

@@ -12,7 +12,7 @@ use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
 use super::point;
 use super::row_hash::RowHash;
-use super::target::{MAX_LINE, Row, TargetArray, as_it_is, first_element};
+use super::target::{ArrayRow, MAX_LINE, TargetArray, as_it_is, first_element};
 use crate::compensate::plan::{Corrected, Correction, Corrections, Form, PlannedMotion, PlannedTarget};
 use crate::program::motion::{Motion, Origin, Path, Target, TargetValue, WobjArgument};
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -138,13 +138,17 @@ impl<'p> Added<'p> {
                 let literal = target.literal(file.id).filter(|_| target.value().is_some());
                 let literal = literal.map(|span| context.program.file(span.file).text(span.range));
                 let first_element = first_element(literal, Some(&original))?;
-                rows.push((original, first_element, Cow::Borrowed(corrected)));
+                rows.push(ArrayRow { original, first_element, corrected: Cow::Borrowed(corrected) });
             }
             if let Some(indices) = target.indices().filter(|indices| indices.occurring.is_some()) {
-                let never = |value: &TargetValue| -> Result<Row<'p>, EmitError> {
+                let never = |value: &TargetValue| -> Result<ArrayRow<'p>, EmitError> {
                     let corrected =
                         as_it_is(value).ok_or_else(|| mismatch(file, "an element is no target"))?;
-                    Ok((*value, first_element(None, Some(value))?, Cow::Owned(vec![corrected; buckets])))
+                    Ok(ArrayRow {
+                        original: *value,
+                        first_element: first_element(None, Some(value))?,
+                        corrected: Cow::Owned(vec![corrected; buckets]),
+                    })
                 };
                 let all = indices.spread(rows).into_iter().zip(target.elements());
                 rows =
@@ -161,7 +165,7 @@ impl<'p> Added<'p> {
                     let name = self.name(file, motion, (target, base), str::to_owned)?;
                     let tells_itself = match target.origin() {
                         Origin::Named { .. } => name.as_bytes().strip_prefix(b"tc") == Some(argument),
-                        Origin::Inline => rows.first().is_some_and(|(_, e, _)| *e == Cow::Borrowed(argument)),
+                        Origin::Inline => rows.first().is_some_and(|row| *row.first_element == *argument),
                         Origin::Expression => {
                             index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base)
                         }

@@ -1,6 +1,6 @@
 //! The corrections of a motion that goes to one of a few targets: beside each of them the pose by which it is known.
 
-use super::check;
+use super::checksum;
 use super::correction::write_correction;
 use super::insertion::LayoutStyle;
 use super::number::{write_orient, write_pos};
@@ -65,7 +65,7 @@ impl ChoiceData {
         }
         value.truncate(value.len().saturating_sub(1));
         out.extend_from_slice(style.eol);
-        check::of_numbers(&value).to_vec()
+        checksum::of_numbers(&value).to_vec()
     }
 }
 
@@ -81,13 +81,13 @@ mod tests {
             ChoiceData { name: "tcP".into(), hash_name: "tcPRow".into(), rows: vec![at(0.4), at(0.5)] };
         let style = LayoutStyle { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() };
         let mut out = Vec::new();
-        let letters = data.write(&mut out, &style);
+        let checksums = data.write(&mut out, &style);
         let text = "  LOCAL CONST pose tcP{2,2}:=[
     [[[400,0,250],[1,0,0,0]],[[0.1,0,0],[1,0,0,-1E-3]]],
     [[[500,0,250],[1,0,0,0]],[[0.1,0,0],[1,0,0,-1E-3]]]];
 ";
         assert_eq!(String::from_utf8(out).unwrap(), text);
         let value = text.split_once(":=").unwrap().1.trim_end().trim_end_matches(';');
-        assert_eq!(letters, check::of_numbers(value.as_bytes()));
+        assert_eq!(checksums, checksum::of_numbers(value.as_bytes()));
     }
 }

@@ -8,7 +8,7 @@ use super::live::{self, Cap, Function, LiveModel};
 use super::names::Names;
 use super::options::{Core, EmitError, EmitOptions};
 use super::scale::Scaled;
-use super::touch::ROOM;
+use super::touch::MAX_AMOUNT;
 use crate::compensate::LiveBasis;
 use crate::compensate::plan::{Corrected, Corrections, Form, Plan, PlannedTarget, Status, Totals};
 use crate::program::motion::Target;
@@ -128,7 +128,7 @@ fn core_text<'e>(
 
 /// By how much the table's drift moves the target that it moves most, metres; `None` where no robtarget is corrected by numbers.
 ///
-/// What the cold arm is off already is no drift, and the buckets of a program that touches go up to [`ROOM`] times the drift.
+/// What the cold arm is off already is no drift, and the buckets of a program that touches go up to [`MAX_AMOUNT`] times the drift.
 fn largest_drift_m(plan: &Plan, growth: Option<GrowthLaw>) -> Option<f64> {
     let cold = plan.functions.as_ref().and_then(|functions| {
         functions.nodes.iter().position(|node| matches!(node, Moment::Minute(t_min) if *t_min == 0.0))
@@ -147,7 +147,7 @@ fn largest_drift_m(plan: &Plan, growth: Option<GrowthLaw>) -> Option<f64> {
         Corrections::InBuckets(corrected) => {
             let at_m = |corrected: Option<&Corrected>| Some(Vector3::from(corrected?.position_m()?));
             let moved_m = (at_m(corrected.last())? - at_m(corrected.first())?).norm();
-            let shares = ROOM * (share(buckets.last())? - share(buckets.first())?);
+            let shares = MAX_AMOUNT * (share(buckets.last())? - share(buckets.first())?);
             (shares > 0.0).then_some(moved_m / shares)
         }
     };

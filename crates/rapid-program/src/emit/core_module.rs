@@ -4,7 +4,7 @@ use super::context::EmitContext;
 use super::digest;
 use super::header::{self, Record};
 use super::insertion::{LayoutStyle, majority_eol};
-use super::module::code_letters;
+use super::module::code_checksums;
 use super::options::EmittedFile;
 use rapid_syntax::SourceFile;
 
@@ -18,7 +18,7 @@ pub fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> EmittedFile 
     bytes.extend_from_slice(style.eol);
     let data = context.data();
     let routines = context.routines();
-    let record = Record { is_core: true, code: code_letters(&data, &routines), ..Record::default() };
+    let record = Record { is_core: true, code: code_checksums(&data, &routines), ..Record::default() };
     for line in header::lines(&context.header, &record) {
         style.push(&mut bytes, &format!("  {line}"));
     }

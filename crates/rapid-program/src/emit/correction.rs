@@ -1,7 +1,7 @@
 //! Corrections of the form `ramp` as constants: a shift and a small turn, or six joint angles.
 
 use super::aggregate::{brackets, with_commas};
-use super::check;
+use super::checksum;
 use super::insertion::LayoutStyle;
 use super::number::write_num;
 use super::target::MAX_LINE;
@@ -62,7 +62,7 @@ impl CorrectionData {
             value.truncate(value.len().saturating_sub(1));
         }
         out.extend_from_slice(style.eol);
-        check::of_numbers(&value).to_vec()
+        checksum::of_numbers(&value).to_vec()
     }
 }
 
@@ -127,12 +127,12 @@ mod tests {
         let correction = Correction::Pose { shift_m: [1e-4, -2.5e-5, 0.0], turn: [1.25e-5, 0.0, -0.001] };
         let data = CorrectionData { name: "tcP10".into(), dims: Vec::new(), values: vec![correction] };
         let mut out = Vec::new();
-        let letters = data.write(&mut out, &style());
+        let checksums = data.write(&mut out, &style());
         assert_eq!(
             String::from_utf8(out).unwrap(),
             "  LOCAL CONST pose tcP10:=[[0.1,-0.025,0],[1,1.25E-5,0,-1E-3]];\n"
         );
-        assert_eq!(letters, check::of_numbers(b"[[0.1,-0.025,0],[1,0.0000125,0,-0.001]]"));
+        assert_eq!(checksums, checksum::of_numbers(b"[[0.1,-0.025,0],[1,0.0000125,0,-0.001]]"));
     }
 
     #[test]
@@ -157,11 +157,11 @@ mod tests {
         let correction = Correction::Joints { turn_rad: [0.01; 6] };
         let data = CorrectionData { name: "tcHome".into(), dims: vec![9], values: vec![correction; 9] };
         let mut out = Vec::new();
-        let letters = data.write(&mut out, &style());
+        let checksums = data.write(&mut out, &style());
         let text = String::from_utf8(out).unwrap();
         assert!(text.starts_with("  LOCAL CONST robjoint tcHome{9}:=[\n    [0.572958,"), "{text}");
         assert!(text.ends_with("]];\n") && text.lines().all(|line| line.len() <= MAX_LINE));
         let value = text.split_once(":=").unwrap().1.trim_end().trim_end_matches(';');
-        assert_eq!(letters, check::of_numbers(value.as_bytes()));
+        assert_eq!(checksums, checksum::of_numbers(value.as_bytes()));
     }
 }

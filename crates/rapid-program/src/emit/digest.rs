@@ -2,7 +2,7 @@
 //!
 //! A controller that saves a module back lays it out anew and writes the present values of its PERS: that is a change.
 
-use super::check::{MARK, hex};
+use super::checksum::{MARK, hex};
 use rapid_syntax::Edit;
 use sha2::{Digest, Sha256};
 use std::ops::Range;

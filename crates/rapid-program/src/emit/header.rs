@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use super::check::{self, MARK};
+use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
@@ -37,11 +37,11 @@ pub struct Record {
     pub was: BTreeMap<String, Vec<u8>>,
     /// For each bucket how much of the drift it corrects, in any unit.
     pub shares: Vec<f64>,
-    /// Letters of the originals that stay in place, each once, in the order of the motions.
+    /// Fingerprints of the originals that stay in place, each once, in the order of the motions.
     pub points: Vec<u8>,
-    /// Letters of each array or correction, in their order.
-    pub letters: Vec<u8>,
-    /// Three letters for each of the other data, then for each routine.
+    /// Checksums of each array or correction, in their order.
+    pub checksums: Vec<u8>,
+    /// A checksum of three characters for each of the other data, then for each routine.
     pub code: Vec<u8>,
     /// As read: the lines are as they were written.
     pub is_whole: bool,
@@ -96,12 +96,14 @@ pub fn lines(about: &[String], record: &Record) -> Vec<String> {
     for (name, by) in &record.renamed {
         add("renamed", &format!("{name} {by}"));
     }
-    for (key, letters) in [("points", &record.points), ("targets", &record.letters), ("code", &record.code)] {
-        if !letters.is_empty() {
-            add(key, &String::from_utf8_lossy(letters));
+    for (key, checksums) in
+        [("points", &record.points), ("targets", &record.checksums), ("code", &record.code)]
+    {
+        if !checksums.is_empty() {
+            add(key, &String::from_utf8_lossy(checksums));
         }
     }
-    let sum = check::of_lines(entries.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
+    let sum = checksum::of_lines(entries.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
     lines.push(format!("{MARK}sum: {}", String::from_utf8_lossy(&sum)));
     lines.push(digest::line());
     lines.push(format!("{MARK}end"));
@@ -228,7 +230,7 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
     }
     let mut record = Record::default();
     let pairs = || entries.iter().map(|(key, text)| (key.as_slice(), text.as_slice()));
-    let sum = check::of_lines(pairs().filter(|(key, _)| KEYS.contains(key)));
+    let sum = checksum::of_lines(pairs().filter(|(key, _)| KEYS.contains(key)));
     record.is_whole = pairs().any(|(key, text)| key == b"sum" && text == sum);
     for (key, text) in entries {
         let broken =
@@ -266,7 +268,7 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
                 record.was.insert(name.to_owned(), unescape(was.as_bytes()).ok_or_else(broken)?);
             }
             b"points" => record.points = text,
-            b"targets" => record.letters = text,
+            b"targets" => record.checksums = text,
             b"code" => record.code = text,
             _ => {}
         }
@@ -333,7 +335,7 @@ mod tests {
             was,
             shares: vec![0.125, 1.0],
             points: b"ABCabc".repeat(90),
-            letters: b"-+01".repeat(90),
+            checksums: b"-+01".repeat(90),
             code: b"xyz".to_vec(),
             is_whole: true,
         };

@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 
 use super::added::{Added, Declaration};
 use super::aggregate::Singles;
-use super::check::{self, hex};
+use super::checksum::{self, hex};
 use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
@@ -34,7 +34,7 @@ pub fn edits(
     for line in &data {
         style.push(&mut text, line);
     }
-    let letters = write(&added.declarations, &mut text, &style)?;
+    let checksums = write(&added.declarations, &mut text, &style)?;
     let record = Record {
         source_sha256: hex(&Sha256::digest(&file.bytes)),
         source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
@@ -47,8 +47,8 @@ pub fn edits(
         was: added.was,
         points: added.points,
         shares: added.shares,
-        letters,
-        code: code_letters(&data, &routines),
+        checksums,
+        code: code_checksums(&data, &routines),
         is_whole: true,
     };
     let mut block = Vec::new();
@@ -76,12 +76,12 @@ pub fn edits(
     Ok(edits)
 }
 
-/// Letters for data and for the routines of other lines.
-pub fn code_letters(data: &[String], routines: &[String]) -> Vec<u8> {
+/// Checksums for data and for the routines of other lines.
+pub fn code_checksums(data: &[String], routines: &[String]) -> Vec<u8> {
     let of = |lines: &[String], heads: Vec<usize>| -> Vec<u8> {
         let ends = heads.iter().skip(1).copied().chain([lines.len()]);
         let codes = heads.iter().zip(ends).map(|(&from, to)| lines[from..to].join("\n"));
-        codes.flat_map(|code| check::of_code(code.as_bytes())).collect()
+        codes.flat_map(|code| checksum::of_code(code.as_bytes())).collect()
     };
     [of(data, data_heads(data).collect()), of(routines, heads(routines).collect())].concat()
 }
@@ -111,7 +111,7 @@ const TOGETHER: usize = 16;
 #[derive(Default)]
 struct Piece {
     text: Vec<u8>,
-    letters: Vec<u8>,
+    checksums: Vec<u8>,
     reader: Singles,
     /// Why it cannot be written on.
     error: Option<EmitError>,
@@ -121,10 +121,10 @@ impl Piece {
     /// Writes some declarations in place of what it holds.
     fn write(&mut self, declarations: &[Declaration<'_>], style: &LayoutStyle) -> Result<(), EmitError> {
         self.text.clear();
-        self.letters.clear();
+        self.checksums.clear();
         for declaration in declarations {
-            let letters = declaration.write(&mut self.text, style, &mut self.reader)?;
-            self.letters.extend(letters);
+            let checksums = declaration.write(&mut self.text, style, &mut self.reader)?;
+            self.checksums.extend(checksums);
         }
         Ok(())
     }
@@ -136,7 +136,7 @@ fn write(
     out: &mut Vec<u8>,
     style: &LayoutStyle,
 ) -> Result<Vec<u8>, EmitError> {
-    let mut letters = Vec::new();
+    let mut checksums = Vec::new();
     let mut pieces: Vec<Piece> = Vec::new();
     pieces.resize_with(4 * parallel::threads(), Piece::default);
     for some in declarations.chunks(pieces.len() * TOGETHER) {
@@ -151,8 +151,8 @@ fn write(
                 return Err(error);
             }
             out.extend_from_slice(&piece.text);
-            letters.extend_from_slice(&piece.letters);
+            checksums.extend_from_slice(&piece.checksums);
         }
     }
-    Ok(letters)
+    Ok(checksums)
 }

@@ -1,8 +1,8 @@
-//! Originals that stay in a module, known again by letters in its comment block: which of them was touched up, and by how
+//! Originals that stay in a module, known again by fingerprints in its comment block: which of them was touched up, and by how
 //! much.
 
 use super::aggregate::{Singles, is_plain};
-use super::check;
+use super::checksum;
 use crate::program::motion::Motion;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Module, ModuleItem, Routine, StmtKind};
@@ -13,7 +13,7 @@ const STEP_MM: f64 = 0.001;
 const STEP_DEG: f64 = 0.0001;
 /// Numbers of a jointtarget.
 const JOINTTARGET: usize = 12;
-/// Letters of one coordinate: 24 bits.
+/// Characters of one coordinate: 24 bits.
 const COORDINATE: usize = 4;
 
 /// Where the value of a target argument stands.
@@ -80,67 +80,67 @@ impl<'t> Declarations<'t> {
     }
 }
 
-/// The letters of a module's originals, each once, in the order of the motions.
+/// The fingerprints of a module's originals, each once, in the order of the motions.
 #[derive(Default)]
-pub struct Points {
+pub struct Fingerprints {
     declared: HashSet<u32>,
-    letters: Vec<u8>,
+    text: Vec<u8>,
     reader: Singles,
 }
 
-impl Points {
-    /// Takes in an original; its letters, where it is one that was not there before.
+impl Fingerprints {
+    /// Takes in an original; its fingerprint, where it is one that was not there before.
     pub fn add(&mut self, bytes: &[u8], original: Original) -> Option<&[u8]> {
         if original.declared && !self.declared.insert(original.value.start) {
             return None;
         }
-        let before = self.letters.len();
-        add_letters(original.value.of(bytes), &mut self.reader, &mut self.letters);
-        self.letters.get(before..)
+        let before = self.text.len();
+        add_fingerprint(original.value.of(bytes), &mut self.reader, &mut self.text);
+        self.text.get(before..)
     }
 
-    /// The letters of all originals.
+    /// Those of all originals, one after another.
     #[must_use]
-    pub fn letters(self) -> Vec<u8> {
-        self.letters
+    pub fn text(self) -> Vec<u8> {
+        self.text
     }
 }
 
-/// The letters of the originals of motions of a module in `bytes`.
+/// The fingerprints of the originals of motions of a module in `bytes`.
 #[must_use]
 pub fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
     let declarations = Declarations::new(bytes, module);
     let routines: Vec<&Routine> = module.routines().collect();
-    let mut points = Points::default();
+    let mut fingerprints = Fingerprints::default();
     for Motion { range, targets, .. } in motions {
         let after = routines.partition_point(|routine| routine.range.start <= range.start);
         let Some(routine) = after.checked_sub(1).and_then(|at| routines.get(at)) else { continue };
         for target in targets.iter() {
             if let Some(original) = declarations.original(target.range, routine) {
-                points.add(bytes, original);
+                fingerprints.add(bytes, original);
             }
         }
     }
-    points.letters()
+    fingerprints.text()
 }
 
-/// Three letters for all numbers of a target, then four for each coordinate or joint.
-fn add_letters(text: &[u8], reader: &mut Singles, out: &mut Vec<u8>) {
-    let Places { letters, values, count, step } = Places::of(text, reader);
-    out.extend(letters);
+/// A checksum of three characters for all numbers of a target, then four characters for each coordinate or joint.
+fn add_fingerprint(text: &[u8], reader: &mut Singles, out: &mut Vec<u8>) {
+    let TargetNumbers { checksum, values, count, step } = TargetNumbers::of(text, reader);
+    out.extend(checksum);
     for value in &values[..count] {
         let steps = (value / step).round().clamp(-8_388_608.0, 8_388_607.0) as i64 + 8_388_608;
-        out.extend(check::of_number::<COORDINATE>(steps as u64));
+        out.extend(checksum::of_number::<COORDINATE>(steps as u64));
     }
 }
 
-/// How far a target has moved since other letters were made than it has: mm or degrees, with the unit.
+/// How far a target is from where it was when a fingerprint of it was made: mm or degrees, with the unit.
 #[must_use]
 pub fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
-    let Places { values, count, step, .. } = Places::of(text, &mut Singles::default());
+    let TargetNumbers { values, count, step, .. } = TargetNumbers::of(text, &mut Singles::default());
     let values = &values[..count];
-    let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|letters| {
-        let steps = check::number_of(letters).unwrap_or_default();
+    let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|coordinate| {
+        let steps = checksum::number_of(coordinate).unwrap_or_default();
         (steps as f64 - 8_388_608.0) * step
     });
     let changes: Vec<f64> = values.iter().zip(was).map(|(now, was)| now - was).collect();
@@ -151,30 +151,30 @@ pub fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
     }
 }
 
-/// A target's numbers as they are told.
-struct Places {
-    /// Three for all of them.
-    letters: [u8; 3],
+/// A target's numbers as its fingerprint holds them.
+struct TargetNumbers {
+    /// Of all of them.
+    checksum: [u8; 3],
     /// Position in mm, or six joints in degrees: the first `count`.
     values: [f64; 6],
     count: usize,
-    /// The step in which they are told.
+    /// The step in which they are written, mm or degrees.
     step: f64,
 }
 
-impl Places {
+impl TargetNumbers {
     fn of(text: &[u8], reader: &mut Singles) -> Self {
         let (mut values, mut count) = ([0.0; 6], 0);
-        let letters = check::of_numbers_with(text, reader, |value| {
-            if let Some(place) = values.get_mut(count) {
-                *place = f64::from(value);
+        let checksum = checksum::of_numbers_with(text, reader, |value| {
+            if let Some(known) = values.get_mut(count) {
+                *known = f64::from(value);
             }
             count += 1;
         });
-        let joints = letters.is_some() && count == JOINTTARGET;
-        let count = if letters.is_none() { 0 } else { count.min(if joints { 6 } else { 3 }) };
+        let joints = checksum.is_some() && count == JOINTTARGET;
+        let count = if checksum.is_none() { 0 } else { count.min(if joints { 6 } else { 3 }) };
         let step = if joints { STEP_DEG } else { STEP_MM };
-        Self { letters: letters.unwrap_or_else(check::of_no_numbers), values, count, step }
+        Self { checksum: checksum.unwrap_or_else(checksum::of_no_numbers), values, count, step }
     }
 }
 
@@ -187,28 +187,28 @@ mod tests {
         let was = b"[[400.000,-300.5,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let same = b"[[400,-300.50,250.0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let now = b"[[400.3,-300.1,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        let letters = |text: &[u8]| {
-            let mut letters = Vec::new();
-            add_letters(text, &mut Singles::default(), &mut letters);
-            letters
+        let fingerprint = |text: &[u8]| {
+            let mut out = Vec::new();
+            add_fingerprint(text, &mut Singles::default(), &mut out);
+            out
         };
-        let made = letters(was);
+        let made = fingerprint(was);
         assert_eq!(made.len(), 3 + 12);
-        assert_eq!(letters(same), made);
-        assert_ne!(letters(now), made);
+        assert_eq!(fingerprint(same), made);
+        assert_ne!(fingerprint(now), made);
         let (far, unit) = moved(now, &made);
         assert!((far - 0.5).abs() < 2e-3 && unit == "mm", "{far}");
         let joints = b"[[10,20,30,40,50,60],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let turned = b"[[10,20,30,40,50.25,60],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        let made = letters(joints);
+        let made = fingerprint(joints);
         assert_eq!(made.len(), 3 + 24);
         let (far, unit) = moved(turned, &made);
         assert!((far - 0.25).abs() < 2e-4 && unit == "deg");
         // A turn alone moves nothing, but it is a change.
         let turned = b"[[400,-300.50,250.0],[0.9,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-        assert_ne!(letters(turned), letters(was));
-        assert_eq!(moved(turned, &letters(was)), (0.0, "mm"));
-        // What cannot be read has letters, and no place.
-        assert_eq!(letters(b"[[1,2,x]]"), letters(b"[]"));
+        assert_ne!(fingerprint(turned), fingerprint(was));
+        assert_eq!(moved(turned, &fingerprint(was)), (0.0, "mm"));
+        // What cannot be read has a checksum, and no coordinates.
+        assert_eq!(fingerprint(b"[[1,2,x]]"), fingerprint(b"[]"));
     }
 }

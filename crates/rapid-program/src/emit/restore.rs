@@ -15,7 +15,7 @@ mod removal;
 pub use altered::altered_core;
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 
-use super::check::hex;
+use super::checksum::hex;
 use super::header;
 use super::insertion;
 use super::names::{ASKED, words};

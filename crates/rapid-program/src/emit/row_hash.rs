@@ -1,7 +1,7 @@
 //! Which row of a choice a target is, by one look-up: a hash of its pose that no two rows share (perfect hashing by trial,
 //! Fredman, Komlos and Szemeredi, 1984).
 
-use super::check;
+use super::checksum;
 use super::insertion::LayoutStyle;
 use super::number::num;
 use super::target::MAX_LINE;
@@ -71,7 +71,7 @@ impl RowHash {
             style.push_part(out, &mut column, part.as_bytes(), MAX_LINE - 1);
         }
         out.extend_from_slice(style.eol);
-        check::of_numbers(value.as_bytes()).to_vec()
+        checksum::of_numbers(value.as_bytes()).to_vec()
     }
 
     /// The row's number as a RAPID expression of target `tcP` and hash `tcRow`.
@@ -172,10 +172,10 @@ mod tests {
         };
         let style = LayoutStyle { eol: b"\n", indent: b"  ".to_vec(), unit: b"  ".to_vec() };
         let mut out = Vec::new();
-        let letters = hash.write("tcPRow", &mut out, &style);
+        let checksums = hash.write("tcPRow", &mut out, &style);
         let text = "  LOCAL CONST num tcPRow{12}:=[5,0.25,-0.5,0.01,3.2,1,0,-2,1,2,1,3];\n";
         assert_eq!(String::from_utf8(out).unwrap(), text);
-        assert_eq!(letters, check::of_numbers(b"[5,0.25,-0.5,0.01,3.2,1,0,-2,1,2,1,3]"));
+        assert_eq!(checksums, checksum::of_numbers(b"[5,0.25,-0.5,0.01,3.2,1,0,-2,1,2,1,3]"));
         let long = RowHash { cells: vec![31; 300], ..hash };
         let mut out = Vec::new();
         let _ = long.write("tcPRow", &mut out, &style);

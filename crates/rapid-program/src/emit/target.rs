@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::aggregate::{Singles, brackets, has_components, is_plain, tail_of, with_commas};
-use super::check::Elements;
+use super::checksum::Elements;
 use super::insertion::{LayoutStyle, white};
 use super::number::{write_optional, write_orient, write_pos, write_robjoint};
 use super::options::EmitError;
@@ -75,18 +75,26 @@ pub struct TargetArray<'p> {
     pub name: String,
     /// Where the source names an array's element, those of its array; else empty.
     pub dims: Vec<usize>,
-    /// For each row the target as programmed, the text of its element 1, and what it becomes in each bucket.
-    pub rows: Vec<Row<'p>>,
+    /// One for each target, in the order of the indices.
+    pub rows: Vec<ArrayRow<'p>>,
 }
 
-/// A target as programmed, the text of its element 1, and what it becomes in each bucket.
-pub type Row<'p> = (TargetValue, Cow<'p, [u8]>, Cow<'p, [Corrected]>);
+/// The elements of one target.
+pub struct ArrayRow<'p> {
+    /// The target as programmed.
+    pub original: TargetValue,
+    /// The text of element 1.
+    pub first_element: Cow<'p, [u8]>,
+    /// What it becomes in each bucket.
+    pub corrected: Cow<'p, [Corrected]>,
+}
 
 impl TargetArray<'_> {
     /// Whether it is the array of these dimensions and rows.
     #[must_use]
-    pub fn is_of(&self, dims: &[usize], rows: &[Row<'_>]) -> bool {
-        let same = |(a, b): (&Row<'_>, &Row<'_>)| a.0 == b.0 && a.2 == b.2;
+    pub fn is_of(&self, dims: &[usize], rows: &[ArrayRow<'_>]) -> bool {
+        let same =
+            |(a, b): (&ArrayRow<'_>, &ArrayRow<'_>)| a.original == b.original && a.corrected == b.corrected;
         self.dims == dims && self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
     }
 
@@ -100,8 +108,9 @@ impl TargetArray<'_> {
         style: &LayoutStyle,
         reader: &mut Singles,
     ) -> Result<Vec<u8>, EmitError> {
-        let joint = matches!(self.rows.first(), Some((TargetValue::Joint(_), ..)));
-        let buckets = self.rows.first().map_or(0, |(_, _, corrected)| corrected.len());
+        let first = self.rows.first();
+        let joint = first.is_some_and(|row| matches!(row.original, TargetValue::Joint(_)));
+        let buckets = first.map_or(0, |row| row.corrected.len());
         let mut elements = Elements::new(self.rows.len() * (buckets + 1));
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
@@ -110,7 +119,7 @@ impl TargetArray<'_> {
         let dims = [&self.dims[..], &[buckets + 1]].concat();
         out.extend_from_slice(format!("{{{}}}:=[", with_commas(&dims)).as_bytes());
         out.extend_from_slice(style.eol);
-        for (r, (_, first_element, corrected)) in self.rows.iter().enumerate() {
+        for (r, ArrayRow { first_element, corrected, .. }) in self.rows.iter().enumerate() {
             let last_row = r + 1 == self.rows.len();
             let mut line = out.len();
             out.extend_from_slice(&style.indent);
@@ -140,7 +149,7 @@ impl TargetArray<'_> {
             let end = if last_row { "];" } else { "," };
             end_element(out, line, format!("{}{end}", "]".repeat(close + is_nested)).as_bytes(), style);
         }
-        Ok(elements.letters())
+        Ok(elements.checksums())
     }
 }
 
@@ -254,7 +263,7 @@ mod tests {
         TargetArray {
             name: name.into(),
             dims: Vec::new(),
-            rows: vec![(original, first_element, Cow::Borrowed(corrected))],
+            rows: vec![ArrayRow { original, first_element, corrected: Cow::Borrowed(corrected) }],
         }
     }
 

@@ -61,8 +61,8 @@ pub struct TouchFrames {
     pub base_from_object: Isometry3<f64>,
 }
 
-/// In the form `schedule` there are buckets up to so many times the table's settled drift, for what touches find.
-pub const ROOM: f64 = 1.5;
+/// The largest amount for which the form `schedule` has buckets: so many times the table's settled drift may touches find.
+pub const MAX_AMOUNT: f64 = 1.5;
 
 /// Touches that one call of `tcTouch` makes at most: one, one more where it surprises, a third where the two do not agree.
 const TRIES: u32 = 3;

@@ -23,17 +23,17 @@ enum ComesFrom {
     Motion(MotionId),
     /// From where it stands when the program's entry is called.
     Start,
-    /// From one of several such places.
-    OneOf(Rc<Places>),
+    /// From one of several such origins.
+    OneOf(Rc<Origins>),
     /// From a place that is not known.
     Anywhere,
     /// From more places than are told apart: whatever is added, it stays so.
     ManyPlaces,
 }
 
-/// Several places, of which the arm comes from one.
+/// Several motions and places, of which the arm comes from one.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Places {
+struct Origins {
     entry: bool,
     start: bool,
     /// Or from a place that is not known.
@@ -90,9 +90,9 @@ pub(super) fn order(
         match resolve(at.as_ref().unwrap_or(&ComesFrom::Anywhere), entry.unwrap_or(&ComesFrom::Anywhere)) {
             ComesFrom::Motion(previous) => Before::Motion(previous),
             ComesFrom::Start => Before::Start,
-            ComesFrom::OneOf(places) if !places.entry => {
-                let motions = places.motions.iter().copied().collect();
-                Before::OneOf { start: places.start, anywhere: places.anywhere, motions }
+            ComesFrom::OneOf(origins) if !origins.entry => {
+                let motions = origins.motions.iter().copied().collect();
+                Before::OneOf { start: origins.start, anywhere: origins.anywhere, motions }
             }
             ComesFrom::OneOf(_) | ComesFrom::Entry | ComesFrom::Anywhere | ComesFrom::ManyPlaces => {
                 Before::Unknown
@@ -279,8 +279,8 @@ fn moves(nodes: &[Node<'_>]) -> bool {
 fn resolve(from: &ComesFrom, entry: &ComesFrom) -> ComesFrom {
     match from {
         ComesFrom::Entry => entry.clone(),
-        ComesFrom::OneOf(places) if places.entry => {
-            let own = Places { entry: false, ..(**places).clone() };
+        ComesFrom::OneOf(origins) if origins.entry => {
+            let own = Origins { entry: false, ..(**origins).clone() };
             either(&ComesFrom::OneOf(Rc::new(own)), entry)
         }
         other => other.clone(),
@@ -297,7 +297,7 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
     if a == b {
         return a.clone();
     }
-    let mut all = Places::default();
+    let mut all = Origins::default();
     for from in [a, b] {
         match from {
             ComesFrom::ManyPlaces => return ComesFrom::ManyPlaces,
@@ -307,11 +307,11 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
             ComesFrom::Motion(motion) => {
                 all.motions.insert(*motion);
             }
-            ComesFrom::OneOf(places) => {
-                all.entry |= places.entry;
-                all.start |= places.start;
-                all.anywhere |= places.anywhere;
-                all.motions.extend(&places.motions);
+            ComesFrom::OneOf(origins) => {
+                all.entry |= origins.entry;
+                all.start |= origins.start;
+                all.anywhere |= origins.anywhere;
+                all.motions.extend(&origins.motions);
             }
         }
     }

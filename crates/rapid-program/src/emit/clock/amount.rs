@@ -1,7 +1,7 @@
 //! What the clock's text reckons with: the drift and the time constants of the table, or what touches have taught of them.
 
 use crate::emit::number::num;
-use crate::emit::touch::ROOM;
+use crate::emit::touch::MAX_AMOUNT;
 use robot_model::deform::thermal_filter::MOST_SHARE;
 
 /// Where the amount of drift and the time constants come from.
@@ -70,7 +70,7 @@ impl Amount {
     pub fn index(self, index: &str) -> String {
         match self {
             Self::OfTable => index.to_owned(),
-            Self::Learnt => format!("tcMinuteOf(1-tcHas/{})", num(ROOM)),
+            Self::Learnt => format!("tcMinuteOf(1-tcHas/{})", num(MAX_AMOUNT)),
         }
     }
 }

@@ -1,9 +1,9 @@
-//! What was changed in what had been added to a module, told by the letters that its comment block holds.
+//! What was changed in what had been added to a module, told by the checksums that its comment block holds.
 
 use super::comment_block::{comment_block, header_of};
 use super::findings::Altered;
 use super::lines::Lines;
-use crate::emit::{check, header};
+use crate::emit::{checksum, header};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::parse;
 use rapid_syntax::tree::{FileItem, ModuleItem};
@@ -36,22 +36,22 @@ pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
     altered
 }
 
-/// What of added data and routines (name, range) is not as `letters` say.
+/// What of added data and routines (name, range) has another checksum than `checksums` hold, three characters each.
 pub(super) fn altered_code(
     bytes: &[u8],
     lines: &Lines<'_>,
     code: &[(TextRange, TextRange)],
-    letters: &[u8],
+    checksums: &[u8],
     module: TextRange,
 ) -> Vec<Altered> {
     let named = |name: TextRange, range: TextRange| Altered::Code {
         name: String::from_utf8_lossy(name.of(bytes)).into_owned(),
         line: lines.line(range.start),
     };
-    if letters.len() != 3 * code.len() {
+    if checksums.len() != 3 * code.len() {
         return vec![named(module, module)];
     }
-    let pairs = code.iter().zip(letters.chunks(3));
-    let changed = pairs.filter(|((_, range), letters)| check::of_code(range.of(bytes)) != **letters);
+    let pairs = code.iter().zip(checksums.chunks(3));
+    let changed = pairs.filter(|((_, range), checksums)| checksum::of_code(range.of(bytes)) != **checksums);
     changed.map(|((name, range), _)| named(*name, *range)).collect()
 }

@@ -23,8 +23,8 @@ pub(super) struct Array<'b> {
     rows: Vec<Vec<TextRange>>,
     /// What stood in the motion, without its index.
     pub(super) was: Vec<u8>,
-    /// Letters of its elements as they were made.
-    letters: &'b [u8],
+    /// Checksums of its elements as they were made.
+    checksums: &'b [u8],
     /// The same as they are now.
     now: Vec<u8>,
 }
@@ -66,10 +66,10 @@ impl<'w> NamedArray<'w> {
     }
 }
 
-/// The elements of an array, row by row, and their letters.
+/// The elements of an array, row by row, and their checksums.
 pub(super) struct Rows {
     pub(super) ranges: Vec<Vec<TextRange>>,
-    pub(super) letters: Vec<u8>,
+    pub(super) checksums: Vec<u8>,
 }
 
 /// An original that a touched-up element means.
@@ -81,9 +81,9 @@ pub(super) struct Meant {
     pub(super) moved: f64,
     /// In `mm` or `deg`.
     pub(super) unit: &'static str,
-    place: Place,
+    place: TargetPose,
     /// What it was, where element 1 still says so.
-    was: Option<Place>,
+    was: Option<TargetPose>,
 }
 
 impl Meant {
@@ -95,24 +95,24 @@ impl Meant {
 
     /// Whether the declared value of the target, as text, is what it was, where that can be told, or what is meant now.
     pub(super) fn allows(&self, declared: &[u8]) -> bool {
-        let agrees = |at: &Place, to: &Place| {
+        let agrees = |at: &TargetPose, to: &TargetPose| {
             let (far, turned) = at.distance(to);
             far <= AGREE && turned <= AGREE
         };
-        let (Some(was), Some(at)) = (&self.was, Place::of(declared)) else { return true };
+        let (Some(was), Some(at)) = (&self.was, TargetPose::of(declared)) else { return true };
         agrees(&at, was) || agrees(&at, &self.place)
     }
 }
 
 /// A target's place: a position with an orientation, or joints.
 #[derive(Clone, Debug)]
-enum Place {
+enum TargetPose {
     Pose(Vector3<f64>, UnitQuaternion<f64>),
     /// Six joint angles of a jointtarget, degrees.
     Joints([f64; 6]),
 }
 
-impl Place {
+impl TargetPose {
     fn of(text: &[u8]) -> Option<Self> {
         let n: Vec<f64> = singles(text)?.into_iter().map(f64::from).collect();
         if n.len() == ROBTARGET {
@@ -162,8 +162,8 @@ impl<'b> Array<'b> {
     /// `None` where a row has no element 1 of numbers, or a dimension is none.
     pub(super) fn new(
         (bytes, data): (&'b [u8], &DataDecl),
-        Rows { ranges: rows, letters: now }: Rows,
-        letters: &'b [u8],
+        Rows { ranges: rows, checksums: now }: Rows,
+        checksums: &'b [u8],
         was: Option<Vec<u8>>,
     ) -> Option<Self> {
         let firsts: Option<Vec<&TextRange>> = rows.iter().map(|row| row.first()).collect();
@@ -176,13 +176,13 @@ impl<'b> Array<'b> {
             Some(rest) if !dims.is_empty() || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
             _ => first_element.to_vec(),
         });
-        plain.then_some(Self { bytes, range: data.range, dims, rows, was, letters, now })
+        plain.then_some(Self { bytes, range: data.range, dims, rows, was, checksums, now })
     }
 
     /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.
     pub(super) fn declared_apart(&self, row: usize, declared: &[u8]) -> Option<(f64, &'static str)> {
-        let first = Place::of(self.rows.get(row)?.first()?.of(self.bytes))?;
-        let (moved, unit) = Place::of(declared)?.moved_from(&first);
+        let first = TargetPose::of(self.rows.get(row)?.first()?.of(self.bytes))?;
+        let (moved, unit) = TargetPose::of(declared)?.moved_from(&first);
         (moved > SAME).then_some((moved, unit))
     }
 
@@ -196,14 +196,14 @@ impl<'b> Array<'b> {
         shares: &[f64],
         trusted: bool,
     ) -> Result<Vec<Option<Meant>>, Option<(String, String)>> {
-        if !trusted || self.now == self.letters {
+        if !trusted || self.now == self.checksums {
             return Ok(vec![None; self.rows.len()]);
         }
         let mut each = self.now.get(3..).unwrap_or_default().chunks(2);
-        let mut made = self.letters.get(3..).unwrap_or_default().chunks(2);
+        let mut made = self.checksums.get(3..).unwrap_or_default().chunks(2);
         let mut all = Vec::new();
         for row in &self.rows {
-            // Letters pass one by one, element by element.
+            // Two characters an element.
             let changed: Vec<usize> = (0..row.len()).filter(|_| each.next() != made.next()).collect();
             all.push(changed);
         }
@@ -223,14 +223,14 @@ impl<'b> Array<'b> {
             return Ok(None);
         }
         let share = |k: usize| if k == 0 { Some(0.0) } else { shares.get(k - 1).copied() };
-        let place = |k: usize| Place::of(row.get(k)?.of(self.bytes));
+        let place = |k: usize| TargetPose::of(row.get(k)?.of(self.bytes));
         // The two untouched elements that are furthest apart in the drift.
         let mut sound: Vec<usize> = (0..row.len()).filter(|k| !changed.contains(k)).collect();
         sound.sort_by(|&a, &b| share(a).unwrap_or(0.0).total_cmp(&share(b).unwrap_or(0.0)));
         let (Some(&from), Some(&to)) = (sound.first(), sound.last()) else { return Err(None) };
         let (Some(from_share), Some(to_share)) = (share(from), share(to)) else { return Err(None) };
         let (Some(a), Some(b)) = (place(from), place(to)) else { return Err(None) };
-        let original_of = |at: &Place, share: f64| {
+        let original_of = |at: &TargetPose, share: f64| {
             let span = to_share - from_share;
             let times = if span.abs() > 1e-9 { share / span } else { 0.0 };
             (share == 0.0 || span.abs() > 1e-9).then(|| at.without(times, &a, &b)).flatten()
@@ -240,7 +240,7 @@ impl<'b> Array<'b> {
         let mut found: Option<Meant> = None;
         for &k in changed {
             let text = row.get(k).ok_or(None)?.of(self.bytes);
-            let (at, share) = (Place::of(text).ok_or(None)?, share(k).ok_or(None)?);
+            let (at, share) = (TargetPose::of(text).ok_or(None)?, share(k).ok_or(None)?);
             let original = original_of(&at, share).ok_or(None)?;
             let (moved, unit) = original.moved_from(&was);
             let text = if k == 0 { text.to_vec() } else { written(&original, text) };
@@ -259,7 +259,7 @@ impl<'b> Array<'b> {
 }
 
 /// An original as text, with configuration and external axes as the touched-up element has them.
-fn written(original: &Place, touched: &[u8]) -> Vec<u8> {
+fn written(original: &TargetPose, touched: &[u8]) -> Vec<u8> {
     let mut out = b"[".to_vec();
     let rounded = |value: f64| (value * 1e4).round() / 1e4;
     let list = |out: &mut Vec<u8>, values: &[f64]| {
@@ -273,13 +273,13 @@ fn written(original: &Place, touched: &[u8]) -> Vec<u8> {
         out.push(b']');
     };
     let components = match original {
-        Place::Pose(at, q) => {
+        TargetPose::Pose(at, q) => {
             list(&mut out, at.as_slice());
             out.push(b',');
             write_orient(&mut out, [q.w, q.i, q.j, q.k]);
             2
         }
-        Place::Joints(joints) => {
+        TargetPose::Joints(joints) => {
             list(&mut out, joints);
             1
         }

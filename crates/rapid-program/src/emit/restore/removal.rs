@@ -5,10 +5,10 @@ use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
 use crate::emit::aggregate::Singles;
 use crate::emit::array_reader::ArrayReader;
-use crate::emit::check::{self, Elements};
+use crate::emit::checksum::{self, Elements};
 use crate::emit::header::Record;
 use crate::emit::insertion;
-use crate::emit::point::{self, Declarations, Points};
+use crate::emit::point::{self, Declarations, Fingerprints};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
 use rapid_syntax::{Edit, ranges_of_numbers};
@@ -62,24 +62,25 @@ impl<'w> Remover<'w> {
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays: Vec<NamedArray<'w>> = Vec::new();
         let mut reader = ArrayReader::default();
-        let mut letters = self.record.letters.as_slice();
+        let mut checksums = self.record.checksums.as_slice();
         for data in ours.iter().skip(self.record.data) {
             let is_target = [b"robtarget".as_slice(), b"jointtarget"]
                 .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
             let init = data.init.as_ref();
             if is_target && !data.dims.is_empty() {
                 let rows = self.rows(data, &mut reader)?;
-                let (own, rest) = letters.split_at_checked(rows.letters.len()).unwrap_or((letters, &[]));
-                letters = rest;
+                let (own, rest) =
+                    checksums.split_at_checked(rows.checksums.len()).unwrap_or((checksums, &[]));
+                checksums = rest;
                 let name = self.text(data.name);
                 let was = self.record.was.get(&name).cloned();
                 let array = Array::new((self.bytes, data), rows, own, was)
                     .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
                 arrays.push(NamedArray::new(&name, array));
             } else {
-                let (own, rest) = letters.split_at_checked(3).unwrap_or((letters, &[]));
-                letters = rest;
-                let now = init.map(|init| check::of_numbers(init.range.of(self.bytes)));
+                let (own, rest) = checksums.split_at_checked(3).unwrap_or((checksums, &[]));
+                checksums = rest;
+                let now = init.map(|init| checksum::of_numbers(init.range.of(self.bytes)));
                 if now.as_ref().map(<[u8; 3]>::as_slice) != Some(own) {
                     let line = self.lines.line(data.range.start);
                     self.altered.push(Altered::Code { name: self.text(data.name), line });
@@ -104,7 +105,7 @@ impl<'w> Remover<'w> {
                 row.push(TextRange::new(at(from), at(to)));
             });
             if read.is_some() {
-                return Ok(Rows { ranges: vec![row], letters: now.letters() });
+                return Ok(Rows { ranges: vec![row], checksums: now.checksums() });
             }
         }
         let rows = self.elements(init, dims.saturating_sub(1)).len();
@@ -118,7 +119,7 @@ impl<'w> Remover<'w> {
         let (mut now, mut reader) = (Elements::new(elements.len()), Singles::default());
         elements.iter().for_each(|element| now.add(element.of(self.bytes), &mut reader));
         let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
-        Ok(Rows { ranges, letters: now.letters() })
+        Ok(Rows { ranges, checksums: now.checksums() })
     }
 
     /// The elements of an array of so many dimensions, the last one fastest.
@@ -165,7 +166,7 @@ impl<'w> Remover<'w> {
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         let mut touched = Vec::new();
         let declarations = Declarations::new(self.bytes, self.module);
-        let (mut points, mut letters) = (Points::default(), self.record.points.as_slice());
+        let (mut fingerprints, mut made) = (Fingerprints::default(), self.record.points.as_slice());
         for routine in routines {
             for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
@@ -180,10 +181,10 @@ impl<'w> Remover<'w> {
                         self.edits.push(removal(TextRange::new(start, inner.start)));
                         self.edits.push(removal(TextRange::new(inner.end, end)));
                         if let Some(original) = declarations.original(inner, routine)
-                            && let Some(now) = points.add(self.bytes, original)
+                            && let Some(now) = fingerprints.add(self.bytes, original)
                         {
-                            let (own, rest) = letters.split_at_checked(now.len()).unwrap_or((letters, &[]));
-                            letters = rest;
+                            let (own, rest) = made.split_at_checked(now.len()).unwrap_or((made, &[]));
+                            made = rest;
                             if now != own {
                                 let (moved, unit) = point::moved(original.value.of(self.bytes), own);
                                 touched.push(ModifiedTarget {

@@ -1,7 +1,7 @@
-//! Letters that what was emitted is recognised by later: by value, so that a controller may save a module in its own
+//! Checksums that what was emitted is recognised by later: by value, so that a controller may save a module in its own
 //! layout and spelling.
 //!
-//! FNV-1a (Fowler, Noll, Vo), folded to as many letters as are asked for. No seal against malice: whoever edits a
+//! FNV-1a (Fowler, Noll, Vo), folded to as many characters as are asked for. No seal against malice: whoever edits a
 //! module may edit its comments.
 
 use super::aggregate::Singles;
@@ -10,7 +10,7 @@ use super::insertion::white;
 /// What every line of a comment block begins with that is read back.
 pub const MARK: &str = "! driftpost ";
 
-const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
+const SIX_BITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
 
 const PRIME: u64 = 0x0000_0100_0000_01b3;
 
@@ -42,27 +42,27 @@ impl Fnv {
         }
     }
 
-    fn letters<const N: usize>(&self) -> [u8; N] {
+    fn checksum<const N: usize>(&self) -> [u8; N] {
         of_number(self.0 ^ (self.0 >> 18) ^ (self.0 >> 36))
     }
 }
 
-/// A number as so many letters, six bits each.
+/// A number as so many characters of six bits each.
 #[must_use]
 pub fn of_number<const N: usize>(number: u64) -> [u8; N] {
-    std::array::from_fn(|i| LETTERS[(number >> (6 * (N - 1 - i)) & 63) as usize])
+    std::array::from_fn(|i| SIX_BITS[(number >> (6 * (N - 1 - i)) & 63) as usize])
 }
 
 /// The number that [`of_number`] wrote; `None` where it did not.
 #[must_use]
-pub fn number_of(letters: &[u8]) -> Option<u64> {
-    letters.iter().try_fold(0, |number, letter| {
-        let six = LETTERS.iter().position(|known| known == letter)?;
+pub fn number_of(text: &[u8]) -> Option<u64> {
+    text.iter().try_fold(0, |number, character| {
+        let six = SIX_BITS.iter().position(|known| known == character)?;
         Some(number << 6 | six as u64)
     })
 }
 
-/// Three letters for an aggregate's numbers, however they are spelled.
+/// A checksum of three characters for an aggregate's numbers, however they are spelled.
 #[must_use]
 pub fn of_numbers(text: &[u8]) -> [u8; 3] {
     of_numbers_with(text, &mut Singles::default(), |_| ()).unwrap_or_else(of_no_numbers)
@@ -75,23 +75,23 @@ pub fn of_numbers_with(text: &[u8], reader: &mut Singles, mut visit: impl FnMut(
         hash.add_single(value);
         visit(value);
     });
-    Some(hash.letters())
+    Some(hash.checksum())
 }
 
-/// The letters of an aggregate that cannot be read.
+/// The checksum of an aggregate that cannot be read.
 #[must_use]
 pub fn of_no_numbers() -> [u8; 3] {
-    Fnv::new().letters()
+    Fnv::new().checksum()
 }
 
-/// Letters for an array's elements: three for all, then two for each.
+/// Checksums of an array's elements: three characters for all, then two for each.
 pub struct Elements {
     all: Fnv,
     each: Vec<u8>,
 }
 
 impl Elements {
-    /// The letters of no element yet; so many will come.
+    /// Those of no element yet; so many will come.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self { all: Fnv::new(), each: Vec::with_capacity(2 * count) }
@@ -106,7 +106,7 @@ impl Elements {
                 own.add_single(value);
             });
         }
-        self.each.extend(own.letters::<2>());
+        self.each.extend(own.checksum::<2>());
     }
 
     /// The same by its numbers.
@@ -116,17 +116,17 @@ impl Elements {
             self.all.add_single(value);
             own.add_single(value);
         }
-        self.each.extend(own.letters::<2>());
+        self.each.extend(own.checksum::<2>());
     }
 
-    /// Three letters for all, two for each.
+    /// Three characters for all, then two for each.
     #[must_use]
-    pub fn letters(&self) -> Vec<u8> {
-        [&self.all.letters::<3>()[..], &self.each].concat()
+    pub fn checksums(&self) -> Vec<u8> {
+        [&self.all.checksum::<3>()[..], &self.each].concat()
     }
 }
 
-/// Three letters for a declaration or a routine: its words and numbers, without comments, white space, capitals, and
+/// A checksum of three characters for a declaration or a routine: its words and numbers, without comments, white space, capitals, and
 /// without the value of a PERS, which moves on.
 #[must_use]
 pub fn of_code(text: &[u8]) -> [u8; 3] {
@@ -159,17 +159,17 @@ pub fn of_code(text: &[u8]) -> [u8; 3] {
         }
         hash.add(b" ");
     }
-    hash.letters()
+    hash.checksum()
 }
 
-/// Six letters for lines of the comment block.
+/// A checksum of six characters for lines of the comment block.
 #[must_use]
 pub fn of_lines<'l>(lines: impl Iterator<Item = (&'l [u8], &'l [u8])>) -> [u8; 6] {
     let mut hash = Fnv::new();
     for (key, text) in lines {
         [key, b": ", text, b"\n"].into_iter().for_each(|part| hash.add(part));
     }
-    hash.letters()
+    hash.checksum()
 }
 
 /// Bytes as lower-case hexadecimal digits.
@@ -186,7 +186,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letters_follow_the_values_not_the_spelling() {
+    fn checksums_follow_the_values_not_the_spelling() {
         let literal = b"[[400.000, 0, 250],[1,0,0,0],[0,0,-1,1],[9E+09,9E+09,9E9,9E9,9E9,9E9]]";
         let same = b"[[400,-0.0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
         let moved = b"[[400.01,0,250.0],[1.0,0,0,0],[0,0,-1,1],[9E9,9E9,9E9,9E9,9E9,9E9]]";
@@ -196,7 +196,7 @@ mod tests {
             let (mut elements, mut reader) = (Elements::new(2), Singles::default());
             elements.add(literal, &mut reader);
             elements.add(one, &mut reader);
-            elements.letters()
+            elements.checksums()
         };
         assert_eq!((all(literal), all(same).len()), (all(same), 7));
         assert_ne!(all(literal)[..3], all(moved)[..3]);
