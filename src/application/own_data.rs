@@ -1,6 +1,6 @@
 //! The data of a corrected program on a controller: what its header calls `tcMode`, `tcMinute` and so on.
 
-use robot_link::{Kind, LinkError, LoadedModule, Session};
+use robot_link::{DataKind, LinkError, LoadedModule, Session};
 
 /// What every corrected program has, and an operator sets.
 const MODE: &str = "tcMode";
@@ -48,7 +48,7 @@ impl OwnData {
     pub fn of_module(session: &mut Session, task: &str, module: &str) -> Result<Option<Self>, LinkError> {
         let is_own = session
             .property(task, module, MODE)?
-            .is_some_and(|p| p.kind == Kind::Persistent && p.data_type == "num");
+            .is_some_and(|p| p.kind == DataKind::Persistent && p.data_type == "num");
         if !is_own {
             return Ok(None);
         }

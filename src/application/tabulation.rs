@@ -1,7 +1,7 @@
 //! Joints of a list of targets at every minute of warm-up: the reference paper's offline method.
 
 use crate::report::tabulation as report;
-use rapid_program::compensate::tabulate::{MinuteMiss, Table, TabulateError, tabulate};
+use rapid_program::compensate::tabulate::{MinuteMiss, MinuteTable, TabulateError, tabulate};
 use rapid_program::compensate::targets::Target;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::Configuration;
@@ -47,7 +47,7 @@ pub struct Tabulated {
     /// The targets, in their order.
     pub targets: Vec<Target>,
     /// Their joints.
-    pub table: Table,
+    pub table: MinuteTable,
     /// How far they are missed before and after, minute by minute.
     pub misses: Vec<MinuteMiss>,
 }

@@ -6,7 +6,7 @@ use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::robot::{BackedUp, DhConvention, Robot, SerialArm};
+use robot_model::robot::{BackedUp, BaseFrame, DhConvention, Robot, SerialArm};
 use robot_model::units::mm_from_m;
 use std::path::{Path, PathBuf};
 
@@ -151,7 +151,9 @@ pub fn backup(name: &str) -> Option<Result<BackedUp, Diagnostic>> {
 /// # Errors
 /// As [`robot`]; `robot::base-frame` where a backup says that the base stands elsewhere.
 pub fn robot_of_program(name: &str) -> Result<Robot, Diagnostic> {
-    if let Some((at, turned)) = backup(name).transpose()?.and_then(|backup| backup.base_frame) {
+    if let Some(BaseFrame { position_m: at, orientation_wxyz: turned }) =
+        backup(name).transpose()?.and_then(|backup| backup.base_frame)
+    {
         let at_mm = at.map(mm_from_m);
         return Err(base_frame(&format!(
             "the base of {name} stands at {at_mm:?} mm, turned by {turned:?}, in the world"

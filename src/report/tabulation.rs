@@ -2,7 +2,7 @@
 
 use super::counted;
 use super::joints::{JointRow, JointTable};
-use rapid_program::compensate::tabulate::{MinuteMiss, Miss, Table};
+use rapid_program::compensate::tabulate::{MinuteMiss, MinuteTable, Miss};
 use rapid_program::compensate::targets::Target;
 use robot_model::kinematics::Solution;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -13,7 +13,12 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// Those of writing to `out`.
-pub fn write_joints(out: &mut dyn Write, file: &str, targets: &[Target], table: &Table) -> io::Result<()> {
+pub fn write_joints(
+    out: &mut dyn Write,
+    file: &str,
+    targets: &[Target],
+    table: &MinuteTable,
+) -> io::Result<()> {
     let mut written = JointTable::new(out)?;
     for row in &table.rows {
         let Some(target) = targets.get(row.target) else { continue };
@@ -32,7 +37,7 @@ pub fn write_joints(out: &mut dyn Write, file: &str, targets: &[Target], table: 
 
 /// How much there is, and the worst of all minutes, for people.
 #[must_use]
-pub fn text(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> String {
+pub fn text(targets: &[Target], table: &MinuteTable, misses: &[MinuteMiss]) -> String {
     let [targets, minutes, rows] =
         [(targets.len(), "target"), (misses.len(), "minute"), (table.rows.len(), "row")]
             .map(|(n, noun)| counted(n, noun));
@@ -59,7 +64,7 @@ pub fn text(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> String 
 
 /// The result as the contract's JSON.
 #[must_use]
-pub fn json(targets: &[Target], table: &Table, misses: &[MinuteMiss]) -> Value {
+pub fn json(targets: &[Target], table: &MinuteTable, misses: &[MinuteMiss]) -> Value {
     let miss = |miss: &Miss| json!({ "max_mm": mm_from_m(miss.max_m), "rms_mm": mm_from_m(miss.rms_m), "max_deg": deg_from_rad(miss.max_rad) });
     let minute = |minute: &MinuteMiss| {
         json!({

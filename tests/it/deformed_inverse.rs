@@ -4,7 +4,7 @@
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::Deformation;
-use robot_model::kinematics::{Arm, Chain, ClosedForm, PoseAndJacobian, SolveError, solve};
+use robot_model::kinematics::{ArmKinematics, Chain, ClosedForm, PoseAndJacobian, SolveError, solve};
 use robot_model::robot::Robot;
 
 /// The paper's 45 targets: flange poses in metres.
@@ -161,7 +161,7 @@ struct Sagging {
     sag_rad: f64,
 }
 
-impl Arm for Sagging {
+impl ArmKinematics for Sagging {
     fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
         let mut sagged = *q_rad;
         sagged[1] += self.sag_rad * (q_rad[1] + q_rad[2]).cos();

@@ -1,6 +1,6 @@
 //! The productions of expressions and arguments.
 
-use super::input::{MAX_HEIGHT, MAX_NESTING, Read, State, Text};
+use super::input::{MAX_HEIGHT, MAX_NESTING, ParseState, Read, Text};
 use super::lexical::{
     any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
 };
@@ -276,7 +276,7 @@ fn parts<'a>(mut i: Text<'a>, close: u8) -> Read<'a, ()> {
 ///
 /// Two functions, each with its kind known and the range in a register: put together in memory of a few bytes at a time, a node is waited for.
 #[inline(never)]
-fn add_leaf<const STRING: bool>(range: TextRange, state: &State) {
+fn add_leaf<const STRING: bool>(range: TextRange, state: &ParseState) {
     let kind = if STRING { ExprKind::String } else { ExprKind::Number };
     state.parts.borrow_mut().push(Expr { range, kind });
 }

@@ -23,12 +23,12 @@ const MAX_WARNINGS: usize = 1000;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Text<'a> {
     pub(super) rest: &'a [u8],
-    pub(super) state: &'a State,
+    pub(super) state: &'a ParseState,
 }
 
 /// What all productions of one parse share.
 #[derive(Debug, Default)]
-pub(super) struct State {
+pub(super) struct ParseState {
     len: u32,
     /// Whether common forms are passed in one scan where they stand; else all is read by the productions.
     pub(super) plain_forms: bool,
@@ -49,7 +49,7 @@ pub(super) struct State {
     pub(super) parts: RefCell<Vec<Expr>>,
 }
 
-impl State {
+impl ParseState {
     pub(super) fn new(source: &[u8]) -> Self {
         let rereadable = Cell::new(source.len() + 4096);
         Self { len: source.len() as u32, plain_forms: true, rereadable, ..Self::default() }
@@ -128,7 +128,7 @@ fn deeper<T>(depth: &Cell<u16>, most: u16, inside: impl FnOnce() -> T) -> Option
 }
 
 impl<'a> Text<'a> {
-    pub(super) fn new(source: &'a [u8], state: &'a State) -> Self {
+    pub(super) fn new(source: &'a [u8], state: &'a ParseState) -> Self {
         Self { rest: source, state }
     }
 

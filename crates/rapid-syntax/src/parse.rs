@@ -1,6 +1,6 @@
 //! From bytes to a tree.
 
-use super::input::{State, Text};
+use super::input::{ParseState, Text};
 use super::module::file;
 use super::tree::Tree;
 use super::warning::Warning;
@@ -23,7 +23,7 @@ pub fn parse_by_productions(source: &[u8]) -> (Tree, Vec<Warning>) {
 
 fn parse_with(source: &[u8], plain_forms: bool) -> (Tree, Vec<Warning>) {
     let source = source.get(..u32::MAX as usize).unwrap_or(source);
-    let mut state = State::new(source);
+    let mut state = ParseState::new(source);
     state.plain_forms = plain_forms;
     let tree = file(Text::new(source, &state));
     (tree, state.into_warnings())

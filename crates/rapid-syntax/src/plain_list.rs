@@ -167,7 +167,7 @@ pub(super) fn leading_digits(eight: u64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::super::expression::any_aggregate;
-    use super::super::input::{State, Text};
+    use super::super::input::{ParseState, Text};
     use super::super::test_programs::{Chance, programs};
     use super::super::tree::ExprKind;
     use super::*;
@@ -176,7 +176,7 @@ mod tests {
     fn agrees(text: &[u8]) -> usize {
         let mut found = 0;
         for at in memchr::memchr_iter(b'[', text) {
-            let state = State::new(text);
+            let state = ParseState::new(text);
             let here = Text::new(text, &state).skip(at);
             let Some(plain) = PlainList::begins(here.rest) else { continue };
             let (rest, expr) = any_aggregate(here).unwrap();

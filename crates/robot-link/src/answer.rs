@@ -3,7 +3,7 @@
 //! A field that is needed is there, or the answer is refused: a cut answer must never look like a healthy one.
 
 use crate::LinkError;
-use crate::contents::{Contents, State};
+use crate::contents::{Contents, ResourceState};
 use crate::requests::Request;
 use crate::xhtml;
 use serde_json::Value;
@@ -40,7 +40,8 @@ pub(crate) fn parse(body: &[u8]) -> Result<Contents, String> {
 impl Answer {
     /// Entries of a class, whose name may end in `-li` in lists.
     pub fn all<'a>(&'a self, class: &'a str) -> impl Iterator<Item = Entry<'a>> {
-        let is = move |state: &&State| state.class.strip_suffix("-li").unwrap_or(&state.class) == class;
+        let is =
+            move |state: &&ResourceState| state.class.strip_suffix("-li").unwrap_or(&state.class) == class;
         self.contents.states.iter().filter(is).map(|state| Entry { state, request: self.request })
     }
 
@@ -58,7 +59,7 @@ impl Answer {
 /// An entry whose fields are asked for.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Entry<'a> {
-    state: &'a State,
+    state: &'a ResourceState,
     request: &'static Request,
 }
 
@@ -102,7 +103,7 @@ impl<'a> Entry<'a> {
 mod tests {
     use super::*;
 
-    fn only(text: &str) -> State {
+    fn only(text: &str) -> ResourceState {
         parse(text.as_bytes()).unwrap().states.remove(0)
     }
 
@@ -143,7 +144,7 @@ mod tests {
 
     #[test]
     fn a_missing_field_is_no_default() {
-        let state = State { class: "x".into(), ..State::default() };
+        let state = ResourceState { class: "x".into(), ..ResourceState::default() };
         let entry = Entry { state: &state, request: crate::requests::MODE };
         assert_eq!(entry.text("opmode").unwrap_err().code(), "link::incomplete");
         assert_eq!(entry.flag("opmode").unwrap_err().code(), "link::incomplete");

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// One entry of an answer.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct State {
+pub(crate) struct ResourceState {
     pub class: String,
     pub title: String,
     pub fields: BTreeMap<String, String>,
@@ -15,7 +15,7 @@ pub(crate) struct State {
 /// What an answer says, whatever it is written in.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Contents {
-    pub states: Vec<State>,
+    pub states: Vec<ResourceState>,
     /// ABB's number, where the answer holds one.
     pub code: Option<i64>,
     pub message: String,
@@ -39,7 +39,7 @@ impl Contents {
                     };
                     let fields = map.iter().filter_map(|(k, v)| Some((k.clone(), text(v)?))).collect();
                     let title = map.get("_title").and_then(Value::as_str).unwrap_or_default().to_owned();
-                    self.states.push(State { class: class.to_owned(), title, fields });
+                    self.states.push(ResourceState { class: class.to_owned(), title, fields });
                 }
                 if let Some(status) = map.get("status").filter(|s| s.is_object()) {
                     self.code = status.get("code").and_then(Value::as_i64);

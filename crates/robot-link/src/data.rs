@@ -8,7 +8,7 @@ const LONGEST_TEXT: usize = 80;
 
 /// What kind of data it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum DataKind {
     /// `PERS`: keeps its value over a restart.
     Persistent,
     /// Lives with the program.
@@ -21,7 +21,7 @@ pub enum Kind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Property {
     /// PERS, VAR or CONST.
-    pub kind: Kind,
+    pub kind: DataKind,
     /// Name of its RAPID type: `num`, `string`, ...
     pub data_type: String,
     /// Number of dimensions of an array.
@@ -49,9 +49,9 @@ impl Session {
         // What has properties of another kind (a routine, say) is no data.
         let Some(entry) = classes.iter().find_map(|class| answer.one(class).ok()) else { return Ok(None) };
         let kind = match entry.text("symtyp")? {
-            "per" => Kind::Persistent,
-            "var" => Kind::Variable,
-            "con" => Kind::Constant,
+            "per" => DataKind::Persistent,
+            "var" => DataKind::Variable,
+            "con" => DataKind::Constant,
             other => return Err(answer.without(format!("kind of data that is known: {other}"))),
         };
         Ok(Some(Property {
@@ -122,7 +122,7 @@ impl Session {
 /// Refuses what the data cannot take, before anything is sent.
 fn check(name: &str, property: &Property, value: &str) -> Result<(), LinkError> {
     let refused = |why: String| Err(LinkError::Value(why));
-    if property.kind != Kind::Persistent || property.is_read_only {
+    if property.kind != DataKind::Persistent || property.is_read_only {
         return refused(format!("{name} is no PERS that may be written"));
     }
     let is_element = name.ends_with('}');
@@ -166,7 +166,7 @@ mod tests {
 
     fn property(data_type: &str, dimensions: u32) -> Property {
         Property {
-            kind: Kind::Persistent,
+            kind: DataKind::Persistent,
             data_type: data_type.into(),
             dimensions,
             is_read_only: false,
@@ -188,7 +188,7 @@ mod tests {
         assert!(check("tcSays", &text, &format!("\"{}\"", "x".repeat(81))).is_err());
         assert!(check("tcState", &property("num", 1), "1").is_err());
         assert!(check("tcState{2}", &property("num", 1), "1").is_ok());
-        assert!(check("tcMode", &Property { kind: Kind::Variable, ..num.clone() }, "1").is_err());
+        assert!(check("tcMode", &Property { kind: DataKind::Variable, ..num.clone() }, "1").is_err());
         assert!(check("tcMode", &Property { is_read_only: true, ..num }, "1").is_err());
         assert!(check("tc30", &property("robjoint", 0), "[1,2,3,4,5,6]").is_err());
     }

@@ -32,7 +32,7 @@ mod subscription;
 mod wire;
 mod xhtml;
 
-pub use data::{Kind, Property, same_value};
+pub use data::{DataKind, Property, same_value};
 pub use dialect::Dialect;
 pub use error::LinkError;
 pub use files::RemoteFile;

@@ -1,6 +1,6 @@
 //! Answers as XHTML: `<li class="TYPE" title="TITLE"><span class="FIELD">value</span>`.
 
-use crate::contents::{Contents, State};
+use crate::contents::{Contents, ResourceState};
 use roxmltree::{Document, Node, ParsingOptions};
 
 pub(crate) fn parse(text: &str) -> Result<Contents, String> {
@@ -13,7 +13,7 @@ pub(crate) fn parse(text: &str) -> Result<Contents, String> {
             "li" if !class.is_empty() => {
                 let fields = spans(node).chain(links(node)).collect();
                 let title = node.attribute("title").unwrap_or_default().to_owned();
-                contents.states.push(State { class: class.to_owned(), title, fields });
+                contents.states.push(ResourceState { class: class.to_owned(), title, fields });
             }
             "div" if class == "status" => {
                 for (name, value) in spans(node) {

@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Lengths of an arm with a spherical wrist, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arm {
+pub struct ArmLengths {
     /// From axis 1 outward to axis 2.
     pub a1: f64,
     /// From axis 3 up to axis 4, negative as the library counts.
@@ -24,7 +24,7 @@ pub struct Arm {
     pub c4: f64,
 }
 
-impl Arm {
+impl ArmLengths {
     /// IRB 140-6/0.8, by ABB's data sheet.
     pub const IRB140: Self = Self { a1: 0.070, a2: 0.0, c1: 0.352, c2: 0.360, c3: 0.380, c4: 0.065 };
 }
@@ -47,7 +47,7 @@ pub(crate) type Quadrants = [i32; 4];
 const OFFSETS: [f64; 6] = [0.0, 0.0, -FRAC_PI_2, 0.0, 0.0, 0.0];
 
 pub(crate) struct Solver {
-    arm: Arm,
+    arm: ArmLengths,
     opw: OPWKinematics,
     pub planted: Planted,
 }
@@ -63,8 +63,8 @@ fn pose((p, q): Frame) -> Pose {
 }
 
 impl Solver {
-    pub fn new(arm: Arm, planted: Planted) -> Self {
-        let Arm { a1, a2, c1, c2, c3, c4 } = arm;
+    pub fn new(arm: ArmLengths, planted: Planted) -> Self {
+        let ArmLengths { a1, a2, c1, c2, c3, c4 } = arm;
         let parameters =
             Parameters { a1, a2, b: 0.0, c1, c2, c3, c4, offsets: OFFSETS, sign_corrections: [1; 6], dof: 6 };
         Self { arm, opw: OPWKinematics::new(parameters), planted }
@@ -118,7 +118,7 @@ impl Solver {
     /// Quadrants of axes 1, 4 and 6, and what stands behind what: 4 for the wrist centre behind axis 1, 2 behind the lower arm, 1
     /// for a negative axis 5.
     pub fn quadrants(&self, q: &[f64; 6]) -> Quadrants {
-        let Arm { a1, a2, c2, c3, .. } = self.arm;
+        let ArmLengths { a1, a2, c2, c3, .. } = self.arm;
         let quadrant = |x: f64| (x / FRAC_PI_2).floor() as i32;
         // In the plane of the arm: outward and up, from axis 1 and the height of axis 2.
         let (lean, reach) = (q[1], q[1] + q[2]);
@@ -140,7 +140,7 @@ mod tests {
     /// RoboDK's export of the first linear motion of Cube45: [400,300,250] mm, confdata [0,0,-1,1].
     #[test]
     fn a_robodk_target_is_reached_in_its_configuration() {
-        let solver = Solver::new(Arm::IRB140, Planted::default());
+        let solver = Solver::new(ArmLengths::IRB140, Planted::default());
         let at = ([0.4, 0.3, 0.25], [FRAC_1_SQRT_2, 0.0, FRAC_1_SQRT_2, 0.0]);
         let q = solver.inverse(at, NO_TOOL, [0, 0, -1, 1]).unwrap();
         let ((p, _), quadrants) = solver.forward(&q, NO_TOOL);

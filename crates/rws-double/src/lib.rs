@@ -47,7 +47,7 @@ mod sessions;
 pub mod tripwire;
 mod world;
 
-pub use arm::{Arm, Planted};
+pub use arm::{ArmLengths, Planted};
 pub use controller::{Controller, Holder, Module, Operator};
 pub use fault::{Fault, Plan, RequestSeen};
 pub use personality::Personality;

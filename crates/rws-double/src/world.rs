@@ -1,7 +1,7 @@
 //! All that the connections of a double share.
 
 use crate::Personality;
-use crate::arm::{Arm, Solver};
+use crate::arm::{ArmLengths, Solver};
 use crate::controller::Controller;
 use crate::digest::Nonces;
 use crate::fault::Plan;
@@ -25,7 +25,7 @@ pub struct Options {
     /// Sessions at one time.
     pub sessions: usize,
     /// The arm that it calculates with.
-    pub arm: Arm,
+    pub arm: ArmLengths,
     /// The other of the two certificates.
     pub other_certificate: bool,
 }
@@ -40,7 +40,7 @@ impl Options {
             least_gap: Duration::from_millis(50),
             user: ("Default User".to_owned(), "robotics".to_owned()),
             sessions: 70,
-            arm: Arm::IRB140,
+            arm: ArmLengths::IRB140,
             other_certificate: false,
         }
     }

@@ -12,16 +12,16 @@ use thiserror::Error;
 
 /// Joints of all targets at all minutes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Table {
+pub struct MinuteTable {
     /// For each target the nominal arm's joints.
     pub nominal: Vec<Solution>,
     /// Minute by minute; within a minute the targets in their order.
-    pub rows: Vec<Row>,
+    pub rows: Vec<MinuteTableRow>,
 }
 
 /// A target at a minute.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
+pub struct MinuteTableRow {
     /// Index of the target.
     pub target: usize,
     /// The warm-up minute, from 0.
@@ -75,12 +75,12 @@ impl Miss {
     }
 }
 
-impl Table {
+impl MinuteTable {
     /// For each minute how far the targets are missed.
     #[must_use]
     pub fn misses(&self) -> Vec<MinuteMiss> {
         let minutes = self.rows.chunk_by(|a, b| a.target < b.target);
-        let miss = |rows: &[Row]| MinuteMiss {
+        let miss = |rows: &[MinuteTableRow]| MinuteMiss {
             t_min: rows.first().map_or(0.0, |row| row.t_min),
             before: Miss::of(rows.iter().map(|row| (row.uncompensated_m, row.uncompensated_rad))),
             after: Miss::of(rows.iter().map(|row| (row.residual_m, row.residual_rad))),
@@ -173,7 +173,7 @@ pub fn tabulate(
     targets: &[Target],
     configuration: Option<&Configuration>,
     minutes: &[f64],
-) -> Result<Table, TabulateError> {
+) -> Result<MinuteTable, TabulateError> {
     let closed = ClosedForm::new(robot)?;
     if deformation.index() != Index::WarmUpTime {
         return Err(TabulateError::Temperature);
@@ -190,7 +190,7 @@ pub fn tabulate(
     let chains: Vec<Chain> =
         minutes.iter().map(|&t_min| frames.chain(&deformation.offsets_at(t_min))).collect();
     let all_minutes = Chains::new(chains.clone());
-    let of_target = |i: usize| -> Vec<Result<Row, NoJoints>> {
+    let of_target = |i: usize| -> Vec<Result<MinuteTableRow, NoJoints>> {
         let (goal, nominal_rad) = (&targets[i].base_from_flange, &nominal[i].q_rad);
         let mut rows = Vec::with_capacity(minutes.len());
         let mut moments = minutes.iter().zip(&chains);
@@ -200,7 +200,7 @@ pub fn tabulate(
                 |Solved { q_rad, residual_m, residual_rad, .. }| {
                     robot.within_range(&q_rad)?;
                     let (uncompensated_m, uncompensated_rad) = chain.distance(nominal_rad, goal);
-                    Ok(Row {
+                    Ok(MinuteTableRow {
                         target: i,
                         t_min,
                         q_rad,
@@ -215,7 +215,7 @@ pub fn tabulate(
         });
         rows
     };
-    let found: Vec<Vec<Result<Row, NoJoints>>> = parallel::map(targets.len(), &of_target);
+    let found: Vec<Vec<Result<MinuteTableRow, NoJoints>>> = parallel::map(targets.len(), &of_target);
     let mut rows = Vec::with_capacity(minutes.len() * targets.len());
     for (k, &t_min) in minutes.iter().enumerate() {
         for (target, found) in targets.iter().zip(&found) {
@@ -228,7 +228,7 @@ pub fn tabulate(
             rows.push(row?);
         }
     }
-    Ok(Table { nominal, rows })
+    Ok(MinuteTable { nominal, rows })
 }
 
 fn choose(

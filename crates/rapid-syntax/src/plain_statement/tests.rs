@@ -1,7 +1,7 @@
 //! The scan is held to the productions of the grammar, over the fixtures, mutated ones, and lines of pieces.
 
 use super::*;
-use crate::input::State;
+use crate::input::ParseState;
 use crate::test_programs::{Chance, programs};
 use crate::{parse, parse_by_productions};
 
@@ -121,7 +121,7 @@ fn lines_of_pieces_in_any_order_are_read_as_the_productions_read_them() {
 
 /// Whether a statement, and whether a declaration, is scanned to the end of `text`.
 fn scanned(text: &[u8]) -> [bool; 2] {
-    let state = State::new(text);
+    let state = ParseState::new(text);
     let i = Text::new(text, &state);
     let to_the_end = |rest: Text<'_>| rest.is_empty();
     [

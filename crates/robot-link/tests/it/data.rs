@@ -1,7 +1,7 @@
 //! Data: read, written, refused.
 
 use crate::bench::{double, is_left_clean, open};
-use robot_link::{Kind, LinkError, Property, Session};
+use robot_link::{DataKind, LinkError, Property, Session};
 use rws_double::{Double, Fault, Holder, Operator, Personality};
 
 fn set(session: &mut Session, name: &str, value: &str) -> Result<(), LinkError> {
@@ -19,7 +19,7 @@ fn a_number_is_written_read_back_and_the_right_given_back() {
         let mut session = open(&double);
         let property = session.property("T_ROB1", "Part", "tcMode").unwrap().unwrap();
         let expected = Property {
-            kind: Kind::Persistent,
+            kind: DataKind::Persistent,
             data_type: "num".into(),
             dimensions: 0,
             is_read_only: false,

@@ -2,7 +2,7 @@
 
 use super::gravity::loads_at;
 use super::identified::{ArmDelta, Identified, PoseState, Term, ThermalState};
-use crate::kinematics::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian, SerialOffsets};
+use crate::kinematics::{ArmKinematics, Chain, FrameOffsets, NominalFrames, PoseAndJacobian, SerialOffsets};
 use crate::robot::Robot;
 use nalgebra::{Isometry3, Point3, Vector3};
 use std::sync::Arc;
@@ -217,7 +217,7 @@ impl ArmUnder<'_> {
     }
 }
 
-impl Arm for ArmUnder<'_> {
+impl ArmKinematics for ArmUnder<'_> {
     #[inline]
     fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
         self.on_chain(q_rad, |chain, q_rad, delta| {

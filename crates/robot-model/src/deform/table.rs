@@ -28,7 +28,7 @@ impl Deformation {
         };
         let names = reader.headers().map_err(csv_error)?.clone();
         let layout = Layout::of(&names)?;
-        let row = |cells: StringRecord| Row {
+        let row = |cells: StringRecord| CsvRow {
             line: crate::csv_lines::line_of_record(&lines, bytes, cells.position(), false),
             cells,
         };
@@ -50,8 +50,8 @@ impl Deformation {
     }
 }
 
-/// A line of the table.
-struct Row {
+/// A row of the file that the table is read from.
+struct CsvRow {
     line: u64,
     cells: StringRecord,
 }
@@ -106,7 +106,7 @@ impl Layout {
     }
 }
 
-fn static_rows(names: &StringRecord, rows: &[Row]) -> Result<FrameOffsets, DeformError> {
+fn static_rows(names: &StringRecord, rows: &[CsvRow]) -> Result<FrameOffsets, DeformError> {
     let mut offsets = FrameOffsets::default();
     for (i, row) in rows.iter().enumerate() {
         let values = six(names, row, [0, 1, 2, 3, 4, 5])?;
@@ -122,7 +122,7 @@ fn static_rows(names: &StringRecord, rows: &[Row]) -> Result<FrameOffsets, Defor
 
 fn scheduled_rows(
     names: &StringRecord,
-    rows: &[Row],
+    rows: &[CsvRow],
     columns: [usize; 8],
 ) -> Result<[Vec<Knot>; 7], DeformError> {
     let [index, joint, value_columns @ ..] = columns;
@@ -152,7 +152,7 @@ fn scheduled_rows(
 }
 
 /// Three lengths and three angles, in metres and radians.
-fn six(names: &StringRecord, row: &Row, columns: [usize; 6]) -> Result<[f64; 6], DeformError> {
+fn six(names: &StringRecord, row: &CsvRow, columns: [usize; 6]) -> Result<[f64; 6], DeformError> {
     let mut values = [0.0; 6];
     for (k, (value, column)) in values.iter_mut().zip(columns).enumerate() {
         let written = number(names, row, column)?;
@@ -161,7 +161,7 @@ fn six(names: &StringRecord, row: &Row, columns: [usize; 6]) -> Result<[f64; 6],
     Ok(values)
 }
 
-fn number(names: &StringRecord, row: &Row, column: usize) -> Result<f64, DeformError> {
+fn number(names: &StringRecord, row: &CsvRow, column: usize) -> Result<f64, DeformError> {
     match row.cells.get(column).unwrap_or_default().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         _ => Err(field_error(
@@ -176,7 +176,7 @@ fn number(names: &StringRecord, row: &Row, column: usize) -> Result<f64, DeformE
 
 fn field_error(
     names: &StringRecord,
-    row: &Row,
+    row: &CsvRow,
     column: usize,
     problem: &str,
     remedy: &'static str,

@@ -12,8 +12,8 @@ use nalgebra::{SMatrix, SVector};
 /// Numbers of the state.
 pub const STATES: usize = 5;
 /// Estimated state: lags, amount, logarithms of the time constants.
-pub type State = SVector<f64, STATES>;
-/// Covariance of [`State`].
+pub type StateVector = SVector<f64, STATES>;
+/// Covariance of [`StateVector`].
 pub type Covariance = SMatrix<f64, STATES, STATES>;
 
 /// One standard deviation of the state where nothing is known yet but the table: lags, amount, logarithms.
@@ -55,7 +55,7 @@ pub struct ThermalFilter {
     seen: usize,
     table: [f64; 2],
     /// Lags, amount, logarithms of the time constants in minutes.
-    pub state: State,
+    pub state: StateVector,
     /// Covariance of the state, rows and columns in its order.
     pub covariance: Covariance,
     refused: Option<f64>,
@@ -70,10 +70,10 @@ impl ThermalFilter {
     pub fn new(law: GrowthLaw, tau_cool_min: f64, lags: [f64; 2]) -> Option<Self> {
         let tau_min = law.tau_min()?;
         let seen = usize::from(matches!(law, GrowthLaw::TwoStage { .. }));
-        let mut covariance = Covariance::from_diagonal(&State::from(FIRST_SIGMA.map(|s| s * s)));
+        let mut covariance = Covariance::from_diagonal(&StateVector::from(FIRST_SIGMA.map(|s| s * s)));
         let both = FIRST_CORRELATION * FIRST_SIGMA[0] * FIRST_SIGMA[1];
         (covariance[(0, 1)], covariance[(1, 0)]) = (both, both);
-        let state = State::new(lags[0], lags[1], 1.0, tau_min.ln(), tau_cool_min.ln());
+        let state = StateVector::new(lags[0], lags[1], 1.0, tau_min.ln(), tau_cool_min.ln());
         Some(Self { seen, table: [tau_min, tau_cool_min], state, covariance, refused: None })
     }
 
@@ -135,7 +135,7 @@ impl ThermalFilter {
             self.covariance[(1, 0)] = self.covariance[(0, 1)];
         }
         self.refused = None;
-        let column: State = self.covariance.column(k).into();
+        let column: StateVector = self.covariance.column(k).into();
         let gain = column / (column[k] + variance);
         self.state += gain * off;
         self.covariance -= gain * column.transpose();

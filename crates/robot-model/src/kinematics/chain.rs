@@ -17,7 +17,7 @@ pub struct FrameOffsets(pub [[f64; 6]; 7]);
 /// An arm whose pose and Jacobian can be had at any joints: what the numeric inverse needs.
 ///
 /// [`Chain`] is one; a model whose frames move with the joints (gravity, gear harmonics) is another.
-pub trait Arm {
+pub trait ArmKinematics {
     /// `base_from_flange` and the geometric Jacobian there.
     ///
     /// The Jacobian may leave out terms that are small against the arm's length (how an effect changes
@@ -328,7 +328,7 @@ impl<T: Real> Walk<T> {
     }
 }
 
-impl Arm for Chain {
+impl ArmKinematics for Chain {
     #[inline]
     fn pose_and_jacobian(&self, q_rad: &[f64; 6]) -> PoseAndJacobian {
         let lines = self.lines(q_rad);

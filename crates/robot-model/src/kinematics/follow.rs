@@ -4,7 +4,7 @@
 //! Newton's homotopy: the twist `e(q)` that is missing is held at `(1 - s) e(q0)` while `s` goes from 0 to 1 (Allgower and Georg,
 //! Introduction to Numerical Continuation Methods, 2003, chapter 1), each stage by Newton's steps.
 
-use super::chain::{Arm, Pose};
+use super::chain::{ArmKinematics, Pose};
 use super::linear::{self, Vec6};
 
 /// Part of the way that the first stage takes.
@@ -20,7 +20,7 @@ const EVALUATIONS: u32 = 600;
 
 /// Joints reached from `start_q_rad` without crossing a singularity, once `is_reached` says so of the twist that is missing; with
 /// that twist and the evaluations taken. `None` where the branch ends, or leaves `most_rad` of change in a joint, before the pose.
-pub(super) fn follow<A: Arm + ?Sized>(
+pub(super) fn follow<A: ArmKinematics + ?Sized>(
     arm: &A,
     goal: &Pose,
     start_q_rad: &Vec6,

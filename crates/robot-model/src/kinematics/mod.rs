@@ -27,7 +27,7 @@ mod structure;
 mod wide_frames;
 
 pub use calibrate::{CalibrateError, Calibration, CalibrationOptions, MeasuredPose, calibrate};
-pub use chain::{Arm, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
+pub use chain::{ArmKinematics, Chain, FrameOffsets, NominalFrames, PoseAndJacobian};
 pub use chains::Chains;
 pub use closed_form::{ClosedForm, Solution};
 pub use configuration::{Configuration, Posture, outside_quadrant_rad};

@@ -1,7 +1,7 @@
 //! Numeric inverse kinematics of a deformed arm: Newton from the nominal closed form, damped where Newton fails, along the
 //! branch where that fails too; every answer proved and on the branch it started from.
 
-use super::chain::{Arm, Pose};
+use super::chain::{ArmKinematics, Pose};
 use super::follow::follow;
 use super::linear::{self, Vec6, regular_newton_step as newton_step};
 use super::matrix::{dot, norm};
@@ -83,7 +83,7 @@ pub(super) const BRANCH_RAD: f64 = FRAC_PI_2;
 ///
 /// # Errors
 /// [`SolveError`] says how the search ended. An answer is never less than proved.
-pub fn solve<A: Arm + ?Sized>(
+pub fn solve<A: ArmKinematics + ?Sized>(
     arm: &A,
     base_from_flange: &Isometry3<f64>,
     start_q_rad: &[f64; 6],
@@ -125,7 +125,11 @@ pub fn solve<A: Arm + ?Sized>(
 }
 
 /// Levenberg's search from the start, each step accepted on the true residual.
-fn damped<A: Arm + ?Sized>(arm: &A, goal: &Pose, start_q_rad: &[f64; 6]) -> Result<Solved, SolveError> {
+fn damped<A: ArmKinematics + ?Sized>(
+    arm: &A,
+    goal: &Pose,
+    start_q_rad: &[f64; 6],
+) -> Result<Solved, SolveError> {
     let mut q_rad = *start_q_rad;
     let mut there = arm.pose_and_jacobian(&q_rad);
     let mut error = goal.twist_from(&there.pose());

@@ -14,8 +14,14 @@ pub struct BackedUp {
     pub base_frame: Option<BaseFrame>,
 }
 
-/// Where a robot's base stands in the world: metres, and a quaternion with w first.
-pub type BaseFrame = ([f64; 3], [f64; 4]);
+/// Where a robot's base stands in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BaseFrame {
+    /// Its origin in the world, metres.
+    pub position_m: [f64; 3],
+    /// Its orientation there as a unit quaternion, w first.
+    pub orientation_wxyz: [f64; 4],
+}
 
 /// Keys and values of one `-name "x" -key value ...` entry; a key without a value has an empty one.
 type Entry<'t> = Vec<(&'t str, &'t str)>;
@@ -94,7 +100,7 @@ fn base_frame(entry: &Entry<'_>) -> Result<Option<BaseFrame>, RobotError> {
         *value = number(format!("base_frame_orient_u{k}"), *value)?;
     }
     let moved = at.iter().chain(&turned[1..]).any(|part| *part != 0.0);
-    Ok(moved.then_some((at, turned)))
+    Ok(moved.then_some(BaseFrame { position_m: at, orientation_wxyz: turned }))
 }
 
 /// The built-in robot of a type such as `ROB1_4600_2.55_40`: number, reach in metres, payload.
@@ -183,7 +189,8 @@ mod tests {
         let first = BackedUp::from_moc(MOC, None).unwrap();
         assert_eq!(first.robot.name, "ABB IRB 140-6/0.8");
         assert!(!first.absolute_accuracy);
-        assert_eq!(first.base_frame, Some(([0.0, 0.0, -0.5], [1.0, 0.0, 0.0, 0.0])));
+        let below = BaseFrame { position_m: [0.0, 0.0, -0.5], orientation_wxyz: [1.0, 0.0, 0.0, 0.0] };
+        assert_eq!(first.base_frame, Some(below));
         assert_eq!(first.robot.joints[0].range_rad, Some([-2.5, 1.5]));
         assert_eq!(
             first.robot.joints[1].range_rad,
@@ -195,7 +202,7 @@ mod tests {
         assert_eq!(BackedUp::moved_bases(MOC), (vec!["ROB_1".to_owned()], false));
         let turned = MOC.replace("-base_frame_pos_z -0.5", "-base_frame_orient_u0 0 -base_frame_orient_u1 1");
         let hung = BackedUp::from_moc(&turned, None).unwrap().base_frame;
-        assert_eq!(hung, Some(([0.0; 3], [0.0, 1.0, 0.0, 0.0])));
+        assert_eq!(hung.map(|base| base.orientation_wxyz), Some([0.0, 1.0, 0.0, 0.0]));
         assert_eq!((second.robot.name.as_str(), second.absolute_accuracy), ("ABB IRB 4600-40/2.55", true));
         assert_eq!(second.robot.joints[0].range_rad, Some([-2.0, 1.0]));
     }

@@ -83,8 +83,8 @@ impl SerialArm {
     }
 }
 
-/// A row, SI.
-struct Row {
+/// The Denavit-Hartenberg parameters of one joint, SI.
+struct DhRow {
     a_m: f64,
     alpha_rad: f64,
     d_m: f64,
@@ -95,7 +95,7 @@ struct Row {
     range_rad: Option<[f64; 2]>,
 }
 
-impl Row {
+impl DhRow {
     /// What stands before the joint's motion and what behind it: about z the constants and the motion commute.
     fn parts(&self, convention: DhConvention) -> (Isometry3<f64>, Isometry3<f64>) {
         let along = |axis: Vector3<f64>, shift_m: f64, turn_rad: f64| {
@@ -113,7 +113,7 @@ impl Row {
     }
 }
 
-fn rows(bytes: &[u8]) -> Result<Vec<Row>, RobotError> {
+fn rows(bytes: &[u8]) -> Result<Vec<DhRow>, RobotError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let lines = LineIndex::new(bytes);
     let failed = |error: &csv::Error| {
@@ -179,7 +179,7 @@ impl Columns {
         self.number(record, column + 1)?.ok_or_else(|| format!("{} is empty", COLUMNS[column + 1]))
     }
 
-    fn row(&self, record: &csv::StringRecord) -> Result<Row, String> {
+    fn row(&self, record: &csv::StringRecord) -> Result<DhRow, String> {
         let kind = match self.text(record, 8).map(str::to_ascii_lowercase).as_deref() {
             None | Some("revolute") => Some(JointKind::Revolute),
             Some("prismatic") => Some(JointKind::Prismatic),
@@ -199,7 +199,7 @@ impl Columns {
             _ => return Err("give both ends of the range, or none".to_owned()),
         };
         let si = if kind == Some(JointKind::Prismatic) { m_from_mm } else { rad_from_deg };
-        Ok(Row {
+        Ok(DhRow {
             a_m: self.constant(record, 0, m_from_mm)?,
             alpha_rad: self.constant(record, 2, rad_from_deg)?,
             d_m: self.constant(record, 4, m_from_mm)?,

@@ -18,7 +18,7 @@ mod urdf;
 mod write;
 
 pub use axis::Axis;
-pub use backup::BackedUp;
+pub use backup::{BackedUp, BaseFrame};
 pub use dh::DhConvention;
 pub use error::RobotError;
 pub use joints::{FEWEST_JOINTS, Joints, MOST_JOINTS};

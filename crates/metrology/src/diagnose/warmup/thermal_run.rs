@@ -3,7 +3,7 @@
 use super::history::Standstill;
 use nalgebra::Vector3;
 use robot_model::deform::thermal_filter::{
-    Covariance, GATE_ACROSS, State, ThermalFilter, TouchOutcome, Transition,
+    Covariance, GATE_ACROSS, StateVector, ThermalFilter, TouchOutcome, Transition,
 };
 use std::f64::consts::TAU;
 
@@ -102,7 +102,7 @@ pub(super) struct ThermalRun {
 /// A state of the filter, and how well it is known.
 #[derive(Clone, Copy)]
 struct StateEstimate {
-    mean: State,
+    mean: StateVector,
     covariance: Covariance,
 }
 

@@ -4,7 +4,7 @@ use super::cold_reference;
 use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState};
 use crate::measure::Touches;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::thermal_filter::{Covariance, State, ThermalFilter};
+use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -78,7 +78,7 @@ pub struct RobotState {
     /// First touches that the later ones contradict: the cold arm's place is theirs.
     pub false_first: Vec<FirstTouchOutlier>,
     /// Lags, amount, logarithms of both time constants (minutes) at the end.
-    pub state: State,
+    pub state: StateVector,
     /// Covariance of the state, rows and columns in its order.
     pub covariance: Covariance,
     /// The law of growth.
