@@ -111,8 +111,8 @@ pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
                 "line": p.line, "id": p.id, "q_deg": robot.in_deg_or_mm(&p.q_rad),
                 "ap_mm": p.accuracy.map(|a| mm_from_m(a.ap_m)), "ap_xyz_mm": p.accuracy.map(|a| a.of_axes_m.map(mm_from_m)),
                 "repeatability": p.repeatability.map(rp),
-                "ap_abc_deg": p.orientation_rad.map(|o| o.0.map(deg_from_rad)),
-                "rp_abc_deg": p.orientation_rad.and_then(|o| o.1).map(|rp| rp.map(deg_from_rad)),
+                "ap_abc_deg": p.orientation.map(|o| o.ap_rad.map(deg_from_rad)),
+                "rp_abc_deg": p.orientation.and_then(|o| o.rp_rad).map(|rp| rp.map(deg_from_rad)),
                 "drift_ap_mm": p.drift_of_accuracy_m().map(mm_from_m),
                 "drift_rp_mm": p.drift_of_repeatability_m().map(mm_from_m), "times": times,
             })

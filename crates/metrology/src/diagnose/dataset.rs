@@ -1,6 +1,6 @@
 //! What every effect is written over: the arm at each station, its axes, loads, time, direction.
 
-use crate::measure::{Channels, Reading, Registration, Station, at_one_time};
+use crate::measure::{Channels, Reading, Registration, Standing, Station};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
 use robot_model::deform::identified::ThermalState;
@@ -154,10 +154,14 @@ impl Observation {
         }
     }
 
+    fn standing(&self) -> Standing<'_> {
+        Standing { q_rad: &self.q_rad, t_min: self.t_min }
+    }
+
     /// Whether the arm stood the same way at `other`, which is of the same pose: one visit of it.
     fn stands_as(&self, other: &Self) -> bool {
         let payload = self.payload_kg.map(f64::to_bits) == other.payload_kg.map(f64::to_bits);
-        at_one_time((&self.q_rad, self.t_min), (&other.q_rad, other.t_min))
+        self.standing().may_be(&other.standing())
             && payload
             && self.direction == other.direction
             && self.stand == other.stand

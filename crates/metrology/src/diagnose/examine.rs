@@ -9,9 +9,9 @@ use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use crate::measure::{
-    Fault, FaultKind, Measurements, PartFault, RegisterError, Row, RowCheck, Stations, alone, check_rows,
-    describe_move, find_fault, find_in_cells, find_in_rows, find_joint_columns, find_pose_names, gather,
-    register,
+    Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, RowCheck, Stations, alone,
+    check_rows, describe_move, find_fault, find_in_cells, find_in_rows, find_joint_columns, find_pose_names,
+    gather, register,
 };
 use nalgebra::{Isometry3, Point3};
 use robot_model::deform::identified::Identified;
@@ -147,9 +147,12 @@ fn from_one_stand<'a>(
 }
 
 /// Each row on its own, with the nominal arm's flange pose.
-fn each_row(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Vec<Row> {
+fn each_row(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Vec<PosedRow> {
     let chain = SerialChain::nominal(robot);
-    alone(measurements, used).into_iter().map(|station| Row { pose: station.pose(&chain), station }).collect()
+    alone(measurements, used)
+        .into_iter()
+        .map(|station| PosedRow { pose: station.pose(&chain), station })
+        .collect()
 }
 
 /// The readings of `rows` in the frame of the instrument's first stand; what that leaves is registered with them.

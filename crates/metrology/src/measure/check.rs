@@ -44,9 +44,10 @@ pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
         checked.fault = Some(Fault::of_all(FaultKind::JointColumns, None, reason));
         return checked;
     }
-    checked.used = distinct(rows, &mut checked.warnings);
-    in_range(rows, robot, &mut checked);
-    time_order(rows, &mut checked);
+    let distinct = distinct(rows);
+    (checked.used, checked.warnings) = (distinct.used, distinct.warning.into_iter().collect());
+    checked.leave_out_of_range(rows, robot);
+    checked.check_time_order(rows);
     if checked.used.len() > MOST_ROWS {
         let step = checked.used.len().div_ceil(MOST_ROWS);
         let before = checked.used.len();
@@ -69,13 +70,20 @@ fn written_as(kinds: &Joints<JointKind>) -> String {
     all.join(", ")
 }
 
-fn distinct(rows: &[MeasurementRow], warnings: &mut Vec<Diagnostic>) -> Vec<usize> {
+/// Rows that repeat no earlier one to the last digit.
+struct DistinctRows {
+    /// Indices of the rows.
+    used: Vec<usize>,
+    /// How many others there are.
+    warning: Option<Diagnostic>,
+}
+
+fn distinct(rows: &[MeasurementRow]) -> DistinctRows {
     let mut seen = BTreeSet::new();
     let mut used = Vec::with_capacity(rows.len());
     let mut first_double = None;
     for (index, row) in rows.iter().enumerate() {
-        let coordinates_m =
-            row.reading.coordinates_m().map(|(coordinates_m, _)| coordinates_m).unwrap_or_default();
+        let coordinates_m = row.reading.coordinates().map(|read| read.value_m).unwrap_or_default();
         let mut key: Vec<u64> = row.q_rad.iter().chain(coordinates_m.iter()).map(|v| v.to_bits()).collect();
         key.push(row.reading.fixed_point().map_or(u64::MAX, |fixed_point| fixed_point as u64));
         key.push(u64::from(row.reading.involves_arm()));
@@ -88,111 +96,116 @@ fn distinct(rows: &[MeasurementRow], warnings: &mut Vec<Diagnostic>) -> Vec<usiz
             first_double.get_or_insert(row.line);
         }
     }
-    if let Some(line) = first_double {
+    let warning = first_double.map(|line| {
         let doubles = rows.len() - used.len();
-        warnings.push(
-            Diagnostic::warning(
-                "measure::duplicates",
-                format!(
-                    "{} to the last digit what an earlier row says (first: line {line})",
-                    if doubles == 1 { "1 row repeats".to_owned() } else { format!("{doubles} rows repeat") }
-                ),
-            )
-            .help("they are left out: a copied row is no measurement and would make the noise look smaller"),
-        );
-    }
-    used
+        Diagnostic::warning(
+            "measure::duplicates",
+            format!(
+                "{} to the last digit what an earlier row says (first: line {line})",
+                if doubles == 1 { "1 row repeats".to_owned() } else { format!("{doubles} rows repeat") }
+            ),
+        )
+        .help("they are left out: a copied row is no measurement and would make the noise look smaller")
+    });
+    DistinctRows { used, warning }
 }
 
-fn in_range(rows: &[MeasurementRow], robot: &SerialArm, checked: &mut RowCheck) {
-    let beyond = |row: &MeasurementRow| {
-        robot.joints.iter().zip(row.q_rad).position(|(joint, q_rad)| {
-            joint
-                .range_rad
-                .is_some_and(|[low, high]| q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD)
-        })
-    };
-    let out: Vec<(usize, usize)> = checked
-        .used
-        .iter()
-        .filter_map(|&i| {
-            rows.get(i).filter(|row| row.reading.involves_arm()).and_then(beyond).map(|j| (i, j))
-        })
-        .collect();
-    let Some(&(row, joint)) = out.first() else { return };
-    let (line, q) = rows.get(row).map_or((0, 0.0), |r| (r.line, robot.in_deg_or_mm(&r.q_rad)[joint]));
-    let unit = if robot.joints[joint].kind.slides() { "mm" } else { "deg" };
-    let what = format!(
-        "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q:.2} {unit})",
-        out.len(),
-        checked.used.len(),
-        Axis::at(joint)
-    );
-    if out.len() as f64 > OUT_OF_RANGE_SHARE * checked.used.len() as f64 {
-        let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| *joint).collect();
-        let columns: Vec<String> = columns.into_iter().map(|joint| robot.column(Axis::at(joint))).collect();
-        let lines = out.iter().filter_map(|(i, _)| rows.get(*i)).map(|row| row.line).collect();
-        checked.fault =
-            Some(Fault::in_rows(FaultKind::JointsOutOfRange, &columns.join(", "), lines, |_, _| {
-                format!("{what}: another robot, another joint convention, or columns in another order")
-            }));
-        return;
-    }
-    let dropped: BTreeSet<usize> = out.iter().map(|(i, _)| *i).collect();
-    checked.used.retain(|i| !dropped.contains(i));
-    checked.warnings.push(
-        Diagnostic::warning("measure::joint-range", what).help("these rows are left out; check their joints"),
-    );
-}
-
-/// Rows out of order are sorted by their stamps, unless what warms says that the rows are right and the stamps are not.
-fn time_order(rows: &[MeasurementRow], checked: &mut RowCheck) {
-    let stamped: Vec<(usize, f64)> = checked
-        .used
-        .iter()
-        .filter_map(|&i| rows.get(i).and_then(|r| r.t_min).map(|t_min| (i, t_min)))
-        .collect();
-    let back: Vec<u64> = stamped
-        .windows(2)
-        .filter(|pair| pair[1].1 < pair[0].1 - 1e-9)
-        .filter_map(|pair| rows.get(pair[1].0))
-        .map(|row| row.line)
-        .collect();
-    let Some(line) = back.first() else { return };
-    if back.len() as f64 <= BACK_SHARE * stamped.len() as f64 {
-        checked.warnings.push(
-            Diagnostic::warning(
-                "measure::time-step-back",
-                format!("t_min steps back at {} (first: line {line})", counted(back.len(), "row")),
-            )
-            .help("check the clock; the stamps are used as they stand"),
-        );
-        return;
-    }
-    let mut sorted = stamped.clone();
-    sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let shuffled = format!(
-        "t_min runs back at {} of {} rows: the rows are not in order of time",
-        back.len(),
-        stamped.len()
-    );
-    let roughness = |order: &[(usize, f64)]| {
-        let warmth: Option<Vec<f64>> = order
+impl RowCheck {
+    /// Leaves out rows with joints that the robot cannot take; where they are many, the file is at fault.
+    fn leave_out_of_range(&mut self, rows: &[MeasurementRow], robot: &SerialArm) {
+        let beyond = |row: &MeasurementRow| {
+            robot.joints.iter().zip(row.q_rad).position(|(joint, q_rad)| {
+                joint.range_rad.is_some_and(|[low, high]| {
+                    q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD
+                })
+            })
+        };
+        let out: Vec<(usize, usize)> = self
+            .used
             .iter()
-            .map(|(i, _)| rows.get(*i).and_then(|row| row.joint_temperature_c).map(|t| t.iter().sum::<f64>()))
+            .filter_map(|&i| {
+                rows.get(i).filter(|row| row.reading.involves_arm()).and_then(beyond).map(|j| (i, j))
+            })
             .collect();
-        warmth.map(|warmth| warmth.windows(2).map(|pair| (pair[1] - pair[0]).powi(2)).sum::<f64>())
-    };
-    let wrong = roughness(&stamped)
-        .zip(roughness(&sorted))
-        .is_some_and(|(as_read, by_stamp)| 2.0 * as_read < by_stamp);
-    let warning = Diagnostic::warning("measure::time-order", shuffled);
-    checked.warnings.push(if wrong {
-        checked.time_usable = false;
+        let Some(&(row, joint)) = out.first() else { return };
+        let (line, q) = rows.get(row).map_or((0, 0.0), |r| (r.line, robot.in_deg_or_mm(&r.q_rad)[joint]));
+        let unit = if robot.joints[joint].kind.slides() { "mm" } else { "deg" };
+        let what = format!(
+            "{} of {} rows have a joint outside the robot's range (first: line {line}, joint {} at {q:.2} {unit})",
+            out.len(),
+            self.used.len(),
+            Axis::at(joint)
+        );
+        if out.len() as f64 > OUT_OF_RANGE_SHARE * self.used.len() as f64 {
+            let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| *joint).collect();
+            let columns: Vec<String> =
+                columns.into_iter().map(|joint| robot.column(Axis::at(joint))).collect();
+            let lines = out.iter().filter_map(|(i, _)| rows.get(*i)).map(|row| row.line).collect();
+            self.fault =
+                Some(Fault::in_rows(FaultKind::JointsOutOfRange, &columns.join(", "), lines, |_, _| {
+                    format!("{what}: another robot, another joint convention, or columns in another order")
+                }));
+            return;
+        }
+        let dropped: BTreeSet<usize> = out.iter().map(|(i, _)| *i).collect();
+        self.used.retain(|i| !dropped.contains(i));
+        self.warnings.push(
+            Diagnostic::warning("measure::joint-range", what)
+                .help("these rows are left out; check their joints"),
+        );
+    }
+
+    /// Rows out of order are sorted by their stamps, unless what warms says that the rows are right and the stamps are not.
+    fn check_time_order(&mut self, rows: &[MeasurementRow]) {
+        let stamped: Vec<(usize, f64)> = self
+            .used
+            .iter()
+            .filter_map(|&i| rows.get(i).and_then(|r| r.t_min).map(|t_min| (i, t_min)))
+            .collect();
+        let back: Vec<u64> = stamped
+            .windows(2)
+            .filter(|pair| pair[1].1 < pair[0].1 - 1e-9)
+            .filter_map(|pair| rows.get(pair[1].0))
+            .map(|row| row.line)
+            .collect();
+        let Some(line) = back.first() else { return };
+        if back.len() as f64 <= BACK_SHARE * stamped.len() as f64 {
+            self.warnings.push(
+                Diagnostic::warning(
+                    "measure::time-step-back",
+                    format!("t_min steps back at {} (first: line {line})", counted(back.len(), "row")),
+                )
+                .help("check the clock; the stamps are used as they stand"),
+            );
+            return;
+        }
+        let mut sorted = stamped.clone();
+        sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let shuffled = format!(
+            "t_min runs back at {} of {} rows: the rows are not in order of time",
+            back.len(),
+            stamped.len()
+        );
+        let roughness = |order: &[(usize, f64)]| {
+            let warmth: Option<Vec<f64>> = order
+                .iter()
+                .map(|(i, _)| {
+                    rows.get(*i).and_then(|row| row.joint_temperature_c).map(|t| t.iter().sum::<f64>())
+                })
+                .collect();
+            warmth.map(|warmth| warmth.windows(2).map(|pair| (pair[1] - pair[0]).powi(2)).sum::<f64>())
+        };
+        let wrong = roughness(&stamped)
+            .zip(roughness(&sorted))
+            .is_some_and(|(as_read, by_stamp)| 2.0 * as_read < by_stamp);
+        let warning = Diagnostic::warning("measure::time-order", shuffled);
+        self.warnings.push(if wrong {
+        self.time_usable = false;
         warning.help("joint temperatures change smoothly from row to row but not by t_min: the column t_min is not used, the order of the rows is")
     } else {
         warning.help("they are taken in the order of t_min; where the stamps are wrong, leave the column out")
     });
+    }
 }
 
 #[cfg(test)]

@@ -58,6 +58,13 @@ pub struct ColumnMap {
     only: Option<RowFilter>,
 }
 
+/// A table as another program wrote it.
+struct SourceTable {
+    /// Names of the columns, where the first line has them.
+    header: Option<Vec<String>>,
+    lines: Vec<Line>,
+}
+
 /// A column of theirs.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(untagged)]
@@ -169,7 +176,7 @@ impl ColumnMap {
     /// # Errors
     /// A column that is not there, a cell that is no number.
     pub fn table(&self, bytes: &[u8]) -> Result<Table, MeasureError> {
-        let (header, lines) = self.cells(bytes)?;
+        let SourceTable { header, lines } = self.cells(bytes)?;
         let find = |source: &SourceColumn| self.find(source, &header);
         let mut mapped = Vec::new();
         for (our_name, source) in &self.columns {
@@ -232,7 +239,7 @@ impl ColumnMap {
     }
 
     /// Their names and cells.
-    fn cells(&self, bytes: &[u8]) -> Result<(Option<Vec<String>>, Vec<Line>), MeasureError> {
+    fn cells(&self, bytes: &[u8]) -> Result<SourceTable, MeasureError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let text = String::from_utf8_lossy(bytes);
         let mut header = None;
@@ -252,7 +259,7 @@ impl ColumnMap {
         if self.header && header.is_none() {
             return Err(MeasureError::NoHeader);
         }
-        Ok((header, lines))
+        Ok(SourceTable { header, lines })
     }
 
     fn split(&self, text: &str, line: u64) -> Result<Vec<String>, MeasureError> {

@@ -22,8 +22,12 @@ pub(super) fn without_fit(
     Registration::assumed(instrument_from_base, tools_m.to_vec(), vec![Vector3::zeros(); fixed_points])
 }
 
-/// Fixed points as the base and the targets put them.
-pub(super) fn place_fixed_points(fit: &mut Registration, stations: &[Station], poses: &[Isometry3<f64>]) {
+/// The registration with its fixed points where base and targets put them.
+pub(super) fn with_fixed_points(
+    mut fit: Registration,
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+) -> Registration {
     for fixed_point in 0..fit.fixed_points_m.len() {
         let here =
             || stations.iter().zip(poses).filter(|(s, _)| s.reading.fixed_point() == Some(fixed_point));
@@ -42,9 +46,11 @@ pub(super) fn place_fixed_points(fit: &mut Registration, stations: &[Station], p
         let put = if n > 0.0 {
             Some(sum / n)
         } else {
-            let lengths: Vec<(Vector3<f64>, f64)> = here()
+            let lengths: Vec<WireLength> = here()
                 .filter_map(|(station, pose)| match station.reading {
-                    Reading::Length { length_m, .. } => Some((fit.predicted_m(station, pose), length_m)),
+                    Reading::Length { length_m, .. } => {
+                        Some(WireLength { from_m: fit.predicted_m(station, pose), length_m })
+                    }
                     _ => None,
                 })
                 .collect();
@@ -54,15 +60,32 @@ pub(super) fn place_fixed_points(fit: &mut Registration, stations: &[Station], p
             *to = put;
         }
     }
+    fit
+}
+
+/// How far a point is from a fixed point.
+struct WireLength {
+    /// The point, base frame, metres.
+    from_m: Vector3<f64>,
+    length_m: f64,
 }
 
 /// The point from which points lie as far as measured: |p|^2 - L^2 = 2 p.w - |w|^2, linear in w and |w|^2.
-fn trilaterated(lengths: &[(Vector3<f64>, f64)]) -> Option<Vector3<f64>> {
+fn trilaterated(lengths: &[WireLength]) -> Option<Vector3<f64>> {
     let n = lengths.len();
-    let rows = DMatrix::from_fn(n, 4, |r, c| if c < 3 { 2.0 * lengths[r].0[c] } else { -1.0 });
-    let right = DVector::from_fn(n, |r, _| lengths[r].0.norm_squared() - lengths[r].1.powi(2));
+    let rows = DMatrix::from_fn(n, 4, |r, c| if c < 3 { 2.0 * lengths[r].from_m[c] } else { -1.0 });
+    let right = DVector::from_fn(n, |r, _| lengths[r].from_m.norm_squared() - lengths[r].length_m.powi(2));
     let solved = rows.svd(true, true).solve(&right, 1e-9).ok()?;
     Some(Vector3::new(solved[0], solved[1], solved[2]))
+}
+
+/// A point on the tool as an instrument saw it.
+struct SeenPoint<'a> {
+    station: &'a Station,
+    /// `base_from_flange` there.
+    pose: &'a Isometry3<f64>,
+    /// In the instrument's frame, metres.
+    position_m: Vector3<f64>,
 }
 
 /// Base by Procrustes for an assumed place of the target (Arun, Huang and Blostein, 1987), where points were measured;
@@ -73,31 +96,30 @@ pub(super) fn initial_guess(
     tools_m: &[Vector3<f64>],
     fixed_points: usize,
 ) -> Option<Registration> {
-    let seen: Vec<(&Station, &Isometry3<f64>, Vector3<f64>)> = all
+    let seen: Vec<SeenPoint<'_>> = all
         .iter()
         .zip(all_poses)
         .filter_map(|(s, pose)| match s.reading {
-            Reading::Point { position_m } => Some((s, pose, position_m)),
+            Reading::Point { position_m } => Some(SeenPoint { station: s, pose, position_m }),
             _ => None,
         })
         .collect();
     if seen.is_empty() {
-        let mut start = without_fit(tools_m, fixed_points, Isometry3::identity());
-        place_fixed_points(&mut start, all, all_poses);
-        return Some(start);
+        let start = without_fit(tools_m, fixed_points, Isometry3::identity());
+        return Some(with_fixed_points(start, all, all_poses));
     }
     let n = seen.len() as f64;
     let model: Vec<Vector3<f64>> = seen
         .iter()
-        .map(|(station, pose, _)| {
+        .map(|SeenPoint { station, pose, .. }| {
             let tool_m = tools_m.get(station.target).copied().unwrap_or_default();
             pose.translation.vector + pose.rotation * tool_m
         })
         .collect();
     let model_mean = model.iter().sum::<Vector3<f64>>() / n;
-    let seen_mean = seen.iter().map(|s| s.2).sum::<Vector3<f64>>() / n;
+    let seen_mean = seen.iter().map(|s| s.position_m).sum::<Vector3<f64>>() / n;
     let mut cross = Matrix3::zeros();
-    for (from, (_, _, position_m)) in model.iter().zip(&seen) {
+    for (from, SeenPoint { position_m, .. }) in model.iter().zip(&seen) {
         cross += (position_m - seen_mean) * (from - model_mean).transpose();
     }
     let spread_m2 = model.iter().map(|m| (m - model_mean).norm_squared()).sum::<f64>() / n;
@@ -112,11 +134,10 @@ pub(super) fn initial_guess(
         Isometry3::from_parts(Translation3::from(seen_mean - rotation * model_mean), rotation);
     let mut start = without_fit(tools_m, fixed_points, instrument_from_base);
     if oriented(all) {
-        let (station, pose, _) = seen.first()?;
+        let SeenPoint { station, pose, .. } = seen.first()?;
         start.flange_from_sensor = Some(pose.rotation.inverse() * rotation.inverse() * station.orientation?);
     }
-    place_fixed_points(&mut start, all, all_poses);
-    Some(start)
+    Some(with_fixed_points(start, all, all_poses))
 }
 
 /// So many metres of spread count as much as a radian of turns.
@@ -140,11 +161,11 @@ fn turn_of(cross: Matrix3<f64>) -> Option<UnitQuaternion<f64>> {
 
 /// The products of turns from the first pose on, as the instrument sees them and as the flange makes them: one is the other in
 /// the base's axes, whatever way the sensor is mounted (Park and Martin 1994).
-fn turns_together(seen: &[(&Station, &Isometry3<f64>, Vector3<f64>)]) -> Option<Matrix3<f64>> {
-    let (first, first_pose, _) = seen.first()?;
+fn turns_together(seen: &[SeenPoint<'_>]) -> Option<Matrix3<f64>> {
+    let SeenPoint { station: first, pose: first_pose, .. } = seen.first()?;
     let start = first.orientation?;
     let mut cross = Matrix3::zeros();
-    for (station, pose, _) in seen {
+    for SeenPoint { station, pose, .. } in seen {
         let seen_rad = (station.orientation? * start.inverse()).scaled_axis();
         let made_rad = (pose.rotation * first_pose.rotation.inverse()).scaled_axis();
         if made_rad.norm() < PI - HALF_TURN_RAD {
@@ -162,8 +183,8 @@ mod tests {
     fn a_place_is_where_its_lengths_meet() {
         let fixed_point = Vector3::new(1.2, -0.4, 0.3);
         let points = [[0.0, 0.0, 0.0], [0.5, 0.1, 0.2], [0.1, 0.6, -0.3], [-0.2, 0.3, 0.7], [0.4, -0.5, 0.4]];
-        let lengths: Vec<(Vector3<f64>, f64)> =
-            points.iter().map(|p| (Vector3::from(*p), (Vector3::from(*p) - fixed_point).norm())).collect();
+        let wire = |from_m: Vector3<f64>| WireLength { from_m, length_m: (from_m - fixed_point).norm() };
+        let lengths: Vec<WireLength> = points.iter().map(|p| wire(Vector3::from(*p))).collect();
         assert!((trilaterated(&lengths).unwrap() - fixed_point).norm() < 1e-12);
     }
 }

@@ -52,13 +52,21 @@ pub fn repeatability(attained_m: &[Vector3<f64>]) -> Option<Repeatability> {
     Some(Repeatability { n, mean_m, s_m, rp_m: mean_m + 3.0 * s_m })
 }
 
-/// AP_a, AP_b, AP_c: mean turns from the command about its x, y, z, radians; and RP_a, RP_b, RP_c: 3 S of each, of two and
-/// more. The turns are small, so that their rotation vector is the standard's three angles.
+/// How the attained orientations turn from the command, about its x, y, z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrientationPerformance {
+    /// AP_a, AP_b, AP_c: mean turns, radians.
+    pub ap_rad: [f64; 3],
+    /// RP_a, RP_b, RP_c: 3 S of each, radians; of two poses and more.
+    pub rp_rad: Option<[f64; 3]>,
+}
+
+/// AP and RP of orientation. The turns are small, so that their rotation vector is the standard's three angles.
 #[must_use]
 pub fn orientation(
     command: &UnitQuaternion<f64>,
     attained: &[UnitQuaternion<f64>],
-) -> Option<([f64; 3], Option<[f64; 3]>)> {
+) -> Option<OrientationPerformance> {
     if attained.is_empty() {
         return None;
     }
@@ -69,7 +77,7 @@ pub fn orientation(
         let squares: Vector3<f64> = turns.iter().map(|t| (t - mean).component_mul(&(t - mean))).sum();
         (squares / (n - 1.0)).map(|v| 3.0 * v.sqrt()).into()
     });
-    Some((mean.into(), spread))
+    Some(OrientationPerformance { ap_rad: mean.into(), rp_rad: spread })
 }
 
 #[cfg(test)]
@@ -100,7 +108,8 @@ mod tests {
         // About x by 1, 2, 3 mrad: mean 2, S = 1, RP = 3 mrad; nothing about y and z.
         let command = UnitQuaternion::from_euler_angles(0.3, 0.2, 0.1);
         let about_x = |rad: f64| command * UnitQuaternion::from_scaled_axis(Vector3::x() * rad);
-        let (mean, spread) = orientation(&command, &[about_x(1e-3), about_x(2e-3), about_x(3e-3)]).unwrap();
+        let OrientationPerformance { ap_rad: mean, rp_rad: spread } =
+            orientation(&command, &[about_x(1e-3), about_x(2e-3), about_x(3e-3)]).unwrap();
         assert!((mean[0] - 2e-3).abs() < 1e-12 && mean[1].abs() < 1e-12 && mean[2].abs() < 1e-12);
         let spread = spread.unwrap();
         assert!((spread[0] - 3e-3).abs() < 1e-12 && spread[1] < 1e-9, "{spread:?}");

@@ -30,15 +30,17 @@ pub use check::{RowCheck, check_rows};
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
-    Fault, FaultKind, PartFault, Row, describe_move, find_fault, find_in_cells, find_in_rows,
+    Fault, FaultKind, PartFault, PosedRow, describe_move, find_fault, find_in_cells, find_in_rows,
     find_joint_columns, find_pose_names,
 };
-pub use iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
+pub use iso9283::{
+    Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
+};
 pub use join::{Joined, MatchBy, join};
 pub use performance::{
     ComparisonFrame, Performance, PerformanceAtTime, PerformanceError, PosePerformance, performance,
 };
-pub use reading::Reading;
+pub use reading::{Coordinates, Reading};
 pub use refine::FreeParameters;
 pub use register::{RegisterError, register, register_with};
 pub use registration::Registration;
@@ -46,7 +48,7 @@ pub(crate) use repeats::variance_ratio;
 pub use repeats::{Repeats, STATED_FREEDOM};
 pub use rotation::Rotation;
 pub use rows::{Channels, MeasurementRow, Measurements};
-pub(crate) use station::at_one_time;
+pub(crate) use station::Standing;
 pub use station::{Station, Stations, alone, gather};
 pub use table::{Line, Table};
 pub use touch::{Touch, Touches};

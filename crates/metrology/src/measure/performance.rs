@@ -1,6 +1,8 @@
 //! Performance after ISO 9283 of a whole measurement file: pose by pose, and over time.
 
-use super::iso9283::{Accuracy, Repeatability, accuracy, barycentre_m, orientation, repeatability};
+use super::iso9283::{
+    Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
+};
 use super::station::pose_numbers;
 use super::{
     FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_rows, gather,
@@ -91,8 +93,8 @@ pub struct PosePerformance {
     pub accuracy: Option<Accuracy>,
     /// Of all rows, two and more.
     pub repeatability: Option<Repeatability>,
-    /// AP_a, AP_b, AP_c and RP_a, RP_b, RP_c, radians, where the orientation was measured.
-    pub orientation_rad: Option<([f64; 3], Option<[f64; 3]>)>,
+    /// Accuracy and repeatability of the orientation, where it was measured.
+    pub orientation: Option<OrientationPerformance>,
     /// By time, where it was measured at several.
     pub times: Vec<PerformanceAtTime>,
 }
@@ -122,7 +124,7 @@ pub struct Performance {
     pub poses: Vec<PosePerformance>,
     /// Largest distance between the barycentres of one pose come to from several sides, metres: vAP_p.
     pub multi_directional_m: Option<f64>,
-    /// The registration in which they were compared; `None` where so few poses place no base: repeatability alone is told.
+    /// The registration in which they were compared; `None` where so few poses place no base: repeatability alone is given.
     pub registration: Option<Registration>,
 }
 
@@ -249,7 +251,7 @@ fn pose_performance(
         barycentre_m: barycentre_m(&attained)?,
         accuracy: command_m.and_then(|command_m| accuracy(&command_m, &attained)),
         repeatability: repeatability(&attained),
-        orientation_rad: commanded.zip(turned).and_then(|(command, turned)| orientation(&command, &turned)),
+        orientation: commanded.zip(turned).and_then(|(command, turned)| orientation(&command, &turned)),
         times,
     })
 }

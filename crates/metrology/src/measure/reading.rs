@@ -35,6 +35,15 @@ pub enum Reading {
     },
 }
 
+/// Numbers as an instrument gave them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coordinates {
+    /// Metres; of a length the first alone.
+    pub value_m: Vector3<f64>,
+    /// How many of them were measured.
+    pub count: usize,
+}
+
 impl Reading {
     /// The fixed point that takes part.
     #[must_use]
@@ -62,12 +71,16 @@ impl Reading {
         }
     }
 
-    /// The numbers that an instrument gave, metres, and how many they are; of a touch there is none.
+    /// The numbers that an instrument gave; of a touch there is none.
     #[must_use]
-    pub fn coordinates_m(&self) -> Option<(Vector3<f64>, usize)> {
+    pub fn coordinates(&self) -> Option<Coordinates> {
         match *self {
-            Self::Point { position_m } | Self::Nest { position_m, .. } => Some((position_m, 3)),
-            Self::Length { length_m, .. } => Some((Vector3::new(length_m, 0.0, 0.0), 1)),
+            Self::Point { position_m } | Self::Nest { position_m, .. } => {
+                Some(Coordinates { value_m: position_m, count: 3 })
+            }
+            Self::Length { length_m, .. } => {
+                Some(Coordinates { value_m: Vector3::new(length_m, 0.0, 0.0), count: 1 })
+            }
             Self::Touch { .. } => None,
         }
     }
@@ -86,9 +99,6 @@ impl Reading {
     /// The same read by an instrument whose unit is `factor` times as long.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
-        self.coordinates_m().map_or_else(
-            || self.clone(),
-            |(coordinates_m, _)| self.with_coordinates_m(coordinates_m * factor),
-        )
+        self.coordinates().map_or_else(|| self.clone(), |read| self.with_coordinates_m(read.value_m * factor))
     }
 }

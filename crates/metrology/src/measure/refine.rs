@@ -19,18 +19,25 @@ const ITERATIONS: usize = 60;
 /// Orientation residuals weigh as if at this distance, metres.
 const ORIENTATION_ARM_M: f64 = 0.3;
 
-/// The columns of base, targets, places and sensor at one station: position rows and orientation rows, base axes;
-/// each is how fast the residual falls.
+/// How fast the residuals of one station fall with base, targets, fixed points and sensor: a column for each unknown.
+struct ResidualColumns {
+    /// Rows of the position, base axes.
+    position: DMatrix<f64>,
+    /// Rows of the orientation, base axes.
+    orientation: DMatrix<f64>,
+}
+
+/// The columns of all unknowns at one station.
 fn unknown_columns(
     fit: &Registration,
     station: &Station,
     pose: &Isometry3<f64>,
     width: usize,
-) -> (DMatrix<f64>, DMatrix<f64>) {
+) -> ResidualColumns {
     let point = fit.predicted_m(station, pose);
     let turn = pose.rotation.to_rotation_matrix();
-    let mut fixed_point = DMatrix::zeros(3, width);
-    let mut orient = DMatrix::zeros(3, width);
+    let mut position = DMatrix::zeros(3, width);
+    let mut orientation = DMatrix::zeros(3, width);
     let by_instrument = station.reading.position_m().is_some();
     let fixed_points = 6 + 3 * fit.tools_m.len();
     for k in 0..3 {
@@ -39,30 +46,29 @@ fn unknown_columns(
         let moved = axis.cross(&point);
         for r in 0..3 {
             if by_instrument {
-                fixed_point[(r, k)] = axis[r];
-                fixed_point[(r, 3 + k)] = moved[r];
+                position[(r, k)] = axis[r];
+                position[(r, 3 + k)] = moved[r];
             }
             if station.reading.involves_arm() {
-                fixed_point[(r, 6 + 3 * station.target + k)] = turn[(r, k)];
+                position[(r, 6 + 3 * station.target + k)] = turn[(r, k)];
             }
             if let Some(which) = station.reading.fixed_point() {
                 let sign = if by_instrument { 1.0 } else { -1.0 };
-                fixed_point[(r, fixed_points + 3 * which + k)] = sign * axis[r];
+                position[(r, fixed_points + 3 * which + k)] = sign * axis[r];
             }
         }
-        orient[(k, 3 + k)] = 1.0;
+        orientation[(k, 3 + k)] = 1.0;
         if fit.flange_from_sensor.is_some() {
             for r in 0..3 {
-                orient[(r, width - 3 + k)] = turn[(r, k)];
+                orientation[(r, width - 3 + k)] = turn[(r, k)];
             }
         }
     }
     if let Some(along) = fit.along(station, pose) {
         let onto = along * along.transpose();
-        fixed_point =
-            DMatrix::from_fn(3, width, |r, c| (0..3).map(|k| onto[(r, k)] * fixed_point[(k, c)]).sum());
+        position = DMatrix::from_fn(3, width, |r, c| (0..3).map(|k| onto[(r, k)] * position[(k, c)]).sum());
     }
-    (fixed_point, orient)
+    ResidualColumns { position, orientation }
 }
 
 pub(super) fn gauss_newton(
@@ -86,16 +92,16 @@ pub(super) fn gauss_newton(
         let mut right = DVector::zeros(width);
         for (station, pose) in stations.iter().zip(poses) {
             let residual = fit.residual_m(station, pose);
-            let (fixed_point, orient) = unknown_columns(&fit, station, pose, width);
+            let ResidualColumns { position, orientation } = unknown_columns(&fit, station, pose, width);
             // Cauchy's weight at three times the middle distance: false rows lose their pull.
             let weight = 1.0 / (1.0 + (residual.norm() / (3.0 * scale_m)).powi(2));
-            normal += weight * fixed_point.transpose() * &fixed_point;
-            right += weight * fixed_point.transpose() * residual;
+            normal += weight * position.transpose() * &position;
+            right += weight * position.transpose() * residual;
             if let Some(turn) = fit.residual_rad(station, pose) {
                 let far = turn.norm() * ORIENTATION_ARM_M / (3.0 * scale_m);
                 let weight = ORIENTATION_ARM_M.powi(2) / (1.0 + far * far);
-                normal += weight * orient.transpose() * &orient;
-                right += weight * orient.transpose() * turn;
+                normal += weight * orientation.transpose() * &orientation;
+                right += weight * orientation.transpose() * turn;
             }
         }
         for k in held.clone() {

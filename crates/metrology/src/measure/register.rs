@@ -4,7 +4,7 @@
 //! and, with measured orientation, the sensor's orientation on the flange (3); robust by re-weighting. Never a
 //! finding: all are unknown.
 
-use super::initial_guess::{initial_guess, oriented, place_fixed_points, without_fit};
+use super::initial_guess::{initial_guess, oriented, with_fixed_points, without_fit};
 use super::refine::{FreeParameters, gauss_newton};
 use super::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
@@ -125,9 +125,8 @@ pub fn register_with(
     let fixed_points = fixed_points(stations);
     let start = match free {
         FreeParameters::Nothing(instrument_from_base) => {
-            let mut start = without_fit(tools_m, fixed_points, instrument_from_base);
-            place_fixed_points(&mut start, stations, base_from_flange);
-            start
+            let start = without_fit(tools_m, fixed_points, instrument_from_base);
+            with_fixed_points(start, stations, base_from_flange)
         }
         FreeParameters::All | FreeParameters::Base => {
             initial_guess(stations, base_from_flange, tools_m, fixed_points)

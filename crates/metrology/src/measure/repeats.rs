@@ -64,10 +64,10 @@ pub(super) fn apart_where_contradictory(
     groups: Vec<Vec<usize>>,
     stated_m: Option<f64>,
 ) -> Vec<Vec<usize>> {
-    let scatter: Vec<(f64, usize)> = groups.iter().map(|group| scatter(rows, group)).collect();
+    let scatter: Vec<GroupScatter> = groups.iter().map(|group| scatter(rows, group)).collect();
     let span_min: Vec<f64> = groups.iter().map(|group| span_min(rows, group)).collect();
-    let variance = |&g: &usize| scatter[g].0 / scatter[g].1 as f64;
-    let mut repeated: Vec<usize> = (0..groups.len()).filter(|&g| scatter[g].1 > 0).collect();
+    let variance = |&g: &usize| scatter[g].squares_m2 / scatter[g].freedom as f64;
+    let mut repeated: Vec<usize> = (0..groups.len()).filter(|&g| scatter[g].freedom > 0).collect();
     repeated.sort_by(|a, b| variance(a).total_cmp(&variance(b)));
     let (mut agree, mut split): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     for (rank, &g) in repeated.iter().enumerate() {
@@ -75,11 +75,12 @@ pub(super) fn apart_where_contradictory(
         let as_far = agree.iter().filter(|&&other| 2.0 * span_min[other] >= span_min[g]);
         let stated =
             stated_m.map_or((0.0, 0), |sigma_m| (STATED_FREEDOM as f64 * sigma_m * sigma_m, STATED_FREEDOM));
-        let (squares, freedom) =
-            as_far.fold(stated, |(squares, freedom), &h| (squares + scatter[h].0, freedom + scatter[h].1));
-        let told = groups[g].len() == 2 && 2 * rank >= repeated.len() && freedom >= FEWEST_FREEDOM;
-        let limit = || variance_ratio(NO_REPEAT, scatter[g].1 as f64, freedom as f64);
-        if told && variance(&g) > limit() * squares / freedom as f64 {
+        let (squares, freedom) = as_far.fold(stated, |(squares, freedom), &h| {
+            (squares + scatter[h].squares_m2, freedom + scatter[h].freedom)
+        });
+        let is_tried = groups[g].len() == 2 && 2 * rank >= repeated.len() && freedom >= FEWEST_FREEDOM;
+        let limit = || variance_ratio(NO_REPEAT, scatter[g].freedom as f64, freedom as f64);
+        if is_tried && variance(&g) > limit() * squares / freedom as f64 {
             split.push(g);
         } else {
             agree.push(g);
@@ -100,14 +101,21 @@ fn span_min(rows: &[MeasurementRow], group: &[usize]) -> f64 {
     (times().fold(f64::NEG_INFINITY, f64::max) - times().fold(f64::INFINITY, f64::min)).max(0.0)
 }
 
-/// Sum of squares of a group's rows about their mean, metres squared, and its degrees of freedom.
-fn scatter(rows: &[MeasurementRow], group: &[usize]) -> (f64, usize) {
+/// How a group's rows scatter about their mean.
+struct GroupScatter {
+    /// Sum of squares over all coordinates.
+    squares_m2: f64,
+    /// Degrees of freedom behind it.
+    freedom: usize,
+}
+
+/// The scatter of the rows of one group.
+fn scatter(rows: &[MeasurementRow], group: &[usize]) -> GroupScatter {
     let centre = centre(rows, group);
     let members = || group.iter().filter_map(|&i| rows.get(i));
-    let numbers =
-        members().next().and_then(|row| row.reading.coordinates_m()).map_or(0, |(_, numbers)| numbers);
+    let numbers = members().next().and_then(|row| row.reading.coordinates()).map_or(0, |read| read.count);
     let squares = members().map(|row| (coordinates_m(row) - centre).norm_squared()).sum();
-    (squares, numbers * group.len().saturating_sub(1))
+    GroupScatter { squares_m2: squares, freedom: numbers * group.len().saturating_sub(1) }
 }
 
 /// The ratio of two estimates of one variance, of `above` and `below` degrees of freedom, that is exceeded as often as a
@@ -130,8 +138,8 @@ pub(super) fn repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<
     let mut freedom = 0;
     for group in groups.iter().filter(|g| g.len() >= 2) {
         let of_group = scatter(rows, group);
-        squares += of_group.0;
-        freedom += of_group.1;
+        squares += of_group.squares_m2;
+        freedom += of_group.freedom;
         let members: Vec<&MeasurementRow> = group.iter().filter_map(|&i| rows.get(i)).collect();
         if let Some(start) = members.first().and_then(|row| row.orientation) {
             let vectors: Vec<Vector3<f64>> = members
@@ -161,7 +169,7 @@ pub(super) fn centre(rows: &[MeasurementRow], group: &[usize]) -> Vector3<f64> {
 
 /// What a row measured, metres; zero of a touch.
 pub(super) fn coordinates_m(row: &MeasurementRow) -> Vector3<f64> {
-    row.reading.coordinates_m().map_or_else(Vector3::zeros, |(coordinates_m, _)| coordinates_m)
+    row.reading.coordinates().map_or_else(Vector3::zeros, |read| read.value_m)
 }
 
 /// Middle value; 0 of nothing.

@@ -193,17 +193,29 @@ fn is_repeat(a: &MeasurementRow, b: &MeasurementRow) -> bool {
         (Some(a), Some(b)) => a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= SAME_TEMPERATURE_C),
         _ => true,
     };
-    at_one_time((&a.q_rad, a.t_min), (&b.q_rad, b.t_min)) && warmth && a.stand == b.stand
+    Standing::of_row(a).may_be(&Standing::of_row(b)) && warmth && a.stand == b.stand
 }
 
-/// Whether an arm that stood at two joints and minutes may not have moved in between.
-pub(crate) fn at_one_time(a: (&Joints, Option<f64>), b: (&Joints, Option<f64>)) -> bool {
-    let joints = a.0.iter().zip(b.0).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
-    let time = match (a.1, b.1) {
-        (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
-        _ => true,
-    };
-    joints && time
+/// Where an arm stood, and when.
+pub(crate) struct Standing<'a> {
+    pub(crate) q_rad: &'a Joints,
+    pub(crate) t_min: Option<f64>,
+}
+
+impl<'a> Standing<'a> {
+    fn of_row(row: &'a MeasurementRow) -> Self {
+        Self { q_rad: &row.q_rad, t_min: row.t_min }
+    }
+
+    /// Whether the arm may not have moved between the two.
+    pub(crate) fn may_be(&self, other: &Standing<'_>) -> bool {
+        let joints = self.q_rad.iter().zip(other.q_rad).all(|(a, b)| (a - b).abs() < SAME_JOINT_RAD);
+        let time = match (self.t_min, other.t_min) {
+            (Some(a), Some(b)) => (a - b).abs() <= SAME_TIME_MIN,
+            _ => true,
+        };
+        joints && time
+    }
 }
 
 fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usize>) -> Option<Station> {

@@ -29,11 +29,21 @@ enum Part {
     Literal(char),
 }
 
+/// A date and a time of day, whether any calendar has it or not.
+struct CivilTime {
+    year: i64,
+    month: i64,
+    day: i64,
+    hour: i64,
+    minute: i64,
+    second_s: f64,
+}
+
 impl TimestampFormat {
     /// Reads a format such as `DD.MM.YYYY hh:mm:ss`.
     ///
     /// # Errors
-    /// Without day or minute no time can be told.
+    /// A format without hour or minute, or with a part of a date.
     pub fn new(format: &str) -> Result<Self, String> {
         let words = [
             ("YYYY", Part::Year),
@@ -69,7 +79,8 @@ impl TimestampFormat {
     /// # Errors
     /// Text that is written otherwise, and a date or a time of day that does not exist.
     pub fn parse_min(&self, text: &str) -> Result<f64, NoTime> {
-        let ([year, month, day, hour, minute], second_s) = self.numbers(text).ok_or(NoTime::NotWrittenSo)?;
+        let written = self.numbers(text).ok_or(NoTime::NotWrittenSo)?;
+        let CivilTime { year, month, day, hour, minute, second_s } = written;
         let exists = (1..100_000).contains(&year)
             && (1..=12).contains(&month)
             && (1..=days_of_month(year, month)).contains(&day)
@@ -80,8 +91,8 @@ impl TimestampFormat {
         exists.then(at_min).ok_or(NoTime::DoesNotExist)
     }
 
-    /// Year, month, day, hour and minute, and seconds, as they are written.
-    fn numbers(&self, text: &str) -> Option<([i64; 5], f64)> {
+    /// The date and the time of day as they are written.
+    fn numbers(&self, text: &str) -> Option<CivilTime> {
         // Spreadsheets mark text by an apostrophe.
         let mut rest = text.trim().trim_start_matches('\'');
         let (mut year, mut month, mut day, mut hour, mut minute, mut second_s) = (1970, 1, 1, 0, 0, 0.0);
@@ -110,7 +121,7 @@ impl TimestampFormat {
                 }
             }
         }
-        rest.is_empty().then_some(([year, month, day, hour, minute], second_s))
+        rest.is_empty().then_some(CivilTime { year, month, day, hour, minute, second_s })
     }
 }
 

@@ -1,7 +1,7 @@
 //! The choice: poses are exchanged one by one for better ones (Fedorov 1972), better meaning that the pairs of effects that
 //! are hardest to tell apart stand further apart.
 
-use super::information::{Information, Reduced};
+use super::information::{Information, Reduced, Regression};
 use crate::diagnose::signature::Signatures;
 use rayon::prelude::*;
 
@@ -16,17 +16,58 @@ const STEERING: usize = 48;
 /// Candidates whose true cost is computed for one exchange.
 const TRIED: usize = 3;
 
-/// Effects that are compared: index, and the squared factor to the size at which they are compared.
+/// The measurements that were chosen.
+pub struct Choice {
+    /// Indices into the possible ones.
+    pub chosen: Vec<usize>,
+    /// Exchanges that led there.
+    pub exchanges: usize,
+}
+
+/// An effect that is compared.
+#[derive(Clone, Copy)]
+struct ComparedEffect {
+    /// Index into the signatures.
+    index: usize,
+    weight: f64,
+    /// Squared factor from the usual size to the one at which it is compared.
+    factor2: f64,
+}
+
+/// An effect held against a rival.
+struct ComparedPair {
+    weight: f64,
+    /// How far apart they are, squared signal over noise.
+    apart: f64,
+    effect: usize,
+    /// `None`: nothing at all.
+    rival: Option<usize>,
+}
+
+impl ComparedPair {
+    /// What the pair adds to the chance of a wrong answer.
+    fn price(&self) -> f64 {
+        self.weight * (-self.apart / HARD).exp()
+    }
+}
+
+/// A pair that steers an exchange.
+struct SteeringPair {
+    /// What one more unit of separation would save.
+    saves: f64,
+    regression: Regression,
+}
+
+/// Effects that are compared with each other.
 struct Compared {
-    /// Index into the signatures, weight, squared factor.
-    effects: Vec<(usize, f64, f64)>,
+    effects: Vec<ComparedEffect>,
     /// `hopeless[i][k]`: the i-th can never be told from the k-th.
     hopeless: Vec<Vec<bool>>,
 }
 
-/// `count` of the measurements of `signatures`, and how many exchanges led there.
+/// Chooses `count` of the measurements of `signatures`.
 #[must_use]
-pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize) -> (Vec<usize>, usize) {
+pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize) -> Choice {
     let width = signatures.width;
     let rows: Vec<&[f64]> = signatures.rows.chunks_exact(3 * width).collect();
     let mut chosen: Vec<usize> =
@@ -34,7 +75,7 @@ pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize
     let weight = 1.0 / (sigma_m * sigma_m);
     let all = Information::of(&signatures.rows, width, sigma_m);
     let Some(compared) = compared(signatures, &all, count as f64 / rows.len() as f64) else {
-        return (chosen, 0);
+        return Choice { chosen, exchanges: 0 };
     };
     let mut now = Information::none(width);
     chosen.iter().for_each(|&i| now.add(rows[i], weight));
@@ -50,7 +91,15 @@ pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize
             let mut gains: Vec<(f64, usize)> = (0..rows.len())
                 .into_par_iter()
                 .filter(|i| !chosen.contains(i))
-                .map(|i| (steering.iter().map(|(w, r)| w * r.gain(rows[i], width)).sum::<f64>(), i))
+                .map(|i| {
+                    (
+                        steering
+                            .iter()
+                            .map(|pair| pair.saves * pair.regression.gain(rows[i], width))
+                            .sum::<f64>(),
+                        i,
+                    )
+                })
                 .collect();
             gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
             let best = gains
@@ -72,7 +121,7 @@ pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize
             break;
         }
     }
-    (chosen, exchanges)
+    Choice { chosen, exchanges }
 }
 
 /// Sizes all effects alike and finds what no poses can tell apart.
@@ -84,15 +133,16 @@ fn compared(signatures: &Signatures, all: &Information, share: f64) -> Option<Co
         let signal = reduced.separation(i, None) * share;
         if signal > 1e-6 {
             // Of rho^2 per number measured, what base, tool and tolerances leave of it.
-            effects.push((i, effect.weight, RHO * RHO * rows * share / signal));
+            let factor2 = RHO * RHO * rows * share / signal;
+            effects.push(ComparedEffect { index: i, weight: effect.weight, factor2 });
         }
     }
     let hopeless = effects
         .iter()
-        .map(|&(a, _, _)| {
+        .map(|&ComparedEffect { index: a, .. }| {
             effects
                 .iter()
-                .map(|&(b, _, _)| {
+                .map(|&ComparedEffect { index: b, .. }| {
                     a == b || reduced.separation(a, Some(b)) < HOPELESS * reduced.separation(a, None)
                 })
                 .collect()
@@ -102,16 +152,17 @@ fn compared(signatures: &Signatures, all: &Information, share: f64) -> Option<Co
 }
 
 impl Compared {
-    /// Pairs with weight and separation; the rival `None` is nothing at all.
-    fn pairs(&self, reduced: &Reduced<'_>) -> Vec<(f64, f64, usize, Option<usize>)> {
+    /// Every effect against nothing, and against each rival that poses can tell it from.
+    fn pairs(&self, reduced: &Reduced<'_>) -> Vec<ComparedPair> {
         let mut pairs = Vec::with_capacity(self.effects.len() * (self.effects.len() + 1));
-        for (&(a, weight_a, factor2), hopeless) in self.effects.iter().zip(&self.hopeless) {
-            pairs.push((weight_a, factor2 * reduced.separation(a, None), a, None));
-            for (&(b, weight_b, _), hopeless) in self.effects.iter().zip(hopeless) {
-                if !hopeless {
-                    let apart = factor2 * reduced.separation(a, Some(b));
-                    pairs.push((weight_a * weight_b, apart, a, Some(b)));
-                }
+        for (one, hopeless) in self.effects.iter().zip(&self.hopeless) {
+            let effect = one.index;
+            let apart = |rival| one.factor2 * reduced.separation(effect, rival);
+            pairs.push(ComparedPair { weight: one.weight, apart: apart(None), effect, rival: None });
+            for (other, _) in self.effects.iter().zip(hopeless).filter(|(_, hopeless)| !**hopeless) {
+                let rival = Some(other.index);
+                let weight = one.weight * other.weight;
+                pairs.push(ComparedPair { weight, apart: apart(rival), effect, rival });
             }
         }
         pairs
@@ -119,20 +170,22 @@ impl Compared {
 
     /// About the chance of a wrong answer: dominated by the smallest separations.
     fn cost(&self, reduced: &Reduced<'_>) -> f64 {
-        self.pairs(reduced).iter().map(|(weight, apart, _, _)| weight * (-apart / HARD).exp()).sum()
+        self.pairs(reduced).iter().map(ComparedPair::price).sum()
     }
 
-    /// The pairs that cost most, each with what one more unit of separation would save.
-    fn steering(&self, reduced: &Reduced<'_>) -> Vec<(f64, super::information::Regression)> {
+    /// The pairs that cost most.
+    fn steering(&self, reduced: &Reduced<'_>) -> Vec<SteeringPair> {
         let mut pairs = self.pairs(reduced);
-        let price = |p: &(f64, f64, usize, Option<usize>)| p.0 * (-p.1 / HARD).exp();
-        pairs.sort_by(|a, b| price(b).total_cmp(&price(a)).then((a.2, a.3).cmp(&(b.2, b.3))));
+        pairs.sort_by(|a, b| {
+            b.price().total_cmp(&a.price()).then((a.effect, a.rival).cmp(&(b.effect, b.rival)))
+        });
         pairs.truncate(STEERING);
         pairs
             .iter()
-            .map(|p| {
-                let factor2 = self.effects.iter().find(|e| e.0 == p.2).map_or(1.0, |e| e.2);
-                (price(p) * factor2, reduced.regression(p.2, p.3))
+            .map(|pair| {
+                let factor2 = self.effects.iter().find(|e| e.index == pair.effect).map_or(1.0, |e| e.factor2);
+                let regression = reduced.regression(pair.effect, pair.rival);
+                SteeringPair { saves: pair.price() * factor2, regression }
             })
             .collect()
     }

@@ -20,6 +20,7 @@ pub use rapid::rapid;
 pub use sheet::{poses_csv, template_csv};
 
 use crate::diagnose::signature::{PlannedMeasurement, signatures};
+use exchange::Choice;
 use nalgebra::Vector3;
 use pool::Pose;
 use rand::{RngExt, SeedableRng};
@@ -98,7 +99,7 @@ pub fn plan_from(
     let possible: Vec<PlannedMeasurement> =
         poses.iter().enumerate().map(|(i, pose)| pose.possible(i as f64 * options.each_min)).collect();
     let all = signatures(robot, options.tool_m, &possible);
-    let (chosen, exchanges) = exchange::choose(&all, distinct, options.sigma_m, rounds);
+    let Choice { chosen, exchanges } = exchange::choose(&all, distinct, options.sigma_m, rounds);
     let mut taken: Vec<Pose> = chosen.into_iter().filter_map(|i| poses.get(i).cloned()).collect();
     shuffle(&mut taken, &mut random);
     let swept = sweep::sweeps(robot, options, &poses)?;

@@ -5,7 +5,7 @@ mod rows;
 mod whole;
 
 pub use columns::{find_in_cells, find_pose_names};
-pub use rows::{PartFault, Row, describe_move, find_in_rows};
+pub use rows::{PartFault, PosedRow, describe_move, find_in_rows};
 pub use whole::{find_fault, find_joint_columns};
 
 use serde::{Serialize, Serializer};

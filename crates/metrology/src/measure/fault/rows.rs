@@ -30,7 +30,7 @@ const STILL_M: f64 = 2e-4;
 const FEWEST_STILL: usize = 2;
 
 /// One row as a station of its own, and the flange pose of the nominal arm.
-pub struct Row {
+pub struct PosedRow {
     /// The row as a station of its own.
     pub station: Station,
     /// Pose of the flange in the base by the nominal arm.
@@ -55,7 +55,7 @@ pub enum PartFault {
 #[must_use]
 pub fn find_in_rows(
     robot: &SerialArm,
-    rows: &[Row],
+    rows: &[PosedRow],
     targets: usize,
     tool_m: Option<Vector3<f64>>,
 ) -> Option<PartFault> {
@@ -80,7 +80,7 @@ struct Part {
 }
 
 /// What is wrong with the rows that are far off `part`.
-fn in_part(robot: &SerialArm, rows: &[Row], targets: usize, part: &Part) -> Option<PartFault> {
+fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) -> Option<PartFault> {
     let Part { registration, off_m, near } = part;
     let mut sorted = off_m.clone();
     sorted.sort_by(f64::total_cmp);
@@ -106,7 +106,7 @@ fn in_part(robot: &SerialArm, rows: &[Row], targets: usize, part: &Part) -> Opti
 }
 
 /// The registration of a part of the file that most rows agree with.
-fn best_part(rows: &[Row], targets: usize, tool_m: Option<Vector3<f64>>) -> Option<Part> {
+fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector3<f64>>) -> Option<Part> {
     let n = rows.len();
     let mut parts = vec![(0, n), (0, n / 2), (n / 2, n), (n / 4, 3 * n / 4)];
     for pieces in [4, 8] {
@@ -118,7 +118,7 @@ fn best_part(rows: &[Row], targets: usize, tool_m: Option<Vector3<f64>>) -> Opti
     let mut best: Option<Part> = None;
     for (from, to) in parts.into_iter().filter(|(from, to)| to - from >= FEWEST_OF_PART) {
         let step = (to - from).div_ceil(PART_ROWS).max(1);
-        let part: Vec<&Row> = rows[from..to].iter().step_by(step).collect();
+        let part: Vec<&PosedRow> = rows[from..to].iter().step_by(step).collect();
         let stations: Vec<Station> = part.iter().map(|row| row.station.clone()).collect();
         let poses: Vec<Isometry3<f64>> = part.iter().map(|row| row.pose).collect();
         let Ok(registration) = register(&stations, &poses, targets, tool_m) else { continue };
@@ -139,7 +139,7 @@ fn best_part(rows: &[Row], targets: usize, tool_m: Option<Vector3<f64>>) -> Opti
 fn fault(
     kind: FaultKind,
     column: &str,
-    rows: &[Row],
+    rows: &[PosedRow],
     which: &[usize],
     said: impl Fn(usize, &str) -> String,
 ) -> PartFault {
@@ -150,7 +150,7 @@ fn fault(
 /// A unit or sign that is another in these rows.
 fn single_columns(
     robot: &SerialArm,
-    rows: &[Row],
+    rows: &[PosedRow],
     registration: &Registration,
     far: &[usize],
     limit_m: f64,
@@ -175,7 +175,7 @@ fn single_columns(
 
 /// How many of the far rows have the point of the row `by` places before (negative: after).
 fn explained_by(
-    rows: &[Row],
+    rows: &[PosedRow],
     registration: &Registration,
     far: &[usize],
     limit_m: f64,
@@ -189,13 +189,13 @@ fn explained_by(
     far.iter().copied().filter(fits).collect()
 }
 
-fn is_late(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64) -> bool {
+fn is_late(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m: f64) -> bool {
     [1, -1]
         .into_iter()
         .any(|by| explained_by(rows, registration, far, limit_m, by).len() as f64 >= MOST * far.len() as f64)
 }
 
-fn late(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
+fn late(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
     [(1, "before"), (-1, "after")].into_iter().find_map(|(by, side)| {
         let which = explained_by(rows, registration, far, limit_m, by);
         (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
@@ -207,7 +207,7 @@ fn late(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64) 
 }
 
 /// The reading of the row before, but for the noise, where the arm stood elsewhere.
-fn still(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
+fn still(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
     let of_the_row_before = |i: &usize| {
         let Some(before) = i.checked_sub(1).map(|before| &rows[before]) else { return false };
         let row = &rows[*i];
@@ -229,7 +229,7 @@ fn still(rows: &[Row], registration: &Registration, far: &[usize], limit_m: f64)
 
 /// From one row on all is elsewhere, rigidly.
 fn moved(
-    rows: &[Row],
+    rows: &[PosedRow],
     registration: &Registration,
     targets: usize,
     far: &[usize],
