@@ -1,16 +1,15 @@
 //! Compensation of a program: from its files and a deformed robot to the emitted files, or to the reasons why there are none.
 
 use super::compensated::{Compensated, EmitFailure, Refusal};
-use super::named::{Named, model_of_another_robot};
+use super::named::Named;
 use super::program_files::{ProgramFiles, check_modules, check_names, check_text};
 use super::touch::TouchRequest;
 use crate::report::LocatedDiagnostic;
-use rapid_program::compensate::plan::Totals;
+use rapid_program::compensate::plan::{Plan, Totals};
 use rapid_program::compensate::{self, CompensateError, FormChoice, Options, TouchingArm};
-use rapid_program::emit::{Clock, EmitOptions, EmittedFile, MAX_AMOUNT, emit_each};
+use rapid_program::emit::{Clock, EmitOptions, EmittedFile, MAX_AMOUNT, Touch, emit_each};
 use rapid_program::program::motion::SkipReason;
-use rapid_program::program::{Overrides, Program, is_of_task};
-use rapid_syntax::SourceFile;
+use rapid_program::program::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
@@ -51,21 +50,6 @@ pub struct Compensation {
     pub touch: Option<TouchRequest>,
 }
 
-/// Makers of arms that run no RAPID, as they stand in the names of robots.
-const OTHER_MAKERS: [&str; 12] = [
-    "COMAU",
-    "DENSO",
-    "EPSON",
-    "FANUC",
-    "KAWASAKI",
-    "KUKA",
-    "MITSUBISHI",
-    "MOTOMAN",
-    "NACHI",
-    "STAUBLI",
-    "UNIVERSAL ROBOTS",
-    "YASKAWA",
-];
 /// The robot that the built-in deformation table is of.
 pub(super) const PAPER_ROBOT: &str = "irb140";
 
@@ -155,67 +139,31 @@ impl Compensation {
         program: &ProgramFiles,
         accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
     ) -> Result<Compensated<'_>, Box<Refusal>> {
-        program.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
         let label = self.overrides.task.as_deref().unwrap_or(program.label());
-        let files = program.sources();
-        if let Err(message) = check_modules(&files).and_then(|()| check_names(&files)) {
-            let messages = vec![LocatedDiagnostic::new(message, &files)];
-            let program = Program { files, ..Program::default() };
-            return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
-        }
-        let program = Program::read(files, &self.overrides);
-        let mut messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);
-        if messages.iter().any(is_error) {
-            return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
-        }
-        let refuse = |program: Program, mut messages: Vec<LocatedDiagnostic>, why: Diagnostic| {
-            messages.push(LocatedDiagnostic::new(why, &program.files));
-            Err(Box::new(Refusal { program, messages, ..Refusal::default() }))
-        };
-        let arm = TouchingArm {
-            robot: &self.robot.model,
-            deformation: &self.deformation.model,
-            model: self.options.model.as_deref(),
-            payload_kg: self.options.payload_kg,
-        };
-        let touch = self.touch.as_ref().map(|touch| touch.of(&program, &self.overrides, &arm));
-        let touch = match touch.transpose() {
+        let (program, mut messages) = self.read(program)?;
+        let touch = match self.touch_in(&program) {
             Ok(touch) => touch,
-            Err(why) => return refuse(program, messages, why),
-        };
-        let with_room = (touch.is_some() && self.options.form == FormChoice::Schedule).then(|| {
-            let model = self.options.model.as_ref().map(|model| Arc::new(model.with_drift(MAX_AMOUNT)));
-            (self.deformation.model.scaled(MAX_AMOUNT), Options { model, ..self.options.clone() })
-        });
-        let (deformation, asked) = match &with_room {
-            Some((deformation, options)) => (deformation, options),
-            None => (&self.deformation.model, &self.options),
-        };
-        let mut plan = match compensate::plan(&program, &self.robot.model, deformation, asked) {
-            Ok(plan) => plan,
-            Err(error) => {
-                let (why, kept) = why_no_plan(error);
-                messages.extend(LocatedDiagnostic::all(why, &program.files));
-                return Err(Box::new(Refusal { program, plan: None, kept, messages }));
+            Err(why) => {
+                messages.push(LocatedDiagnostic::new(why, &program.files));
+                return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
             }
         };
-        messages.extend(LocatedDiagnostic::all(std::mem::take(&mut plan.diagnostics), &program.files));
+        let plan = match self.plan(&program, touch.is_some(), &mut messages) {
+            Ok(plan) => plan,
+            Err(kept) => return Err(Box::new(Refusal { program, plan: None, kept, messages })),
+        };
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
         }
-        let (mut text_bytes, mut embedded, mut tests_itself) = (0, true, !self.emit.self_test);
         let options = EmitOptions { settings: self.settings(program.home_rad), touch, ..self.emit.clone() };
-        let emitted = emit_each(&program, &plan, &options, &mut |file| {
-            embedded &= file.source.is_some();
-            text_bytes += file.bytes.len();
-            tests_itself = tests_itself || memchr::memmem::find(&file.bytes, b"PROC tcSelfTest(").is_some();
-            accept(&program, file).map_err(EmitFailure::Write)
-        });
-        if let Err(failure) = emitted {
-            messages.push(LocatedDiagnostic::new(failure.into(), &program.files));
-            return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
-        }
-        if !tests_itself {
+        let emission = match Emission::of(&program, &plan, &options, accept) {
+            Ok(emission) => emission,
+            Err(failure) => {
+                messages.push(LocatedDiagnostic::new(failure.into(), &program.files));
+                return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
+            }
+        };
+        if self.emit.self_test && !emission.tests_itself {
             messages.push(LocatedDiagnostic::new(no_self_test(), &program.files));
         }
         let totals = Totals::of(&program, &plan);
@@ -229,106 +177,70 @@ impl Compensation {
             program,
             plan,
             totals,
-            text_bytes,
-            embedded,
+            text_bytes: emission.text_bytes,
+            embedded: emission.embedded,
             messages,
             provenance,
             settings: options.made_with(),
         })
     }
 
-    /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
-    /// of how it was made.
-    fn check_program(&self, program: &Program) -> Vec<Diagnostic> {
-        let mut found: Vec<Diagnostic> =
-            self.own_files(program).flat_map(|file| file.warnings.iter().cloned()).collect();
-        found.extend(program.diagnostics.iter().cloned());
-        found.extend(self.check_robot(program));
-        for module in &program.facts.modules {
-            if let Some(range) = module.compensated {
-                let text = format!("module {} is already compensated", module.name);
-                found.push(
-                    Diagnostic::error("refuse::already-compensated", text)
-                        .at(program.file(module.file).span(range))
-                        .help("give the original, or get it back with `driftpost restore`"),
-                );
+    /// The program with its warnings; refused where its text is none, or speaks against compensating it.
+    fn read(&self, program: &ProgramFiles) -> Result<(Program, Vec<LocatedDiagnostic>), Box<Refusal>> {
+        program.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
+        let files = program.sources();
+        if let Err(message) = check_modules(&files).and_then(|()| check_names(&files)) {
+            let messages = vec![LocatedDiagnostic::new(message, &files)];
+            let program = Program { files, ..Program::default() };
+            return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
+        }
+        let program = Program::read(files, &self.overrides);
+        let messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);
+        if messages.iter().any(is_error) {
+            return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
+        }
+        Ok((program, messages))
+    }
+
+    /// The fixed point that is asked for, in a program.
+    fn touch_in(&self, program: &Program) -> Result<Option<Touch>, Diagnostic> {
+        let arm = TouchingArm {
+            robot: &self.robot.model,
+            deformation: &self.deformation.model,
+            model: self.options.model.as_deref(),
+            payload_kg: self.options.payload_kg,
+        };
+        self.touch.as_ref().map(|touch| touch.of(program, &self.overrides, &arm)).transpose()
+    }
+
+    /// What becomes of the motions, what there is to be said of that going to `messages`; or why each is kept. Where the program
+    /// touches a point its arrays have room for more drift than is known.
+    fn plan(
+        &self,
+        program: &Program,
+        is_touched: bool,
+        messages: &mut Vec<LocatedDiagnostic>,
+    ) -> Result<Plan, Vec<Arc<SkipReason>>> {
+        let with_room = (is_touched && self.options.form == FormChoice::Schedule).then(|| {
+            let model = self.options.model.as_ref().map(|model| Arc::new(model.with_drift(MAX_AMOUNT)));
+            (self.deformation.model.scaled(MAX_AMOUNT), Options { model, ..self.options.clone() })
+        });
+        let (deformation, asked) = match &with_room {
+            Some((deformation, options)) => (deformation, options),
+            None => (&self.deformation.model, &self.options),
+        };
+        match compensate::plan(program, &self.robot.model, deformation, asked) {
+            Ok(mut plan) => {
+                let said = std::mem::take(&mut plan.diagnostics);
+                messages.extend(LocatedDiagnostic::all(said, &program.files));
+                Ok(plan)
+            }
+            Err(error) => {
+                let (why, kept) = why_no_plan(error);
+                messages.extend(LocatedDiagnostic::all(why, &program.files));
+                Err(kept)
             }
         }
-        for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
-            let text = format!("made with {} kinematics, not with nominal ones", remark.word);
-            let (severity, help) = if self.allow_non_nominal {
-                (Severity::Warning, "what the targets already correct is corrected twice")
-            } else {
-                (
-                    Severity::Error,
-                    "export from RoboDK with nominal kinematics; --allow-non-nominal takes the program as it is",
-                )
-            };
-            found.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
-        }
-        found
-    }
-
-    /// The files of the task that is compensated, or all.
-    fn own_files<'p>(&'p self, program: &'p Program) -> impl Iterator<Item = &'p SourceFile> {
-        program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
-    }
-
-    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And what is to be
-    /// known of the robot itself: that nothing shows it to be ABB's, that one description alone has its dimensions.
-    fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
-        let mut messages = self.of_another_robot(program);
-        if !self.allow_other_robot {
-            for message in &mut messages {
-                message.severity = Severity::Error;
-                let help = message.help.take().unwrap_or_default();
-                message.help = Some(format!("{help}; --allow-other-robot takes it all the same"));
-            }
-        }
-        let robot = &self.robot.model;
-        let is_told = messages.iter().any(|message| message.code == "robot::not-abb");
-        if !is_told && !robot.is_known_as_abbs() {
-            let text = format!(
-                "nothing says that {} is an ABB robot: neither its name nor dimensions of one that is built in",
-                robot.name
-            );
-            let help = "RAPID runs on ABB's controllers alone; where it is ABB's, name it so in the robot file: name = \"ABB IRB ...\"";
-            messages.push(Diagnostic::warning("robot::maker-unknown", text).help(help));
-        }
-        if robot.is_of_one_description() {
-            let text = format!(
-                "no second public description confirms the dimensions of {}: {}",
-                robot.name, robot.source
-            );
-            let help = "compare them with the data sheet: `driftpost robot --robot NAME` prints them, and writes a file that can be corrected";
-            messages.push(Diagnostic::warning("robot::one-description", text).help(help));
-        }
-        messages
-    }
-
-    fn of_another_robot(&self, program: &Program) -> Vec<Diagnostic> {
-        let robot = &self.robot.model.name;
-        let other =
-            self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model.name));
-        let mut messages: Vec<Diagnostic> = other.into_iter().collect();
-        if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
-            let text = format!("made for {}, and taken as one for {robot}", remark.robot);
-            let help = "name the robot that runs it with --robot";
-            messages.push(Diagnostic::warning("robot::other", text).at(remark.span).help(help));
-        }
-        if let Some(maker) = OTHER_MAKERS.iter().find(|maker| robot.to_ascii_uppercase().contains(*maker)) {
-            let text = format!("{robot} is {maker}'s, and RAPID runs on ABB's controllers alone");
-            let help =
-                "its measurements can be diagnosed; a program can only be corrected for an arm that runs it";
-            messages.push(Diagnostic::warning("robot::not-abb", text).help(help));
-        }
-        let is_papers = Robot::built_in(PAPER_ROBOT).is_some_and(|papers| papers.same_arm(&self.robot.model));
-        if self.default_table && !is_papers {
-            let text = format!("the built-in deformation table is an IRB 140's, the robot is {robot}");
-            let help = "give a table of this robot with --deformation";
-            messages.push(Diagnostic::warning("deform::other-robot", text).help(help));
-        }
-        messages
     }
 
     /// What the comment block of an emitted module says for those who compare or execute it later, by the names of options.
@@ -372,6 +284,37 @@ impl Compensation {
             ("robot", format!("{}; {robot}", self.robot.model.name)),
             ("deformation", format!("{}{deformation}", growth.unwrap_or_default())),
         ]
+    }
+}
+
+/// What was emitted.
+struct Emission {
+    /// All of it, bytes.
+    text_bytes: usize,
+    /// Clock and index are in the module itself.
+    embedded: bool,
+    /// A routine that tests the model at run time is in it.
+    tests_itself: bool,
+}
+
+impl Emission {
+    /// Gives each changed and new file to `accept`.
+    fn of(
+        program: &Program,
+        plan: &Plan,
+        options: &EmitOptions,
+        accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
+    ) -> Result<Self, EmitFailure> {
+        let mut emission = Self { text_bytes: 0, embedded: true, tests_itself: false };
+        emit_each(program, plan, options, &mut |file| {
+            emission.embedded &= file.source.is_some();
+            emission.text_bytes += file.bytes.len();
+            emission.tests_itself = emission.tests_itself
+                || !options.self_test
+                || memchr::memmem::find(&file.bytes, b"PROC tcSelfTest(").is_some();
+            accept(program, file).map_err(EmitFailure::Write)
+        })?;
+        Ok(emission)
     }
 }
 

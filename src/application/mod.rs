@@ -10,6 +10,7 @@ mod change_check;
 mod closed_loop;
 mod compensated;
 mod compensation;
+mod compensation_checks;
 mod diagnosis;
 mod exam;
 mod fit;
@@ -40,20 +41,18 @@ pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
 pub use change_check::{ChangeCheck, ChangeChecked};
 pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
-pub use compensated::{Compensated, Refusal, write_file_diff};
+pub use compensated::{Compensated, Refusal};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis, DiagnosisError};
 pub use fit::{Fit, Fitted};
 #[cfg(feature = "link")]
-pub use link_check::{LinkCheck, LinkChecked};
-pub use made_with::{MadeWith, Origin, joints_rad, temperatures_c};
+pub use link_check::{AllSolutions, LinkCheck, LinkChecked, TargetCheck};
+pub use made_with::{MadeWith, Origin};
 pub use model_check::{ModelCheck, ModelChecked};
-pub use named::{Named, model_of_another_robot, sha256};
+pub use named::Named;
 pub use other_files::{PlacedProgram, ReadOther};
-#[cfg(feature = "link")]
-pub use own_data::{OwnData, is_own_name};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
-pub use program_files::{DeclaredNames, ProgramFiles, check_modules, check_names, check_text};
+pub use program_files::{DeclaredNames, ProgramFiles};
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
@@ -61,5 +60,13 @@ pub use synthesis::{
     ChosenEffects, SetKind, Synthesis, SynthesisError, Synthesized, TouchSynthesis, TouchesSynthesized,
 };
 pub use tabulation::{Tabulated, Tabulation};
-pub use tasks::{check_tasks, configured_tasks};
 pub use touch::TouchRequest;
+
+// What a job's input is held to before it is known which job, and how it is named.
+pub use compensated::write_file_diff;
+pub use made_with::{joints_rad, temperatures_c};
+pub use named::sha256;
+#[cfg(feature = "link")]
+pub use own_data::{OwnData, is_own_name};
+pub use program_files::{check_modules, check_text};
+pub use tasks::{check_tasks, configured_tasks};

@@ -1,0 +1,119 @@
+//! What speaks against compensating a program: its text, its meaning, the robot, how it was made.
+
+use super::compensation::{Compensation, PAPER_ROBOT};
+use super::named::model_of_another_robot;
+use rapid_program::program::{Program, is_of_task};
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use robot_model::robot::Robot;
+
+/// Makers of arms that run no RAPID, as they stand in the names of robots.
+const OTHER_MAKERS: [&str; 12] = [
+    "COMAU",
+    "DENSO",
+    "EPSON",
+    "FANUC",
+    "KAWASAKI",
+    "KUKA",
+    "MITSUBISHI",
+    "MOTOMAN",
+    "NACHI",
+    "STAUBLI",
+    "UNIVERSAL ROBOTS",
+    "YASKAWA",
+];
+impl Compensation {
+    /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
+    /// of how it was made.
+    pub(super) fn check_program(&self, program: &Program) -> Vec<Diagnostic> {
+        let mut found: Vec<Diagnostic> =
+            self.own_files(program).flat_map(|file| file.warnings.iter().cloned()).collect();
+        found.extend(program.diagnostics.iter().cloned());
+        found.extend(self.check_robot(program));
+        for module in &program.facts.modules {
+            if let Some(range) = module.compensated {
+                let text = format!("module {} is already compensated", module.name);
+                found.push(
+                    Diagnostic::error("refuse::already-compensated", text)
+                        .at(program.file(module.file).span(range))
+                        .help("give the original, or get it back with `driftpost restore`"),
+                );
+            }
+        }
+        for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
+            let text = format!("made with {} kinematics, not with nominal ones", remark.word);
+            let (severity, help) = if self.allow_non_nominal {
+                (Severity::Warning, "what the targets already correct is corrected twice")
+            } else {
+                (
+                    Severity::Error,
+                    "export from RoboDK with nominal kinematics; --allow-non-nominal takes the program as it is",
+                )
+            };
+            found.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
+        }
+        found
+    }
+
+    /// The files of the task that is compensated, or all.
+    fn own_files<'p>(&'p self, program: &'p Program) -> impl Iterator<Item = &'p SourceFile> {
+        program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
+    }
+
+    /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And what is to be
+    /// known of the robot itself: that nothing shows it to be ABB's, that one description alone has its dimensions.
+    fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
+        let mut messages = self.of_another_robot(program);
+        if !self.allow_other_robot {
+            for message in &mut messages {
+                message.severity = Severity::Error;
+                let help = message.help.take().unwrap_or_default();
+                message.help = Some(format!("{help}; --allow-other-robot takes it all the same"));
+            }
+        }
+        let robot = &self.robot.model;
+        let is_told = messages.iter().any(|message| message.code == "robot::not-abb");
+        if !is_told && !robot.is_known_as_abbs() {
+            let text = format!(
+                "nothing says that {} is an ABB robot: neither its name nor dimensions of one that is built in",
+                robot.name
+            );
+            let help = "RAPID runs on ABB's controllers alone; where it is ABB's, name it so in the robot file: name = \"ABB IRB ...\"";
+            messages.push(Diagnostic::warning("robot::maker-unknown", text).help(help));
+        }
+        if robot.is_of_one_description() {
+            let text = format!(
+                "no second public description confirms the dimensions of {}: {}",
+                robot.name, robot.source
+            );
+            let help = "compare them with the data sheet: `driftpost robot --robot NAME` prints them, and writes a file that can be corrected";
+            messages.push(Diagnostic::warning("robot::one-description", text).help(help));
+        }
+        messages
+    }
+
+    fn of_another_robot(&self, program: &Program) -> Vec<Diagnostic> {
+        let robot = &self.robot.model.name;
+        let other =
+            self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model.name));
+        let mut messages: Vec<Diagnostic> = other.into_iter().collect();
+        if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
+            let text = format!("made for {}, and taken as one for {robot}", remark.robot);
+            let help = "name the robot that runs it with --robot";
+            messages.push(Diagnostic::warning("robot::other", text).at(remark.span).help(help));
+        }
+        if let Some(maker) = OTHER_MAKERS.iter().find(|maker| robot.to_ascii_uppercase().contains(*maker)) {
+            let text = format!("{robot} is {maker}'s, and RAPID runs on ABB's controllers alone");
+            let help =
+                "its measurements can be diagnosed; a program can only be corrected for an arm that runs it";
+            messages.push(Diagnostic::warning("robot::not-abb", text).help(help));
+        }
+        let is_papers = Robot::built_in(PAPER_ROBOT).is_some_and(|papers| papers.same_arm(&self.robot.model));
+        if self.default_table && !is_papers {
+            let text = format!("the built-in deformation table is an IRB 140's, the robot is {robot}");
+            let help = "give a table of this robot with --deformation";
+            messages.push(Diagnostic::warning("deform::other-robot", text).help(help));
+        }
+        messages
+    }
+}
