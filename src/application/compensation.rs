@@ -120,10 +120,22 @@ impl Compensation {
     /// # Errors
     /// Why not, with all messages.
     pub fn run(&self, program: &ProgramFiles) -> Result<Compensated<'_>, Box<Refusal>> {
-        let mut files = Vec::new();
+        self.run_told(program, &mut |_, _| Ok(()))
+    }
+
+    /// As [`run`](Self::run); `told` is called with files done and files in all, and may end the work.
+    ///
+    /// # Errors
+    /// Why not, with all messages; what `told` says is the last.
+    pub fn run_told(
+        &self,
+        program: &ProgramFiles,
+        told: &mut dyn FnMut(usize, usize) -> Result<(), Diagnostic>,
+    ) -> Result<Compensated<'_>, Box<Refusal>> {
+        let (all, mut files) = (program.iter().count(), Vec::new());
         let mut made = self.run_each(program, &mut |_, file| {
             files.push(file);
-            Ok(())
+            told(files.len(), all.max(files.len()))
         })?;
         made.files = files;
         Ok(made)

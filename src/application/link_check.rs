@@ -1,9 +1,9 @@
 //! A program's targets put to the controller's own kinematics: nothing moves, it calculates.
 
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
+use rapid_program::compensate::CompensateError;
 use rapid_program::compensate::commanded::{Commanded, commanded};
 use rapid_program::program::Program;
-use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::diagnostic::counted;
 use robot_link::{Configuration, Frame, LinkError, Session, Unit};
 use robot_model::robot::Robot;
@@ -27,6 +27,17 @@ pub struct LinkCheck {
     pub tolerance_mm: f64,
     /// Largest angle, of poses and of joints, degrees.
     pub tolerance_deg: f64,
+}
+
+/// Why targets are not put to a controller.
+#[derive(Clone, Debug, thiserror::Error)]
+pub enum LinkCheckError {
+    /// The robot has no closed form.
+    #[error(transparent)]
+    Robot(#[from] CompensateError),
+    /// No or an incomplete answer.
+    #[error(transparent)]
+    Link(#[from] LinkError),
 }
 
 /// What was found at one target.
@@ -79,19 +90,25 @@ pub enum LinkChecked {
 }
 
 impl LinkCheck {
+    /// The originals, middles and lasts of scheduled targets, held to 0.005 mm and 0.001 degrees.
+    #[must_use]
+    pub fn new(unit: Unit) -> Self {
+        Self { unit, all: false, tolerance_mm: 0.005, tolerance_deg: 0.001 }
+    }
+
     /// Asks for every target of a program. `start_rad`: joints at its entry.
     ///
     /// # Errors
-    /// A robot without closed form; `link::*`, as a message.
+    /// [`LinkCheckError`]
     pub fn run(
         &self,
         session: &mut Session,
         program: &Program,
         robot: &Robot,
         start_rad: Option<[f64; 6]>,
-    ) -> Result<Result<LinkChecked, LinkError>, Diagnostic> {
+    ) -> Result<LinkChecked, LinkCheckError> {
         let (targets, unknown) = commanded(program, robot, start_rad)?;
-        Ok(self.ask(session, program, &targets, unknown))
+        Ok(self.ask(session, program, &targets, unknown)?)
     }
 
     fn ask(

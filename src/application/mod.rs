@@ -16,6 +16,10 @@ mod exam;
 mod fit;
 #[cfg(feature = "link")]
 mod link_check;
+#[cfg(feature = "link")]
+mod link_info;
+#[cfg(feature = "link")]
+mod loading;
 mod made_with;
 mod model_check;
 mod named;
@@ -28,6 +32,8 @@ mod program_files;
 #[cfg(feature = "mcap")]
 mod recording;
 mod restoration;
+#[cfg(feature = "link")]
+mod sent_module;
 mod simulation;
 mod state_estimation;
 mod synthesis;
@@ -46,7 +52,11 @@ pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis, DiagnosisError};
 pub use fit::{Fit, Fitted};
 #[cfg(feature = "link")]
-pub use link_check::{AllSolutions, LinkCheck, LinkChecked, TargetCheck};
+pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, TargetCheck};
+#[cfg(feature = "link")]
+pub use link_info::LinkInfo;
+#[cfg(feature = "link")]
+pub use loading::{Loading, LoadingError};
 pub use made_with::{MadeWith, Origin};
 pub use model_check::{ModelCheck, ModelChecked};
 pub use named::Named;
@@ -54,6 +64,8 @@ pub use other_files::{PlacedProgram, ReadOther};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles};
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
+#[cfg(feature = "link")]
+pub use sent_module::SentModule;
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
 pub use synthesis::{

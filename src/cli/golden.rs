@@ -16,7 +16,6 @@ use driftpost::report::{self, ColorMode};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
-use serde_json::json;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -59,17 +58,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         } else if !same && !json.is_standard() {
             show(console, &folder, &expected, &actual)?;
         }
-        cases.push((case, same));
+        cases.push((case.display().to_string(), same));
     }
     let different = cases.iter().filter(|(_, same)| !same).count();
     console.say(format_args!("{}, {different} different", report::counted(cases.len(), "case")));
-    json.write(console, || {
-        let list: Vec<_> = cases
-            .iter()
-            .map(|(case, same)| json!({"case": case.display().to_string(), "same": same}))
-            .collect();
-        Ok(format!("{:#}\n", json!({"cases": list, "updated": args.update})).into_bytes())
-    })?;
+    json.write(console, || Ok(report::golden_json(&cases, args.update).into_bytes()))?;
     Ok(if different == 0 || args.update { Outcome::Done } else { Outcome::Difference })
 }
 

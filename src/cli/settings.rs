@@ -59,45 +59,14 @@ impl Settings {
             toml::from_str(&text).map_err(|error| wrong("settings::toml", error.to_string()))?;
         let mut settings = Self { path: path.clone(), ..Self::default() };
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-        let mut own = toml::Table::new();
-        for (key, value) in &table {
-            match (value, COMMANDS.contains(&key.as_str())) {
-                (toml::Value::Table(table), true) => {
-                    check(command, key, table).map_err(|(code, text)| wrong(code, text))?;
-                    if key == name {
-                        own.extend(table.clone());
-                    }
-                }
-                (toml::Value::Table(_), false) => {
-                    let near = suggest::nearest(key, COMMANDS);
-                    let near = near.map_or_else(String::new, |near| format!("; did you mean `[{near}]`?"));
-                    let text = format!("`[{key}]` is no command that takes defaults{near}");
-                    return Err(wrong("settings::unknown", text));
-                }
-                _ => {
-                    let known = COMMANDS.iter().find(|one| option(command, one, key).is_some());
-                    let one = toml::Table::from_iter([(key.clone(), value.clone())]);
-                    check(command, known.unwrap_or(&name), &one).map_err(|(code, text)| wrong(code, text))?;
-                }
-            }
-        }
+        let own = own_table(command, name, &table).map_err(|(code, text)| wrong(code, text))?;
         // What stands under the command's own name wins over what stands for all.
         let shared = table.iter().filter(|(key, value)| !value.is_table() && !own.contains_key(*key));
         let all: Vec<_> = shared.chain(&own).collect();
         let Some(command) = command.find_subcommand(name) else { return Ok(settings) };
         for (key, value) in all {
             let Some(arg) = command.get_arguments().find(|arg| arg.get_long() == Some(key)) else { continue };
-            let is_given = |id: &str| {
-                given.try_contains_id(id).is_ok() && given.value_source(id) == Some(ValueSource::CommandLine)
-            };
-            let conflicts = command.get_arg_conflicts_with(arg);
-            let against = command.get_arguments().filter(|other| {
-                conflicts.iter().any(|c| c.get_id() == other.get_id())
-                    || command.get_arg_conflicts_with(other).iter().any(|c| c.get_id() == arg.get_id())
-            });
-            if is_given(arg.get_id().as_str())
-                || against.into_iter().any(|other| is_given(other.get_id().as_str()))
-            {
+            if is_overridden(command, given, arg) {
                 continue;
             }
             settings.words.extend(words(key, value, |text| in_folder(arg, &folder, text)));
@@ -154,6 +123,50 @@ impl Settings {
         }
         text
     }
+}
+
+/// What stands under a command's own name, all keys of the file checked; what is wrong is a code and a text.
+fn own_table(
+    command: &Command,
+    name: &str,
+    all: &toml::Table,
+) -> Result<toml::Table, (&'static str, String)> {
+    let mut own = toml::Table::new();
+    for (key, value) in all {
+        match (value, COMMANDS.contains(&key.as_str())) {
+            (toml::Value::Table(table), true) => {
+                check(command, key, table)?;
+                if key == name {
+                    own.extend(table.clone());
+                }
+            }
+            (toml::Value::Table(_), false) => {
+                let near = suggest::nearest(key, COMMANDS);
+                let near = near.map_or_else(String::new, |near| format!("; did you mean `[{near}]`?"));
+                let text = format!("`[{key}]` is no command that takes defaults{near}");
+                return Err(("settings::unknown", text));
+            }
+            _ => {
+                let known = COMMANDS.iter().find(|one| option(command, one, key).is_some());
+                let one = toml::Table::from_iter([(key.clone(), value.clone())]);
+                check(command, known.copied().unwrap_or(name), &one)?;
+            }
+        }
+    }
+    Ok(own)
+}
+
+/// Whether the command line gives an option, or one that it cannot stand beside.
+fn is_overridden(command: &Command, given: &ArgMatches, arg: &Arg) -> bool {
+    let is_given = |id: &str| {
+        given.try_contains_id(id).is_ok() && given.value_source(id) == Some(ValueSource::CommandLine)
+    };
+    let conflicts = command.get_arg_conflicts_with(arg);
+    let mut against = command.get_arguments().filter(|other| {
+        conflicts.iter().any(|c| c.get_id() == other.get_id())
+            || command.get_arg_conflicts_with(other).iter().any(|c| c.get_id() == arg.get_id())
+    });
+    is_given(arg.get_id().as_str()) || against.any(|other| is_given(other.get_id().as_str()))
 }
 
 /// The words of a command line that say what a key of a TOML file says; `place` makes of a text what stands for it.

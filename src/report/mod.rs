@@ -40,6 +40,7 @@ pub(crate) mod validation;
 pub use self::recording::{Recording, urdf};
 pub use diff::{Cut, write_texts};
 pub use inspect::{inspection, write_inspection, write_inspection_csv};
+pub use json::golden_json;
 pub use message::{ColorMode, LocatedDiagnostic, write_messages};
 #[cfg(feature = "link")]
 pub use page::WatchPage;

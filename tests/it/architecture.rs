@@ -427,3 +427,62 @@ fn conversion_factors_stand_in_units_alone() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// The longest function of the command line and of the application: its steps are to be read as a table of contents.
+const MOST_LINES: usize = 50;
+
+/// Each function of a text with its number of lines; a function ends at the brace that is indented as it is.
+fn function_lengths(text: &str) -> Vec<(String, usize)> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut found = Vec::new();
+    for (at, line) in lines.iter().enumerate() {
+        let indent = line.len() - line.trim_start().len();
+        let Some((before, rest)) = line.trim_start().split_once("fn ") else { continue };
+        if !before
+            .split_whitespace()
+            .all(|word| word.starts_with("pub") || word.starts_with("in") || word == "const")
+        {
+            continue;
+        }
+        let name = rest.split(['(', '<']).next().unwrap_or_default().to_owned();
+        let is_end = |line: &&str| {
+            let trimmed = line.trim_start();
+            trimmed.starts_with('}') && line.len() - trimmed.len() == indent
+        };
+        let length = lines[at..].iter().position(is_end).map_or(1, |n| n + 1);
+        found.push((name, if line.ends_with('}') { 1 } else { length }));
+    }
+    found
+}
+
+#[test]
+fn commands_read_as_tables_of_contents_and_put_no_json_together() {
+    let (mut long, mut with_json, mut seen) = (Vec::new(), Vec::new(), 0);
+    for folder in ["src/cli", "src/application"] {
+        let mut open = vec![root().join(folder)];
+        while let Some(path) = open.pop() {
+            if path.is_dir() {
+                open.extend(fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
+                continue;
+            }
+            let text = fs::read_to_string(&path).unwrap();
+            let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
+            let lengths = function_lengths(text);
+            seen += lengths.len();
+            let name = |function: &str| format!("{}: {function}", path.display());
+            long.extend(lengths.iter().filter(|f| f.1 > MOST_LINES).map(|f| (name(&f.0), f.1)));
+            if folder == "src/cli" && text.contains("json!(") {
+                with_json.push(path.display().to_string());
+            }
+        }
+    }
+    assert!(seen > 300, "the search found only {seen} functions");
+    assert!(long.is_empty(), "steps of these want names of their own: {long:?}");
+    assert!(with_json.is_empty(), "JSON is put together in the library: {with_json:?}");
+}
+
+#[test]
+fn the_length_of_a_function_is_that_of_its_lines() {
+    let text = "fn one() {}\nimpl X {\n    pub(super) fn two(\n        &self,\n    ) -> bool {\n        true\n    }\n}\nlet fn_ = 1;\n";
+    assert_eq!(function_lengths(text), [("one".to_owned(), 1), ("two".to_owned(), 5)]);
+}

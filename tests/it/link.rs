@@ -31,14 +31,8 @@ fn check(double: &Double, program: &[u8]) -> LinkChecked {
     let mut session = Session::open(&host, &user, &mut Pins::in_memory(), &settings).unwrap();
     let files = ProgramFiles::one("Cube45.mod", program.to_vec()).sources();
     let program = Program::read(files, &Overrides::default());
-    let check = LinkCheck {
-        unit: Unit::new("ROB_1").unwrap(),
-        all: false,
-        tolerance_mm: 0.005,
-        tolerance_deg: 0.001,
-    };
-    let checked =
-        check.run(&mut session, &program, &Robot::built_in("irb140").unwrap(), None).unwrap().unwrap();
+    let check = LinkCheck::new(Unit::new("ROB_1").unwrap());
+    let checked = check.run(&mut session, &program, &Robot::built_in("irb140").unwrap(), None).unwrap();
     session.end().unwrap();
     assert_eq!((double.hits(), double.sessions()), (Vec::new(), 0));
     checked

@@ -6,9 +6,10 @@ use crate::cli::number::positive;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::shared::ProgramSettings;
 use crate::cli::{Console, Outcome, made_with};
-use driftpost::application::{LinkCheck, LinkChecked, MadeWith, check_modules};
+use driftpost::application::{LinkCheck, LinkCheckError, LinkChecked, MadeWith, check_modules};
 use driftpost::report::LocatedDiagnostic;
 use rapid_program::program::Program;
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Unit;
 use std::path::PathBuf;
 
@@ -67,12 +68,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Refused);
     }
     let program = Program::read(sources, &overrides);
-    let check = LinkCheck {
-        unit: Unit::new(&args.unit)?,
-        all: args.all,
-        tolerance_mm: args.tolerance_mm,
-        tolerance_deg: args.tolerance_deg,
-    };
+    let mut check = LinkCheck::new(Unit::new(&args.unit)?);
+    check.all = args.all;
+    (check.tolerance_mm, check.tolerance_deg) = (args.tolerance_mm, args.tolerance_deg);
     let mut session = args.connection.open(console)?;
     let identity = session.identity()?;
     if identity.absolute_accuracy == Some(true) {
@@ -80,7 +78,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             .say("warning: Absolute Accuracy is on; whether the controller's answers hold it is not known");
     }
     let checked = console
-        .while_busy("asking the controller", || check.run(&mut session, &program, &robot, start_rad))??;
+        .while_busy("asking the controller", || check.run(&mut session, &program, &robot, start_rad))
+        .map_err(|error| match error {
+            LinkCheckError::Robot(error) => anyhow::Error::from(Diagnostic::from(error)),
+            LinkCheckError::Link(error) => error.into(),
+        })?;
     session.end()?;
     if !json.is_standard() {
         let robot = identity.robot.as_deref().unwrap_or("(unknown robot)");

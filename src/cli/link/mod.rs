@@ -7,10 +7,8 @@ mod connection;
 mod data;
 mod double;
 mod info;
-mod loading;
 mod push;
 mod question;
-mod sent_module;
 mod watch;
 
 use super::{Console, Outcome, interrupt};

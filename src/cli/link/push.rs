@@ -1,14 +1,11 @@
 //! `driftpost link push`: corrected modules into the controller's HOME, and into the task where that is asked for twice.
 
 use super::connection::Connection;
-use super::loading::Loading;
 use super::question::is_yes;
-use super::sent_module::SentModule;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::{Console, Outcome};
-use driftpost::application::{OwnData, check_modules};
+use driftpost::application::{Loading, LoadingError, OwnData, SentModule, check_modules};
 use driftpost::report::{self, LocatedDiagnostic};
-use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{Execution, LinkError, Session};
 use std::path::PathBuf;
 
@@ -124,17 +121,17 @@ fn would_load(
     console: &mut Console,
 ) -> anyhow::Result<()> {
     match Loading::of(modules, args.task.as_deref(), session) {
-        Ok(loading) => loading.show(modules, console),
-        Err(error) => match error.downcast::<Diagnostic>() {
-            Ok(why) => Ok(writeln!(console.out(), "what --load would meet is not known: {}", why.message)?),
-            Err(error) => Err(error),
-        },
+        Ok(loading) => Ok(write!(console.out(), "{}", loading.text(modules))?),
+        Err(LoadingError::Task(why)) => {
+            Ok(writeln!(console.out(), "what --load would meet is not known: {}", why.message)?)
+        }
+        Err(LoadingError::Link(error)) => Err(error.into()),
     }
 }
 
 /// What is met, where RAPID stands still and everything can be loaded.
 fn may_load(args: &Args, modules: &[SentModule], session: &mut Session) -> anyhow::Result<Loading> {
-    let loading = Loading::of(modules, args.task.as_deref(), session)?;
+    let loading = Loading::of(modules, args.task.as_deref(), session).map_err(in_command)?;
     match session.execution()? {
         Execution::Stopped => {}
         other => return Err(LinkError::Running(other.to_string()).into()),
@@ -152,7 +149,7 @@ fn load(
     console: &mut Console,
 ) -> anyhow::Result<Outcome> {
     let (task, replaces) = (&loading.task, loading.replaces()?);
-    loading.show(modules, console)?;
+    write!(console.out(), "{}", loading.text(modules))?;
     let is_sure = args.confirmed || is_yes("RAPID stands still. Load?", session, console)?;
     if !is_sure {
         console.say("nothing was loaded: it was not confirmed (--confirmed in scripts)");
@@ -176,4 +173,12 @@ fn load(
         ));
     }
     Ok(Outcome::Done)
+}
+
+/// An error of the controller stays one: an interruption is no failure.
+fn in_command(error: LoadingError) -> anyhow::Error {
+    match error {
+        LoadingError::Task(message) => message.into(),
+        LoadingError::Link(error) => error.into(),
+    }
 }

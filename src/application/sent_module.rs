@@ -1,6 +1,6 @@
 //! A module that is sent to a controller: its file, its name, and the names of its data that tell what it meets there.
 
-use driftpost::application::is_own_name;
+use super::own_data::is_own_name;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::tree::{FileItem, ModuleItem, Scope};
@@ -11,14 +11,17 @@ const ASKED: usize = 8;
 const ASKED_ELSEWHERE: usize = 4;
 
 /// A module to be sent, with what a controller is asked of it.
-pub(super) struct SentModule {
+pub struct SentModule {
+    /// Name of its file, without folders.
     pub file: String,
+    /// Name of the module.
     pub module: String,
+    /// Its text.
     pub bytes: Vec<u8>,
     /// Names of our own data that it declares, as far as they are asked for.
-    pub own: Vec<String>,
+    pub(super) own: Vec<String>,
     /// Names of data that it declares for the whole task, as far as other modules are asked for them.
-    pub global: Vec<String>,
+    pub(super) global: Vec<String>,
 }
 
 impl SentModule {

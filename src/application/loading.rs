@@ -1,12 +1,12 @@
 //! What `link push --load` would meet in the task: nothing of the module's name, a corrected module, or what must stay.
 
 use super::sent_module::SentModule;
-use crate::cli::Console;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_link::{LoadedModule, Session};
+use robot_link::{LinkError, LoadedModule, Session};
 
 /// The task that modules are to be loaded into, and what each of them meets there.
-pub(super) struct Loading {
+pub struct Loading {
+    /// Name of the task.
     pub task: String,
     /// The modules of the task.
     pub loaded: Vec<LoadedModule>,
@@ -29,40 +29,33 @@ impl Loading {
     ///
     /// # Errors
     /// `link::which-task`; no or an incomplete answer.
-    pub fn of(sent: &[SentModule], task: Option<&str>, session: &mut Session) -> anyhow::Result<Self> {
+    pub fn of(sent: &[SentModule], task: Option<&str>, session: &mut Session) -> Result<Self, LoadingError> {
         let task = of_task(task, session)?;
         let loaded = session.modules(&task)?;
         let meets = sent
             .iter()
             .map(|module| meets(module, sent, (&task, &loaded), session))
-            .collect::<anyhow::Result<_>>()?;
+            .collect::<Result<_, LinkError>>()?;
         Ok(Self { task, loaded, meets })
     }
 
-    /// Says what becomes of each module, before it is asked for.
-    ///
-    /// # Errors
-    /// Standard output that cannot be written to.
-    pub fn show(&self, sent: &[SentModule], console: &mut Console) -> anyhow::Result<()> {
-        for (module, meets) in sent.iter().zip(&self.meets) {
+    /// What becomes of each module, before it is asked for.
+    #[must_use]
+    pub fn text(&self, sent: &[SentModule]) -> String {
+        let one = |(module, meets): (&SentModule, &Meets)| {
             let (module, task) = (&module.module, &self.task);
             match meets {
-                Meets::Nothing => {
-                    writeln!(console.out(), "{module}: --load puts it into {task} as a new module")?;
-                }
-                Meets::Corrected => writeln!(
-                    console.out(),
-                    "{module}: --load puts it into {task} in place of the corrected module of this name"
-                )?,
+                Meets::Nothing => format!("{module}: --load puts it into {task} as a new module\n"),
+                Meets::Corrected => format!(
+                    "{module}: --load puts it into {task} in place of the corrected module of this name\n"
+                ),
                 Meets::Stays(why) => {
-                    writeln!(console.out(), "{module}: --load would be refused: {}", why.message)?;
-                    if let Some(help) = &why.help {
-                        writeln!(console.out(), "  {help}")?;
-                    }
+                    let help = why.help.as_ref().map_or_else(String::new, |help| format!("  {help}\n"));
+                    format!("{module}: --load would be refused: {}\n{help}", why.message)
                 }
             }
-        }
-        Ok(())
+        };
+        sent.iter().zip(&self.meets).map(one).collect()
     }
 
     /// For each module whether one of its name is taken out first.
@@ -79,8 +72,28 @@ impl Loading {
     }
 }
 
+/// Why it is not known what loading would meet.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum LoadingError {
+    /// No task is named, and none or several move an arm.
+    #[error(transparent)]
+    Task(#[from] Diagnostic),
+    /// No or an incomplete answer.
+    #[error(transparent)]
+    Link(#[from] LinkError),
+}
+
+impl From<LoadingError> for Diagnostic {
+    fn from(error: LoadingError) -> Self {
+        match error {
+            LoadingError::Task(message) => message,
+            LoadingError::Link(error) => Self::error(error.code(), error.to_string()).help(error.help()),
+        }
+    }
+}
+
 /// The task that is named, or the only one that moves an arm.
-fn of_task(named: Option<&str>, session: &mut Session) -> anyhow::Result<String> {
+fn of_task(named: Option<&str>, session: &mut Session) -> Result<String, LoadingError> {
     if let Some(named) = named {
         return Ok(named.to_owned());
     }
@@ -101,7 +114,7 @@ fn meets(
     sent: &[SentModule],
     (task, loaded): (&str, &[LoadedModule]),
     session: &mut Session,
-) -> anyhow::Result<Meets> {
+) -> Result<Meets, LinkError> {
     let is = |loaded: &LoadedModule, name: &str| loaded.name.eq_ignore_ascii_case(name);
     let mut found = Meets::Nothing;
     if loaded.iter().any(|l| is(l, &module.module)) {
@@ -134,7 +147,7 @@ fn meets(
 }
 
 /// Whether the module of the name that is loaded holds data of ours.
-fn is_corrected(module: &SentModule, task: &str, session: &mut Session) -> anyhow::Result<bool> {
+fn is_corrected(module: &SentModule, task: &str, session: &mut Session) -> Result<bool, LinkError> {
     for name in &module.own {
         if session.property(task, &module.module, name)?.is_some() {
             return Ok(true);

@@ -1,12 +1,11 @@
-//! Work on programs and measurements.
+//! Compensation of programs that are given as texts or by their paths.
 
 use crate::errors::{Message, message, refused};
-use driftpost::application::ProgramFiles;
-use driftpost::command_line::{self, Outcome};
+use driftpost::ProgramFiles;
+use driftpost::command_line;
 use driftpost::{Diagnostic, report::LocatedDiagnostic};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// What a compensation gives: files (path, bytes), diff, JSON, review, messages.
@@ -63,20 +62,15 @@ fn run(
         Program::Texts(files) => ProgramFiles::new(files),
         Program::Paths(paths) => command_line::program(&paths).map_err(alone)?,
     };
-    let all = program.iter().count();
-    let (mut emitted, mut done) = (Vec::new(), 0_usize);
-    let mut made = job
-        .run_each(&program, &mut |_, file| {
-            emitted.push(file);
-            done += 1;
+    let made = job
+        .run_told(&program, &mut |done, all| {
             let Some(progress) = progress else { return Ok(()) };
-            Python::attach(|py| progress.call1(py, (done, all.max(done)))).map(drop).map_err(|error| {
+            Python::attach(|py| progress.call1(py, (done, all))).map(drop).map_err(|error| {
                 *stopped = Some(error);
                 Diagnostic::error("run::stopped", "the callback has stopped the work")
             })
         })
         .map_err(|refusal| refusal.messages)?;
-    made.files = emitted;
     let failed = |error: std::io::Error| alone(Diagnostic::error("output::unwritable", error.to_string()));
     let (mut json, mut review) = (Vec::new(), Vec::new());
     made.write_json(&mut json).map_err(failed)?;
@@ -89,34 +83,4 @@ fn run(
         review: text(review),
         messages: made.messages.iter().map(message).collect(),
     })
-}
-
-/// Runs a command; gives its exit code, standard output and standard error. A refusal is an exception.
-#[pyfunction]
-pub fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, String)> {
-    let words: Vec<OsString> = [OsString::from("driftpost")].into_iter().chain(words).collect();
-    // Nothing of a run is shared with another thread until it has ended.
-    let (code, output, messages, errors) = py.detach(|| {
-        let captured = command_line::run_captured(&words);
-        (code_of(captured.outcome), captured.output, captured.messages, captured.errors)
-    });
-    if code == 2 && !errors.is_empty() {
-        return Err(refused(py, &errors));
-    }
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    Ok((code, text(&output), text(&messages)))
-}
-
-/// The `driftpost` program.
-#[pyfunction]
-pub fn main(py: Python<'_>, words: Vec<OsString>) -> u8 {
-    py.detach(|| code_of(command_line::run_with(words)))
-}
-
-fn code_of(outcome: Outcome) -> u8 {
-    match outcome {
-        Outcome::Done => 0,
-        Outcome::Difference => 1,
-        Outcome::Refused => 2,
-    }
 }
