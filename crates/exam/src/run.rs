@@ -19,14 +19,19 @@ pub(super) struct MeasuredRun<'a> {
 
 impl<'a> MeasuredRun<'a> {
     /// The run of an arm with the measured point at `tool_m` on its flange.
-    pub fn new(arm: &'a ScrewArm, tool_m: Vector3<f64>, states: Vec<ArmState>) -> Self {
+    pub(crate) fn new(arm: &'a ScrewArm, tool_m: Vector3<f64>, states: Vec<ArmState>) -> Self {
         let flanges: Vec<_> = states.iter().map(|m| arm.flange(&m.q_rad, &Disturbance::default())).collect();
         let nominal_m = flanges.iter().map(|f| (f * Point3::from(tool_m)).coords).collect();
         Self { arm, tool_m, states, flanges, nominal_m }
     }
 
     /// What `effects` do to the arm in row `k`, beside what disturbs it in every row.
-    pub fn disturbance(&self, k: usize, effects: &[SizedEffect], background: &Disturbance) -> Disturbance {
+    pub(crate) fn disturbance(
+        &self,
+        k: usize,
+        effects: &[SizedEffect],
+        background: &Disturbance,
+    ) -> Disturbance {
         let mut disturbance = *background;
         for effect in effects {
             disturbance.add(*effect, self.arm, &self.states[k]);
@@ -35,12 +40,12 @@ impl<'a> MeasuredRun<'a> {
     }
 
     /// `base_from_flange` of row `k` as it is disturbed.
-    pub fn flange(&self, k: usize, disturbance: &Disturbance) -> Isometry3<f64> {
+    pub(crate) fn flange(&self, k: usize, disturbance: &Disturbance) -> Isometry3<f64> {
         self.arm.flange(&self.states[k].q_rad, disturbance)
     }
 
     /// Where the instrument sees the measured point of row `k`, in the base frame, metres.
-    pub fn point_m(&self, k: usize, disturbance: &Disturbance) -> Vector3<f64> {
+    pub(crate) fn point_m(&self, k: usize, disturbance: &Disturbance) -> Vector3<f64> {
         let flange = self.flange(k, disturbance);
         let point = (flange * Point3::from(self.tool_m)).coords + disturbance.point_m;
         // an instrument that reads long does so from where it stands, two metres before the robot
@@ -49,18 +54,18 @@ impl<'a> MeasuredRun<'a> {
     }
 
     /// How far each row's point is off its nominal place, base frame, metres.
-    pub fn off_m(&self, effects: &[SizedEffect], background: &Disturbance) -> Vec<Vector3<f64>> {
+    pub(crate) fn off_m(&self, effects: &[SizedEffect], background: &Disturbance) -> Vec<Vector3<f64>> {
         let disturbed = |k| self.point_m(k, &self.disturbance(k, effects, background));
         (0..self.states.len()).map(|k| disturbed(k) - self.nominal_m[k]).collect()
     }
 
     /// rms of what registration leaves of `off_m`, metres.
-    pub fn rms_m(&self, off_m: &[Vector3<f64>]) -> f64 {
+    pub(crate) fn rms_m(&self, off_m: &[Vector3<f64>]) -> f64 {
         rms_after_registration_m(&self.flanges, &self.nominal_m, off_m)
     }
 
     /// The same over the rows that are not grossly wrong.
-    pub fn sound_rms_m(&self, off_m: &[Vector3<f64>], is_outlier: &[bool]) -> f64 {
+    pub(crate) fn sound_rms_m(&self, off_m: &[Vector3<f64>], is_outlier: &[bool]) -> f64 {
         let sound: Vec<usize> = (0..off_m.len()).filter(|&k| !is_outlier[k]).collect();
         let flanges: Vec<_> = sound.iter().map(|&k| self.flanges[k]).collect();
         let nominal_m: Vec<_> = sound.iter().map(|&k| self.nominal_m[k]).collect();
@@ -70,7 +75,7 @@ impl<'a> MeasuredRun<'a> {
 
     /// The amplitude at which an effect has the wanted rms, found by proportion (the effects are small and so
     /// nearly linear); `None` where it leaves no signal at all over these poses.
-    pub fn amplitude(&self, effect: Effect, wanted_rms_m: f64) -> Option<f64> {
+    pub(crate) fn amplitude(&self, effect: Effect, wanted_rms_m: f64) -> Option<f64> {
         let [low, high] = effect.usual();
         let trial = (low * high).sqrt();
         let rms =

@@ -9,11 +9,11 @@ use robot_model::robot::{JointKind, Joints, MOST_JOINTS, SerialArm};
 use std::collections::BTreeMap;
 
 /// How the measured point moves: metres and radians in base axes, per unit of one parameter.
-pub type Twist = [f64; 6];
+pub(super) type Twist = [f64; 6];
 
 /// How a station shows its point's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ObservationKind {
+pub(super) enum ObservationKind {
     /// An instrument sees the target on the tool.
     Instrument,
     /// An instrument sees a nest: only the base moves it.
@@ -26,7 +26,7 @@ pub enum ObservationKind {
 
 /// The arm at one station.
 #[derive(Clone, Debug)]
-pub struct Observation {
+pub(super) struct Observation {
     /// How the point's motion shows.
     pub kind: ObservationKind,
     /// The fixed point that takes part.
@@ -76,7 +76,7 @@ pub struct Observation {
 impl Observation {
     /// The arm at `station`, and its pose.
     #[must_use]
-    pub fn new(
+    pub(super) fn new(
         robot: &SerialArm,
         chain: &SerialChain,
         registration: &Registration,
@@ -170,19 +170,19 @@ impl Observation {
     /// Time and temperatures, as growth laws take them; where no time was recorded its place in the file stands for the
     /// minute.
     #[must_use]
-    pub fn thermal_state(&self) -> ThermalState {
+    pub(super) fn thermal_state(&self) -> ThermalState {
         ThermalState { t_min: self.clock(), joint_temperature_c: self.joint_temperature_c }
     }
 
     /// When it was measured: minutes or, without a time column, its place in the file.
     #[must_use]
-    pub fn clock(&self) -> f64 {
+    pub(super) fn clock(&self) -> f64 {
         self.t_min.unwrap_or(self.row)
     }
 
     /// What is seen of a motion of the point.
     #[must_use]
-    pub fn observed(&self, twist: Twist) -> Twist {
+    pub(super) fn observed(&self, twist: Twist) -> Twist {
         let [x, y, z, ..] = twist;
         match self.kind {
             ObservationKind::Instrument => twist,
@@ -196,7 +196,7 @@ impl Observation {
 
     /// Of `rows_per_observation` rows those that carry a measured number.
     #[must_use]
-    pub fn rows(&self, rows_per_observation: usize) -> usize {
+    pub(super) fn rows(&self, rows_per_observation: usize) -> usize {
         match self.kind {
             ObservationKind::Instrument => rows_per_observation,
             ObservationKind::Nest | ObservationKind::Touch => 3,
@@ -206,21 +206,21 @@ impl Observation {
 
     /// Number of joints of the arm, 4 to 7.
     #[must_use]
-    pub fn joints(&self) -> usize {
+    pub(super) fn joints(&self) -> usize {
         self.axes.len()
     }
 
     /// Joint `j`'s coordinate as an angle: of one that slides, [`LENGTH_PER_RAD_M`] counts as a radian. For shapes over
     /// a joint's coordinate, whose widths are angles.
     #[must_use]
-    pub fn as_angle(&self, j: usize) -> f64 {
+    pub(super) fn as_angle(&self, j: usize) -> f64 {
         if self.slides[j] { self.q_rad[j] / LENGTH_PER_RAD_M } else { self.q_rad[j] }
     }
 
     /// The point's motion per radian of joint `j`, counted from 0, or per metre where it slides: the geometric Jacobian's
     /// column.
     #[must_use]
-    pub fn jacobian_column(&self, j: usize) -> Twist {
+    pub(super) fn jacobian_column(&self, j: usize) -> Twist {
         if self.slides[j] {
             let v = &self.axes[j];
             return [v.x, v.y, v.z, 0.0, 0.0, 0.0];
@@ -230,14 +230,14 @@ impl Observation {
 
     /// The point's motion per radian about `axis` through `through_m`.
     #[must_use]
-    pub fn rotation_about(&self, axis: &Vector3<f64>, through_m: &Vector3<f64>) -> Twist {
+    pub(super) fn rotation_about(&self, axis: &Vector3<f64>, through_m: &Vector3<f64>) -> Twist {
         let v = axis.cross(&(self.point_m - through_m));
         [v.x, v.y, v.z, axis.x, axis.y, axis.z]
     }
 
     /// The point's motion per unit of offset `k` (dx dy dz rx ry rz) of frame `i`.
     #[must_use]
-    pub fn frame_offset(&self, i: usize, k: usize) -> Twist {
+    pub(super) fn frame_offset(&self, i: usize, k: usize) -> Twist {
         let axis = self.parents[i].column(k % 3).into_owned();
         if k < 3 {
             [axis.x, axis.y, axis.z, 0.0, 0.0, 0.0]
@@ -249,7 +249,7 @@ impl Observation {
 
 /// An observation together with the data set that it belongs to: what an effect's signature is evaluated at.
 #[derive(Clone, Copy)]
-pub struct DataPoint<'a> {
+pub(super) struct DataPoint<'a> {
     /// Ranges of time, temperature, load over all observations.
     pub dataset: &'a Dataset,
     /// The arm at this one.
@@ -261,13 +261,13 @@ const LENGTH_PER_RAD_M: f64 = 0.1;
 
 /// The twist times a factor.
 #[must_use]
-pub fn scaled(twist: Twist, factor: f64) -> Twist {
+pub(super) fn scaled(twist: Twist, factor: f64) -> Twist {
     twist.map(|v| v * factor)
 }
 
 /// Everything the effects may look at.
 #[derive(Clone, Debug)]
-pub struct Dataset {
+pub(super) struct Dataset {
     /// For each joint, joint 1 first, whether it slides: what is metres and newtons there is radians and newton metres elsewhere.
     pub slides: Joints<bool>,
     /// One for each station.
@@ -301,7 +301,7 @@ pub struct Dataset {
 impl Dataset {
     /// Gathers the ranges over `observations`.
     #[must_use]
-    pub fn new(robot: &SerialArm, observations: Vec<Observation>, channels: Channels) -> Self {
+    pub(super) fn new(robot: &SerialArm, observations: Vec<Observation>, channels: Channels) -> Self {
         let times = observations.iter().filter_map(|s| s.t_min);
         let time_min = channels
             .time
@@ -338,43 +338,43 @@ impl Dataset {
 
     /// The data point of one of its observations, or of one that could be added to it.
     #[must_use]
-    pub fn at<'a>(&'a self, observation: &'a Observation) -> DataPoint<'a> {
+    pub(super) fn at<'a>(&'a self, observation: &'a Observation) -> DataPoint<'a> {
         DataPoint { dataset: self, observation }
     }
 
     /// Number of joints of the arm, 4 to 7.
     #[must_use]
-    pub fn joints(&self) -> usize {
+    pub(super) fn joints(&self) -> usize {
         self.slides.len()
     }
 
     /// The joints that turn, counted from 0.
-    pub fn turning(&self) -> impl Iterator<Item = usize> + '_ {
+    pub(super) fn turning(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.joints()).filter(|&j| !self.slides[j])
     }
 
     /// `turning` for a joint that turns, `sliding` for one that slides.
     #[must_use]
-    pub fn by_kind<T>(&self, j: usize, turning: T, sliding: T) -> T {
+    pub(super) fn by_kind<T>(&self, j: usize, turning: T, sliding: T) -> T {
         if self.slides.get(j).copied().unwrap_or(false) { sliding } else { turning }
     }
 
     /// A large torque about joint `j`, which an eighth of the observations exceed, N.m; 1e-9 where there is none.
     #[must_use]
-    pub fn large_torque_n_m(&self, j: usize) -> f64 {
+    pub(super) fn large_torque_n_m(&self, j: usize) -> f64 {
         self.torque_limit_n_m.get(j).map_or(0.0, |limits| limits[0]).max(1e-9)
     }
 
     /// Line of the first row that was measured at `t0` of the clock or later.
     #[must_use]
-    pub fn line_from(&self, t0: f64) -> Option<u64> {
+    pub(super) fn line_from(&self, t0: f64) -> Option<u64> {
         let later = self.observations.iter().filter(|s| s.clock() >= t0);
         later.min_by(|a, b| a.clock().total_cmp(&b.clock()).then(a.line.cmp(&b.line))).map(|s| s.line)
     }
 
     /// How far the measurement has gone at `observation`, 0 to 1: by time or, where that is missing, by row.
     #[must_use]
-    pub fn progress(&self, observation: &Observation) -> f64 {
+    pub(super) fn progress(&self, observation: &Observation) -> f64 {
         match self.clock {
             Some([low, high]) => (observation.clock() - low) / (high - low),
             None => observation.row / self.last_row.max(1.0),

@@ -42,7 +42,7 @@ const USUAL_LENGTH_M: f64 = 0.2;
 const UNTIMED: &str = "what drifts from row to row cannot be carried to another file without times (t_min)";
 
 /// Measurements, registered and linearised.
-pub struct Prepared<'a> {
+pub(super) struct Prepared<'a> {
     /// The measurements of the robot, as stations.
     pub measured: MeasuredRobot<'a>,
     /// The arm at every station, with its residuals.
@@ -54,7 +54,7 @@ pub struct Prepared<'a> {
 }
 
 /// The diagnosis and, where one was wanted and found, the model.
-pub struct Evaluation {
+pub(super) struct Evaluation {
     /// What is said of the data.
     pub diagnosis: Findings,
     /// What was found, as a model.
@@ -64,14 +64,14 @@ pub struct Evaluation {
 impl Evaluation {
     /// A diagnosis of which no model can be made.
     #[must_use]
-    pub fn without_model(diagnosis: Findings) -> Self {
+    pub(super) fn without_model(diagnosis: Findings) -> Self {
         Self { diagnosis, identified: None }
     }
 }
 
 /// Searches, judges and says what follows; a model only where `wants_model`.
 #[must_use]
-pub fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation {
+pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation {
     let Prepared { measured, linear, noise, .. } = *prepared;
     let folds = heldout::folds(&linear.dataset);
     let visible = visible(prepared, testable_effects(&linear.dataset));

@@ -12,7 +12,7 @@ use robot_model::robot::Axis;
 
 /// Structure of no named cause.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GpAlternative {
+pub(super) enum GpAlternative {
     /// Some function of one joint's angle turns that joint.
     Joint(Axis),
     /// The same with finer detail.
@@ -74,7 +74,7 @@ const TIME_SHARE: [f64; 2] = [0.25, 0.06];
 
 /// A GP alternative with its share of the prior of all structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WeightedAlternative {
+pub(super) struct WeightedAlternative {
     /// Which structure it is.
     pub gp_alternative: GpAlternative,
     /// Its share, beside 1 of all that are tried in every set.
@@ -84,14 +84,14 @@ pub struct WeightedAlternative {
 impl GpAlternative {
     /// With a share of the prior.
     #[must_use]
-    pub fn weighing(self, weight: f64) -> WeightedAlternative {
+    pub(super) fn weighing(self, weight: f64) -> WeightedAlternative {
         WeightedAlternative { gp_alternative: self, weight }
     }
 }
 
 /// Every GP alternative that is tried in every set of an arm of so many joints; their weights sum to 1.
 #[must_use]
-pub fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
+pub(super) fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
     // Pairs of joints times joints that they turn.
     let pairs = (joints * (joints - 1) / 2 * joints) as f64;
     let mut all = vec![
@@ -136,7 +136,7 @@ pub fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
 
 /// The GP alternative's features as columns of `design`, largest first, sized to what is usual at the point, 0.1 mm.
 #[must_use]
-pub fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
+pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
     match gp_alternative {
         GpAlternative::Joint(j) => {
             joint_columns(design, dataset, &[Turning { by: j, turned: j }], JOINT_RAD[0])
@@ -331,7 +331,7 @@ fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> DMatrix
 
 /// A ball in the robot's base.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
+pub(super) struct Ball {
     /// Its centre, metres.
     pub centre_m: Vector3<f64>,
     /// Its radius, metres.
@@ -340,7 +340,7 @@ pub struct Ball {
 
 /// Where the structure lies: stations weighted by how far they are moved.
 #[must_use]
-pub fn region(dataset: &Dataset, moved_m: &[f64]) -> Ball {
+pub(super) fn region(dataset: &Dataset, moved_m: &[f64]) -> Ball {
     // The fourth power lets the few that move most count.
     let largest = moved_m.iter().fold(0.0, |a: f64, b| a.max(*b)).max(1e-300);
     let weights: Vec<f64> = moved_m.iter().map(|m| (m / largest).powi(4)).collect();

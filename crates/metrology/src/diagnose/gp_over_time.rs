@@ -53,7 +53,7 @@ pub(super) fn cycle_columns(design: &Design, dataset: &Dataset, half_cycles: u32
 /// `cause`'s columns times slow functions of the measurement's progress without their mean: what a cause
 /// that is not constant leaves beside its mean.
 #[must_use]
-pub fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> DMatrix<f64> {
+pub(super) fn time_varying_columns(design: &Design, dataset: &Dataset, cause: &[usize]) -> DMatrix<f64> {
     const WAVES: i32 = 3;
     let mut all: Vec<DVector<f64>> = Vec::new();
     for k in 1..=WAVES {

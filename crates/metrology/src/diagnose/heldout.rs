@@ -22,7 +22,7 @@ const INTERVAL_INFLATION: f64 = 1.34;
 const REGISTERED: f64 = 9.0;
 
 /// Which stations stay together, and which are held out together.
-pub struct Folds {
+pub(super) struct Folds {
     /// Group of each station.
     pub group_of: Vec<usize>,
     /// Groups of each fold.
@@ -35,7 +35,7 @@ pub struct Folds {
 
 /// Splits the stations: five folds by pose, the last of the time, a region.
 #[must_use]
-pub fn folds(dataset: &Dataset) -> Folds {
+pub(super) fn folds(dataset: &Dataset) -> Folds {
     let n = dataset.observations.len();
     let poses: BTreeSet<usize> = dataset.observations.iter().map(|s| s.pose).collect();
     let mut shuffled: Vec<usize> = poses.into_iter().collect();
@@ -98,7 +98,7 @@ struct HeldOutSquares {
 
 /// Holds out every fold, the last of the time and a region.
 #[must_use]
-pub fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduction {
+pub(super) fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduction {
     let mut all: Vec<HeldOutSquares> =
         folds.folds.iter().flat_map(|fold| held_out(fitted, folds, fold)).collect();
     all.sort_by_key(|squares| squares.station);
@@ -214,12 +214,12 @@ fn interval(stations: &[HeldOutSquares], pose_of: impl Fn(usize) -> usize, ratio
 }
 
 /// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine.
-pub struct SplitMix64(u64);
+pub(super) struct SplitMix64(u64);
 
 impl SplitMix64 {
     /// The generator that starts at `seed`.
     #[must_use]
-    pub fn new(seed: u64) -> Self {
+    pub(super) fn new(seed: u64) -> Self {
         Self(seed)
     }
 
@@ -232,18 +232,18 @@ impl SplitMix64 {
     }
 
     /// From 0 to `n` - 1.
-    pub fn below(&mut self, n: usize) -> usize {
+    pub(super) fn below(&mut self, n: usize) -> usize {
         (self.next() % n.max(1) as u64) as usize
     }
 
     /// From 0 to 1.
-    pub fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     /// Normal, of standard deviation 1 (Box and Muller 1958).
     #[cfg(test)]
-    pub fn normal(&mut self) -> f64 {
+    pub(super) fn normal(&mut self) -> f64 {
         (-2.0 * self.unit().max(1e-12).ln()).sqrt() * (std::f64::consts::TAU * self.unit()).cos()
     }
 }

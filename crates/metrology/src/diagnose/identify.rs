@@ -124,7 +124,7 @@ pub(super) fn identify(
 
 /// Why no model is made of what was found.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum NoModel {
+pub(super) enum NoModel {
     /// The normal equations have no solution.
     #[error("its parameters cannot be solved for")]
     NotSolved,

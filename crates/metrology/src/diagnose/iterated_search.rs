@@ -31,7 +31,7 @@ const USUAL_LENGTH_M: f64 = 0.2;
 
 /// What the search is over.
 #[derive(Clone, Copy)]
-pub struct SearchProblem<'a> {
+pub(super) struct SearchProblem<'a> {
     /// The arm at every station, with its residuals.
     pub linear: &'a Linearised,
     /// Variants of effects that may be causes.
@@ -47,7 +47,7 @@ pub struct SearchProblem<'a> {
 /// Searches: without slow noise at first and, where the bare data have some, with it; the likelier of both answers stands. Steps can
 /// be had in the place of what only wanders, and the other way round.
 #[must_use]
-pub fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
+pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
     let start = NoiseEstimates::of_bare_data(problem);
     let wanders = start.slow.is_some();
     let plain = settled(problem, NoiseEstimates { slow: None, ..start.clone() });

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// A fit of some of the design's columns.
 #[derive(Clone, Debug)]
-pub struct LinearFit {
+pub(super) struct LinearFit {
     /// One for each column after the data; 0 for columns that take no part.
     pub coefficients: Vec<f64>,
     /// Columns that take part.
@@ -18,7 +18,7 @@ pub struct LinearFit {
 impl LinearFit {
     /// The coefficients without those of slow noise: what registration, geometry and causes take.
     #[must_use]
-    pub fn without_slow(mut self, design: &Design) -> Self {
+    pub(super) fn without_slow(mut self, design: &Design) -> Self {
         for column in design.slow().columns {
             self.coefficients[column - 1] = 0.0;
         }
@@ -28,7 +28,7 @@ impl LinearFit {
 
 /// Fits registration, geometry (with `geometry_ratio`; none without it), slow noise and causes over `subset`.
 #[must_use]
-pub fn solve(
+pub(super) fn solve(
     design: &Design,
     subset: &[usize],
     chosen: &[ChosenCause],

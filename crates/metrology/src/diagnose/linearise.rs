@@ -12,7 +12,7 @@ const LINEAR_M: f64 = 2e-4;
 const ROUNDS: usize = 3;
 
 /// The arm at every station, with residuals that are linear in all parameters.
-pub struct Linearised {
+pub(super) struct Linearised {
     /// The arm at every station.
     pub dataset: Dataset,
     /// Measured minus nominal, to first order, metres and radians in base axes.
@@ -27,7 +27,7 @@ pub struct Linearised {
 ///
 /// # Errors
 /// Where registration fails.
-pub fn linearise(
+pub(super) fn linearise(
     robot: &SerialArm,
     stations: &Stations,
     nominal: &Registration,
@@ -129,6 +129,6 @@ fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m:
 
 /// Length of the shift, metres.
 #[must_use]
-pub fn shift_m(twist: &Twist) -> f64 {
+pub(super) fn shift_m(twist: &Twist) -> f64 {
     (twist[0] * twist[0] + twist[1] * twist[1] + twist[2] * twist[2]).sqrt()
 }

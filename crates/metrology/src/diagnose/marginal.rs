@@ -8,7 +8,7 @@ const REPEATS_HOLD: f64 = 0.8;
 /// Repeats are never trusted beyond so many degrees of freedom: they are near in time and place.
 const MOST_FREEDOM: f64 = 60.0;
 /// Noise can lie between these, metres.
-pub const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
+pub(super) const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
 
 /// The degrees of freedom that a stated sigma is worth.
 const STATED: f64 = STATED_FREEDOM as f64;
@@ -17,7 +17,7 @@ const FEWEST_FREEDOM: usize = 6;
 
 /// The noise of a row of weight 1, from repeats or as stated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KnownNoise {
+pub(super) struct KnownNoise {
     /// Standard deviation of one coordinate, metres.
     pub sigma_m: f64,
     /// Degrees of freedom that it is worth.
@@ -26,7 +26,7 @@ pub struct KnownNoise {
 
 /// What is known of the noise before the fit.
 #[derive(Clone, Copy, Debug)]
-pub struct NoisePrior {
+pub(super) struct NoisePrior {
     /// Size of the noise, where repeats or a statement say one.
     pub known: Option<KnownNoise>,
     /// Whether repeats stand behind it; a statement alone can be wrong.
@@ -36,7 +36,7 @@ pub struct NoisePrior {
 impl NoisePrior {
     /// From the repeats; from `stated_m` where there are none, or where both agree.
     #[must_use]
-    pub fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
+    pub(super) fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
         let seen = repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM);
         match (seen, stated_m) {
             // Both say the same: what they say together is worth what each is worth alone.
@@ -65,7 +65,7 @@ impl NoisePrior {
 
     /// Whether the repeats speak against the stated sigma.
     #[must_use]
-    pub fn contradicted(repeats: Option<&Repeats>, stated_m: Option<f64>) -> bool {
+    pub(super) fn contradicted(repeats: Option<&Repeats>, stated_m: Option<f64>) -> bool {
         match (repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM), stated_m) {
             (Some(r), Some(sigma_m)) => !is_consistent(r, sigma_m),
             _ => false,
@@ -74,7 +74,7 @@ impl NoisePrior {
 
     /// The integral over sigma for `m` rows.
     #[must_use]
-    pub fn marginal_over(&self, m: f64) -> Marginal {
+    pub(super) fn marginal_over(&self, m: f64) -> Marginal {
         let (low_m, high_m, share) = match self.known {
             None => (SIGMA_M[0], SIGMA_M[1], 1.0),
             Some(KnownNoise { sigma_m, .. }) => {
@@ -109,7 +109,7 @@ fn is_consistent(repeats: &Repeats, stated_m: f64) -> bool {
 
 /// ln of the integral over ln sigma of prior times sigma^-m exp(-q / 2 sigma^2), prepared for many q.
 #[derive(Clone, Copy, Debug)]
-pub struct Marginal {
+pub(super) struct Marginal {
     m: f64,
     low: f64,
     high: f64,
@@ -128,7 +128,7 @@ struct Repeatability {
 impl Marginal {
     /// ln of the integral at sum of squares `q`, and the sigma that carries it, metres.
     #[must_use]
-    pub fn at(&self, q: f64) -> (f64, f64) {
+    pub(super) fn at(&self, q: f64) -> (f64, f64) {
         let q = q.max(1e-300);
         let m = self.m;
         // Log-uniform between bounds; the mass within them by the normal shape of ln sigma.
@@ -146,14 +146,14 @@ impl Marginal {
 
 /// Density of the normal distribution.
 #[must_use]
-pub fn normal_pdf(x: f64, mean: f64, sigma: f64) -> f64 {
+pub(super) fn normal_pdf(x: f64, mean: f64, sigma: f64) -> f64 {
     let z = (x - mean) / sigma;
     (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
 }
 
 /// Standard normal distribution function (Abramowitz and Stegun 1964, 26.2.17), error below 1e-7.
 #[must_use]
-pub fn normal_cdf(z: f64) -> f64 {
+pub(super) fn normal_cdf(z: f64) -> f64 {
     if z.abs() > 8.0 {
         return f64::from(u8::from(z > 0.0));
     }
@@ -186,14 +186,14 @@ fn ln_gamma(x: f64) -> f64 {
 
 /// ln(e^a + e^b) without overflow.
 #[must_use]
-pub fn log_add(a: f64, b: f64) -> f64 {
+pub(super) fn log_add(a: f64, b: f64) -> f64 {
     let (high, low) = if a > b { (a, b) } else { (b, a) };
     if low == f64::NEG_INFINITY { high } else { high + (low - high).exp().ln_1p() }
 }
 
 /// ln of the sum of exponentials.
 #[must_use]
-pub fn log_sum(values: impl IntoIterator<Item = f64>) -> f64 {
+pub(super) fn log_sum(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(f64::NEG_INFINITY, log_add)
 }
 

@@ -5,7 +5,7 @@ use robot_model::robot::SerialArm;
 
 /// Measurements of one robot, and the stations that they were gathered to.
 #[derive(Clone, Copy)]
-pub struct MeasuredRobot<'a> {
+pub(super) struct MeasuredRobot<'a> {
     /// The nominal arm.
     pub robot: &'a SerialArm,
     /// Rows as read, seen from one stand of the instrument.
@@ -17,7 +17,7 @@ pub struct MeasuredRobot<'a> {
 impl MeasuredRobot<'_> {
     /// Lines in the file of the rows with these indices.
     #[must_use]
-    pub fn lines<'r>(&self, rows: impl Iterator<Item = &'r usize>) -> Vec<u64> {
+    pub(super) fn lines<'r>(&self, rows: impl Iterator<Item = &'r usize>) -> Vec<u64> {
         rows.filter_map(|&row| self.measurements.rows.get(row)).map(|row| row.line).collect()
     }
 }

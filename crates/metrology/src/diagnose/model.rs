@@ -10,7 +10,7 @@ use super::slow_noise::SlowNoise;
 use std::collections::BTreeMap;
 
 /// The best model, constant once it is built.
-pub struct Model {
+pub(super) struct Model {
     /// Causes in the model.
     pub chosen: Vec<ChosenCause>,
     /// What was known of the noise before the fit.
@@ -32,14 +32,14 @@ pub struct Model {
 impl Model {
     /// Standard deviation of one coordinate about the model, all noise together, metres.
     #[must_use]
-    pub fn noise_m(&self) -> f64 {
+    pub(super) fn noise_m(&self) -> f64 {
         let slow = self.slow.map_or(0.0, |slow| slow.size);
         self.peak.sigma_m * (1.0 + slow * slow + self.shared_ratio).sqrt()
     }
 
     /// Variance of the mean of a visit's targets, over that of as many independent rows: 1 where nothing is shared.
     #[must_use]
-    pub fn visit_spread(&self, dataset: &Dataset) -> f64 {
+    pub(super) fn visit_spread(&self, dataset: &Dataset) -> f64 {
         let weight = |visit: &Vec<usize>| visit.iter().map(|&i| self.base_weights[i]).sum::<f64>();
         let weights: f64 = dataset.visits.iter().map(weight).sum();
         1.0 + self.shared_ratio * weights / dataset.visits.len().max(1) as f64
@@ -48,7 +48,7 @@ impl Model {
 
 /// What is computed anew while a model is judged and held-out parts are fitted: columns and their products. It grows by
 /// every candidate that is tried, and what it holds never changes the answer.
-pub struct Workspace<'a> {
+pub(super) struct Workspace<'a> {
     /// The whitened columns and their products.
     pub design: Design,
     /// Candidates with their products with the design.
@@ -59,7 +59,7 @@ pub struct Workspace<'a> {
 
 impl Workspace<'_> {
     /// Takes back what was tried since the design had so many columns: thousands of products for each of them are of no more use.
-    pub fn truncate(&mut self, width: usize) {
+    pub(super) fn truncate(&mut self, width: usize) {
         self.design.truncate(width);
         self.library.truncate(width);
         self.column_index.retain(|_, columns| columns.iter().all(|&column| column < width));
@@ -67,7 +67,7 @@ impl Workspace<'_> {
 }
 
 /// The best model, the residuals that it was fitted to, and the columns that it is judged by.
-pub struct FittedModel<'a> {
+pub(super) struct FittedModel<'a> {
     /// The arm at every station, with residuals that are linear in all parameters.
     pub linear: &'a Linearised,
     /// What was found.
@@ -82,7 +82,7 @@ const SLOW_PRIOR: f64 = 0.1;
 impl FittedModel<'_> {
     /// ln odds of all that the model holds over nothing, one after the other.
     #[must_use]
-    pub fn log_odds(&self) -> f64 {
+    pub(super) fn log_odds(&self) -> f64 {
         let Self { model, workspace, .. } = self;
         let design = &workspace.design;
         let groups = design.all_groups();

@@ -13,10 +13,10 @@ use robot_model::robot::Axis;
 use std::ops::Range;
 
 /// Lines of a gear are counted in these, radians.
-pub const LINE_RAD: f64 = 1e-4;
+pub(super) const LINE_RAD: f64 = 1e-4;
 
 /// Which columns, in the order: registration, geometry, causes, lines joint by joint (sine and cosine in turn).
-pub struct ModelColumns<'a> {
+pub(super) struct ModelColumns<'a> {
     /// The arm at every station.
     pub dataset: &'a Dataset,
     /// Weights of the observations.
@@ -31,7 +31,7 @@ pub struct ModelColumns<'a> {
 
 /// The lines of one joint's gear that are fitted together.
 #[derive(Clone, Debug, PartialEq)]
-pub struct JointLines {
+pub(super) struct JointLines {
     /// The joint that they turn with.
     pub joint: Axis,
     /// Periods per turn of each line, ascending.
@@ -39,7 +39,7 @@ pub struct JointLines {
 }
 
 /// Sums over some stations.
-pub struct NormalEquations {
+pub(super) struct NormalEquations {
     /// Products of all columns.
     pub gram: DMatrix<f64>,
     /// Products with the residuals.
@@ -47,7 +47,7 @@ pub struct NormalEquations {
 }
 
 /// The most probable value of every column.
-pub struct Solution {
+pub(super) struct Solution {
     /// In the units of the columns.
     pub values: DVector<f64>,
     /// Lower triangular root of the normal equations' matrix.
@@ -57,7 +57,7 @@ pub struct Solution {
 impl Solution {
     /// Standard deviation of each value at unit noise; `None` where one is not determined.
     #[must_use]
-    pub fn sigmas(&self) -> Option<Vec<f64>> {
+    pub(super) fn sigmas(&self) -> Option<Vec<f64>> {
         let n = self.root.nrows();
         let inverse = self.root.solve_lower_triangular(&DMatrix::identity(n, n))?;
         Some(inverse.column_iter().map(|column| column.norm()).collect())
@@ -98,26 +98,26 @@ impl WhitenedRows {
 impl ModelColumns<'_> {
     /// Range of the columns of registration.
     #[must_use]
-    pub fn registration(&self) -> Range<usize> {
+    pub(super) fn registration(&self) -> Range<usize> {
         0..registration::width(self.dataset, self.targets)
     }
 
     /// Columns of geometry, in tolerances.
     #[must_use]
-    pub fn geometry(&self) -> Range<usize> {
+    pub(super) fn geometry(&self) -> Range<usize> {
         let start = self.registration().end;
         start..start + 6 * (self.dataset.joints() - 1)
     }
 
     /// Columns of each cause, in prior sigmas.
     #[must_use]
-    pub fn of_causes(&self) -> Vec<Range<usize>> {
+    pub(super) fn of_causes(&self) -> Vec<Range<usize>> {
         ranges(self.geometry().end, self.causes.iter().map(|c| c.prior_sigma.len()))
     }
 
     /// Columns of each spectrum, in [`LINE_RAD`].
     #[must_use]
-    pub fn of_lines(&self) -> Vec<Range<usize>> {
+    pub(super) fn of_lines(&self) -> Vec<Range<usize>> {
         let start = self.of_causes().last().map_or(self.geometry().end, |r| r.end);
         ranges(start, self.lines.iter().map(|of| 2 * of.periods.len()))
     }
@@ -173,7 +173,7 @@ impl ModelColumns<'_> {
 
     /// The sums over `observations`.
     #[must_use]
-    pub fn sum(&self, observations: &[usize], residuals: &[Twist]) -> NormalEquations {
+    pub(super) fn sum(&self, observations: &[usize], residuals: &[Twist]) -> NormalEquations {
         let d = self.dataset.rows_per_observation;
         let rows = self.rows(observations, residuals);
         let (at, plain) = (self.of_lines(), rows.plain.ncols());
@@ -214,7 +214,7 @@ impl ModelColumns<'_> {
 
     /// Products of all columns with `residuals`.
     #[must_use]
-    pub fn rhs(&self, observations: &[usize], residuals: &[Twist]) -> DVector<f64> {
+    pub(super) fn rhs(&self, observations: &[usize], residuals: &[Twist]) -> DVector<f64> {
         let rows = self.rows(observations, residuals);
         let (at, plain) = (self.of_lines(), rows.plain.ncols());
         let mut rhs = DVector::zeros(at.last().map_or(plain, |r| r.end));
@@ -224,7 +224,12 @@ impl ModelColumns<'_> {
 
     /// Squared distances that `solved` leaves at `observations`, metres.
     #[must_use]
-    pub fn squares_m2(&self, observations: &[usize], residuals: &[Twist], solved: &DVector<f64>) -> Vec<f64> {
+    pub(super) fn squares_m2(
+        &self,
+        observations: &[usize],
+        residuals: &[Twist],
+        solved: &DVector<f64>,
+    ) -> Vec<f64> {
         let d = self.dataset.rows_per_observation;
         let rows = self.rows(observations, residuals);
         let mut left = rows.data - &rows.plain * solved.rows(0, rows.plain.ncols());
@@ -247,7 +252,7 @@ impl ModelColumns<'_> {
 impl NormalEquations {
     /// The most probable values under `precisions` (noise variance over each column's); `None` where they have no solution.
     #[must_use]
-    pub fn solve(&self, precisions: &[f64]) -> Option<Solution> {
+    pub(super) fn solve(&self, precisions: &[f64]) -> Option<Solution> {
         let root = self.root(precisions)?;
         let values = root.tr_solve_lower_triangular(&root.solve_lower_triangular(&self.rhs)?)?;
         Some(Solution { values, root })
@@ -265,7 +270,7 @@ impl NormalEquations {
 
     /// Less the sums over a part of the stations.
     #[must_use]
-    pub fn without(&self, part: &Self) -> Self {
+    pub(super) fn without(&self, part: &Self) -> Self {
         Self { gram: &self.gram - &part.gram, rhs: &self.rhs - &part.rhs }
     }
 }

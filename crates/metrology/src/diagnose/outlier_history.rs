@@ -4,7 +4,7 @@ use super::robust_weights::RobustWeights;
 
 /// Which stations have wavered. A reading that draws the model towards it looks less false with the model that it has drawn, and a
 /// search that ends in such a round ends with it: what came back and was set aside once more stays aside.
-pub struct OutlierHistory {
+pub(super) struct OutlierHistory {
     returned: Vec<bool>,
     for_good: Vec<bool>,
 }
@@ -12,13 +12,13 @@ pub struct OutlierHistory {
 impl OutlierHistory {
     /// Of so many stations none has wavered.
     #[must_use]
-    pub fn new(stations: usize) -> Self {
+    pub(super) fn new(stations: usize) -> Self {
         Self { returned: vec![false; stations], for_good: vec![false; stations] }
     }
 
     /// Takes note of what a round would set aside after the `last`, and gives it back with what has wavered kept aside.
     #[must_use]
-    pub fn settled(&mut self, last: &RobustWeights, mut next: RobustWeights) -> RobustWeights {
+    pub(super) fn settled(&mut self, last: &RobustWeights, mut next: RobustWeights) -> RobustWeights {
         for i in 0..next.outliers.len() {
             match (last.outliers[i], next.outliers[i]) {
                 (true, false) if self.for_good[i] => {

@@ -4,11 +4,11 @@ use super::dataset::Twist;
 use super::linearise::{Linearised, shift_m};
 
 /// A station further than this many sigmas from the model, and alone there, is false.
-pub const FALSE_SIGMAS: f64 = 4.5;
+pub(super) const FALSE_SIGMAS: f64 = 4.5;
 
 /// Weight of each station beside that of its repeats, and whether it is set aside as false.
 #[derive(Clone)]
-pub struct RobustWeights {
+pub(super) struct RobustWeights {
     /// From 1 down to nearly 0, one for each station.
     pub weights: Vec<f64>,
     /// Whether the station is set aside.
@@ -18,14 +18,14 @@ pub struct RobustWeights {
 impl RobustWeights {
     /// So many stations, all of full weight.
     #[must_use]
-    pub fn full(stations: usize) -> Self {
+    pub(super) fn full(stations: usize) -> Self {
         Self { weights: vec![1.0; stations], outliers: vec![false; stations] }
     }
 
     /// From the `residuals` of stations whose repeats weigh `base_weights`: a station that is far from the model, and alone there, is
     /// set aside.
     #[must_use]
-    pub fn of(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Self {
+    pub(super) fn of(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Self {
         let distances: Vec<f64> =
             residuals.iter().zip(base_weights).map(|(m, w)| shift_m(m) * w.sqrt()).collect();
         // 1.54 sigma is the middle of a 3-D normal distance, 0.67 that of a number alone.
@@ -79,7 +79,7 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
 
 /// Upper median of the values; 0 of none.
 #[must_use]
-pub fn median(values: &mut [f64]) -> f64 {
+pub(super) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

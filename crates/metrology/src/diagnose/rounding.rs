@@ -29,7 +29,7 @@ const BY_SIZE_NATS: f64 = 2.5;
 
 /// What else is known of the file, which decides how clearly rounding has to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FaultPrior {
+pub(super) enum FaultPrior {
     /// Nothing else speaks against the file.
     NoOtherFault,
     /// The file is wrong; the question is in which column.
@@ -40,7 +40,11 @@ pub enum FaultPrior {
 ///
 /// Joints commanded at round angles carry no rounding error: coarse decimals alone prove nothing.
 #[must_use]
-pub fn find(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>, prior: FaultPrior) -> Option<Fault> {
+pub(super) fn find(
+    measured: MeasuredRobot<'_>,
+    fitted: &FittedModel<'_>,
+    prior: FaultPrior,
+) -> Option<Fault> {
     let MeasuredRobot { measurements, robot, .. } = measured;
     let FittedModel { linear, model, workspace } = fitted;
     let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);

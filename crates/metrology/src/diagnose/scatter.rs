@@ -11,7 +11,7 @@ use robot_model::robot::Axis;
 
 /// Scatter of a joint, seen through the residuals of the best model.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JointScatter {
+pub(super) struct JointScatter {
     /// The joint along whose motion it runs.
     pub joint: Axis,
     /// How much likelier than scatter that is alike in all directions, nats, over all joints.
@@ -29,7 +29,7 @@ const SMALLEST_RAD: f64 = 4e-6;
 ///
 /// e ~ N(0, sigma^2 / w + s^2 J J'), sigma integrated out; the inverse by Sherman and Morrison (1950).
 #[must_use]
-pub fn along_joints(
+pub(super) fn along_joints(
     dataset: &Dataset,
     residuals: &[Twist],
     weights: &[f64],

@@ -26,7 +26,7 @@ const UNIT_M: f64 = 1e-4;
 
 /// Slow noise as found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlowNoise {
+pub(super) struct SlowNoise {
     /// Which of the correlation times.
     tau: usize,
     /// Its size in sigmas of the noise that is not slow.
@@ -35,7 +35,7 @@ pub struct SlowNoise {
 
 impl SlowNoise {
     /// Puts it into `design`.
-    pub fn put(&self, design: &mut Design, dataset: &Dataset) {
+    pub(super) fn put(&self, design: &mut Design, dataset: &Dataset) {
         let columns = design.append(&columns(design, dataset, TAUS[self.tau]));
         design.set_slow(SlowColumns { columns, size_ratio: self.size / UNIT_M });
     }
@@ -62,7 +62,7 @@ fn columns(design: &Design, dataset: &Dataset, tau: f64) -> DMatrix<f64> {
 
 /// The slow noise that is likeliest beside `chosen`; `design` has none yet, or that of the round before.
 #[must_use]
-pub fn likeliest(
+pub(super) fn likeliest(
     design: &Design,
     dataset: &Dataset,
     chosen: &[ChosenCause],

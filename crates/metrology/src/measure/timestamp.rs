@@ -4,14 +4,14 @@ use robot_model::units::min_from_s;
 
 /// How a date and time is written: YYYY, MM, DD, hh, mm, ss stand for numbers, all else for itself.
 #[derive(Clone, Debug)]
-pub struct TimestampFormat {
+pub(super) struct TimestampFormat {
     format: String,
     parts: Vec<Part>,
 }
 
 /// Why a text is no time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoTime {
+pub(super) enum NoTime {
     /// It is written otherwise.
     NotWrittenSo,
     /// It is written so, and no calendar or clock has it: a 30 February, an hour 25.
@@ -44,7 +44,7 @@ impl TimestampFormat {
     ///
     /// # Errors
     /// A format without hour or minute, or with a part of a date.
-    pub fn new(format: &str) -> Result<Self, String> {
+    pub(super) fn new(format: &str) -> Result<Self, String> {
         let words = [
             ("YYYY", Part::Year),
             ("MM", Part::Month),
@@ -70,7 +70,7 @@ impl TimestampFormat {
 
     /// As it was given.
     #[must_use]
-    pub fn format(&self) -> &str {
+    pub(super) fn format(&self) -> &str {
         &self.format
     }
 
@@ -78,7 +78,7 @@ impl TimestampFormat {
     ///
     /// # Errors
     /// Text that is written otherwise, and a date or a time of day that does not exist.
-    pub fn parse_min(&self, text: &str) -> Result<f64, NoTime> {
+    pub(super) fn parse_min(&self, text: &str) -> Result<f64, NoTime> {
         let written = self.numbers(text).ok_or(NoTime::NotWrittenSo)?;
         let CivilTime { year, month, day, hour, minute, second_s } = written;
         let exists = (1..100_000).contains(&year)

@@ -17,7 +17,7 @@ const STEERING: usize = 48;
 const TRIED: usize = 3;
 
 /// The measurements that were chosen.
-pub struct Choice {
+pub(super) struct Choice {
     /// Indices into the possible ones.
     pub chosen: Vec<usize>,
     /// Exchanges that led there.
@@ -67,7 +67,7 @@ struct Compared {
 
 /// Chooses `count` of the measurements of `signatures`.
 #[must_use]
-pub fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize) -> Choice {
+pub(super) fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds: usize) -> Choice {
     let width = signatures.width;
     let rows: Vec<&[f64]> = signatures.rows.chunks_exact(3 * width).collect();
     let mut chosen: Vec<usize> =

@@ -5,9 +5,9 @@ use crate::diagnose::signature::{Signature, Signatures};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Separations below this do not tell two effects of usual size apart.
-pub const APART: f64 = 20.0;
+pub(super) const APART: f64 = 20.0;
 /// Nats that an effect must gain to be named, alarm and the price of its parameters.
-pub const NAMED_NATS: f64 = 8.0;
+pub(super) const NAMED_NATS: f64 = 8.0;
 /// A rival may be this many times as large as usual.
 const RIVAL: f64 = 3.0;
 /// A whisper on flat directions.
@@ -15,12 +15,12 @@ const FLAT: f64 = 1e-9;
 
 /// Information of all columns, in units of the noise.
 #[derive(Clone, Debug)]
-pub struct Information {
+pub(super) struct Information {
     gram: DMatrix<f64>,
 }
 
 /// Effects with base, tool and geometry eliminated.
-pub struct Reduced<'a> {
+pub(super) struct Reduced<'a> {
     signatures: &'a Signatures,
     nuisance: Cholesky<f64, Dyn>,
     gram: &'a DMatrix<f64>,
@@ -31,7 +31,7 @@ pub struct Reduced<'a> {
 
 /// How a new row is seen by an effect beside a rival: what neither the rest nor the rival takes.
 #[derive(Clone, Debug)]
-pub struct Regression {
+pub(super) struct Regression {
     column: usize,
     /// Coefficients of nuisance columns, then of the rival's.
     nuisance: DVector<f64>,
@@ -41,20 +41,20 @@ pub struct Regression {
 impl Information {
     /// The information of no measurement.
     #[must_use]
-    pub fn none(width: usize) -> Self {
+    pub(super) fn none(width: usize) -> Self {
         Self { gram: DMatrix::zeros(width, width) }
     }
 
     /// Of `rows`, each of all columns, at noise `sigma_m`.
     #[must_use]
-    pub fn of(rows: &[f64], width: usize, sigma_m: f64) -> Self {
+    pub(super) fn of(rows: &[f64], width: usize, sigma_m: f64) -> Self {
         let mut all = Self::none(width);
         all.add(rows, 1.0 / (sigma_m * sigma_m));
         all
     }
 
     /// Adds rows with a weight; a negative one takes them away.
-    pub fn add(&mut self, rows: &[f64], weight: f64) {
+    pub(super) fn add(&mut self, rows: &[f64], weight: f64) {
         let width = self.gram.nrows();
         for row in rows.chunks_exact(width) {
             for (c, value) in row.iter().enumerate().filter(|(_, v)| **v != 0.0) {
@@ -68,7 +68,7 @@ impl Information {
 
     /// Eliminates base, tool, nests and, with its prior, geometry; `None` where that is not possible.
     #[must_use]
-    pub fn reduced<'a>(&'a self, signatures: &'a Signatures) -> Option<Reduced<'a>> {
+    pub(super) fn reduced<'a>(&'a self, signatures: &'a Signatures) -> Option<Reduced<'a>> {
         let n = signatures.registration + signatures.geometry;
         let mut inner = self.gram.view((0, 0), (n, n)).into_owned();
         for i in 0..n {
@@ -103,7 +103,7 @@ impl Reduced<'_> {
 
     /// Squared signal over noise of effect `a` that its surroundings, and rival `b`, leave.
     #[must_use]
-    pub fn separation(&self, a: usize, b: Option<usize>) -> f64 {
+    pub(super) fn separation(&self, a: usize, b: Option<usize>) -> f64 {
         let at = self.at(&self.signatures.effects[a]);
         let own = self.own[(at, at)];
         let Some(b) = b else { return own.max(0.0) };
@@ -115,7 +115,7 @@ impl Reduced<'_> {
 
     /// The regression of effect `a` on its surroundings and rival `b`.
     #[must_use]
-    pub fn regression(&self, a: usize, b: Option<usize>) -> Regression {
+    pub(super) fn regression(&self, a: usize, b: Option<usize>) -> Regression {
         let n = self.signatures.registration + self.signatures.geometry;
         let effect = &self.signatures.effects[a];
         let mut left = self.gram.view((0, effect.first), (n, 1)).column(0).into_owned();
@@ -135,7 +135,7 @@ impl Reduced<'_> {
 impl Regression {
     /// Squares that rows of all columns would add, to first order.
     #[must_use]
-    pub fn gain(&self, rows: &[f64], width: usize) -> f64 {
+    pub(super) fn gain(&self, rows: &[f64], width: usize) -> f64 {
         rows.chunks_exact(width)
             .map(|row| {
                 let mut left = row[self.column];

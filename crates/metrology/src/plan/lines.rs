@@ -9,7 +9,7 @@ use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, Joints};
 
 /// Periods per turn, as the diagnosis tries them.
-pub const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
+pub(super) const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
 /// Usual size of a sine or cosine, radians.
 const USUAL_RAD: f64 = 1e-4;
 /// A rival may be this many times as large as usual.
@@ -43,7 +43,7 @@ pub struct GearLines {
 /// The lines of every joint over measurements at `q_rad`, in the order of `signatures`' rows; a joint whose lines
 /// leave no signal is left out.
 #[must_use]
-pub fn lines(signatures: &Signatures, q_rad: &[Joints], sigma_m: f64) -> Vec<GearLines> {
+pub(super) fn lines(signatures: &Signatures, q_rad: &[Joints], sigma_m: f64) -> Vec<GearLines> {
     let width = signatures.width;
     let nuisance = signatures.registration + signatures.geometry;
     let rows = q_rad.len() * 3;

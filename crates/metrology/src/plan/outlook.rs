@@ -70,7 +70,7 @@ pub struct Outlook {
 
 /// The outlook of measurements with these signatures at noise `sigma_m`.
 #[must_use]
-pub fn outlook(signatures: &Signatures, sigma_m: f64) -> Outlook {
+pub(super) fn outlook(signatures: &Signatures, sigma_m: f64) -> Outlook {
     let information = Information::of(&signatures.rows, signatures.width, sigma_m);
     let Some(reduced) = information.reduced(signatures) else { return Outlook::default() };
     let effects = &signatures.effects;

@@ -30,7 +30,7 @@ const TRIES: usize = 400;
 
 /// A pose and how it is come to.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pose {
+pub(super) struct Pose {
     /// Joint angles, joint 1 first, radians.
     pub q_rad: Joints,
     /// Where they come from.
@@ -44,7 +44,7 @@ pub struct Pose {
 impl Pose {
     /// As a measurement at a minute.
     #[must_use]
-    pub fn possible(&self, t_min: f64) -> PlannedMeasurement {
+    pub(super) fn possible(&self, t_min: f64) -> PlannedMeasurement {
         PlannedMeasurement {
             q_rad: self.q_rad,
             direction: self.direction,
@@ -56,7 +56,7 @@ impl Pose {
 }
 
 /// `count` poses that are allowed.
-pub fn poses(
+pub(super) fn poses(
     robot: &SerialArm,
     options: &PlanOptions,
     count: usize,
@@ -108,7 +108,7 @@ pub fn poses(
 }
 
 /// Where the joints come from.
-pub fn approach_rad(robot: &SerialArm, q_rad: &Joints, direction: &Joints<i8>) -> Joints {
+pub(super) fn approach_rad(robot: &SerialArm, q_rad: &Joints, direction: &Joints<i8>) -> Joints {
     Joints::from_fn(robot.joints.len(), |j| {
         let far = if robot.joints[j].kind.slides() { APPROACH_M } else { rad_from_deg(APPROACH_DEG) };
         q_rad[j] - f64::from(direction[j]) * far
@@ -116,7 +116,7 @@ pub fn approach_rad(robot: &SerialArm, q_rad: &Joints, direction: &Joints<i8>) -
 }
 
 /// Why a pose is not allowed.
-pub fn restriction_of(
+pub(super) fn restriction_of(
     robot: &SerialArm,
     chain: &SerialChain,
     options: &PlanOptions,

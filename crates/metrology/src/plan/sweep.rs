@@ -8,7 +8,11 @@ use robot_model::robot::{Axis, Joints, SerialArm};
 
 /// The poses of all sweeps, every joint come to from below; each sweep is round the pose of `pool` in which its joint
 /// moves the target furthest and all its poses are allowed.
-pub fn sweeps(robot: &SerialArm, options: &PlanOptions, pool: &[Pose]) -> Result<Vec<Pose>, PlanError> {
+pub(super) fn sweeps(
+    robot: &SerialArm,
+    options: &PlanOptions,
+    pool: &[Pose],
+) -> Result<Vec<Pose>, PlanError> {
     let chain = SerialChain::nominal(robot);
     let sweeps = &options.sweeps;
     let lever_m = |pose: &Pose, j: usize| {

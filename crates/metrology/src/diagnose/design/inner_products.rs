@@ -9,7 +9,7 @@ const NARROW: usize = 6;
 const BLOCK: usize = 4096;
 
 /// Products of the columns of `a` with those of `b`.
-pub fn inner_products(a: DMatrixView<'_, f64>, b: DMatrixView<'_, f64>) -> DMatrix<f64> {
+pub(crate) fn inner_products(a: DMatrixView<'_, f64>, b: DMatrixView<'_, f64>) -> DMatrix<f64> {
     // Narrow matrices are not multiplied in blocks, and a column is then as long as a row of the turned one is wide.
     if a.ncols().min(b.ncols()) < NARROW {
         return a.tr_mul(&b);

@@ -16,7 +16,7 @@ const TOLERANCE: [f64; 2] = [1.5e-4, 2.5e-4];
 
 /// Columns of slow noise in the design; an empty range where there is none.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct SlowColumns {
+pub(crate) struct SlowColumns {
     /// Where they stand.
     pub columns: Range<usize>,
     /// Their prior standard deviation over the noise's.
@@ -25,7 +25,7 @@ pub struct SlowColumns {
 
 /// Columns with their meaning: data first, then registration, geometry, and what was added.
 #[derive(Clone, Debug)]
-pub struct Design {
+pub(crate) struct Design {
     whitening: Whitening,
     visits: Visits,
     /// Observations in the order of groups.
@@ -50,7 +50,7 @@ impl Design {
     /// The design of `residuals` (metres and radians, base axes) at the observations of the dataset; `group_of` numbers
     /// each observation's group from 0.
     #[must_use]
-    pub fn new(
+    pub(crate) fn new(
         dataset: &Dataset,
         residuals: &[Twist],
         targets: usize,
@@ -112,24 +112,24 @@ impl Design {
 
     /// Weights of the stations.
     #[must_use]
-    pub fn whitening(&self) -> &Whitening {
+    pub(crate) fn whitening(&self) -> &Whitening {
         &self.whitening
     }
 
     /// Takes columns of the design for slow noise.
-    pub fn set_slow(&mut self, slow: SlowColumns) {
+    pub(crate) fn set_slow(&mut self, slow: SlowColumns) {
         self.slow = slow;
     }
 
     /// Columns of slow noise.
     #[must_use]
-    pub fn slow(&self) -> SlowColumns {
+    pub(crate) fn slow(&self) -> SlowColumns {
         self.slow.clone()
     }
 
     /// Number of columns.
     #[must_use]
-    pub fn width(&self) -> usize {
+    pub(crate) fn width(&self) -> usize {
         self.columns.ncols()
     }
 
@@ -141,37 +141,37 @@ impl Design {
 
     /// The columns from number `from` on.
     #[must_use]
-    pub fn columns_from(&self, from: usize) -> DMatrixView<'_, f64> {
+    pub(crate) fn columns_from(&self, from: usize) -> DMatrixView<'_, f64> {
         self.columns.columns(from, self.width() - from)
     }
 
     /// Number of cross-validation groups of rows.
     #[must_use]
-    pub fn groups(&self) -> usize {
+    pub(crate) fn groups(&self) -> usize {
         self.groups.len()
     }
 
     /// The numbers of all groups: the whole of the data, as a subset.
     #[must_use]
-    pub fn all_groups(&self) -> Vec<usize> {
+    pub(crate) fn all_groups(&self) -> Vec<usize> {
         (0..self.groups.len()).collect()
     }
 
     /// Numbers measured in a subset of groups.
     #[must_use]
-    pub fn rows(&self, subset: &[usize]) -> usize {
+    pub(crate) fn rows(&self, subset: &[usize]) -> usize {
         subset.iter().filter_map(|&a| self.counts.get(a)).sum()
     }
 
     /// Offset `k` of frame `i` is column `geometry.start + 6 (i - 1) + k`, per this many SI units.
     #[must_use]
-    pub fn tolerance(k: usize) -> f64 {
+    pub(crate) fn tolerance(k: usize) -> f64 {
         TOLERANCE[usize::from(k >= 3)]
     }
 
     /// Products of all columns over a subset of groups.
     #[must_use]
-    pub fn gram(&self, subset: &[usize]) -> DMatrix<f64> {
+    pub(crate) fn gram(&self, subset: &[usize]) -> DMatrix<f64> {
         let mut sum = DMatrix::zeros(self.width(), self.width());
         for &a in subset {
             sum += &self.gram[a];
@@ -181,7 +181,7 @@ impl Design {
 
     /// Products of one column with all over a subset of groups.
     #[must_use]
-    pub fn gram_column(&self, subset: &[usize], column: usize) -> Vec<f64> {
+    pub(crate) fn gram_column(&self, subset: &[usize], column: usize) -> Vec<f64> {
         let mut sum = vec![0.0; self.width()];
         for &a in subset {
             sum.iter_mut().zip(&self.gram[a].column(column)).for_each(|(to, from)| *to += from);
@@ -190,14 +190,14 @@ impl Design {
     }
 
     /// Adds columns and their products; gives their place.
-    pub fn append(&mut self, columns: &DMatrix<f64>) -> Range<usize> {
+    pub(crate) fn append(&mut self, columns: &DMatrix<f64>) -> Range<usize> {
         let start = self.width();
         self.place(&[columns]);
         start..self.width()
     }
 
     /// Takes off the columns from number `width` on.
-    pub fn truncate(&mut self, width: usize) {
+    pub(crate) fn truncate(&mut self, width: usize) {
         let columns = std::mem::replace(&mut self.columns, DMatrix::zeros(0, 0));
         self.columns = columns.resize_horizontally(width, 0.0);
         self.gram.iter_mut().for_each(|gram| {
@@ -233,7 +233,7 @@ impl Design {
 
     /// A candidate's columns, scaled by their prior sigma.
     #[must_use]
-    pub fn columns_of(&self, dataset: &Dataset, candidate: &Candidate) -> DMatrix<f64> {
+    pub(crate) fn columns_of(&self, dataset: &Dataset, candidate: &Candidate) -> DMatrix<f64> {
         self.stack(dataset, candidate.prior_sigma.len(), |_, observation, out| {
             candidate.scaled_signature(dataset.at(observation), out);
         })
@@ -241,7 +241,7 @@ impl Design {
 
     /// Whitened columns of `width` motions for each observation.
     #[must_use]
-    pub fn stack(
+    pub(crate) fn stack(
         &self,
         dataset: &Dataset,
         width: usize,
@@ -266,7 +266,7 @@ impl Design {
 
     /// A column times a number for each observation.
     #[must_use]
-    pub fn modulated(
+    pub(crate) fn modulated(
         &self,
         dataset: &Dataset,
         column: usize,
@@ -283,7 +283,7 @@ impl Design {
 
     /// Residual of `coefficients` (one for each column after the data) at each observation, unwhitened: metres, radians.
     #[must_use]
-    pub fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
+    pub(crate) fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
         let d = self.rows_per_observation;
         let mut left = self.column(0).to_vec();
         for (c, column) in coefficients.iter().zip(1..).filter(|(c, _)| **c != 0.0) {
@@ -303,7 +303,7 @@ impl Design {
 
 /// One matrix of the columns of all of `parts`, which have the same rows.
 #[must_use]
-pub fn side_by_side(parts: &[impl Borrow<DMatrix<f64>>]) -> DMatrix<f64> {
+pub(crate) fn side_by_side(parts: &[impl Borrow<DMatrix<f64>>]) -> DMatrix<f64> {
     let rows = parts.first().map_or(0, |part| part.borrow().nrows());
     let width = parts.iter().map(|part| part.borrow().ncols()).sum();
     let numbers = parts.iter().flat_map(|part| part.borrow().as_slice()).copied();

@@ -11,9 +11,9 @@ mod scaled_motions;
 mod visits;
 mod whitening;
 
-pub use inner_products::inner_products;
-pub use matrix::{Design, SlowColumns, side_by_side};
-pub use products::{Products, Sums};
-pub use scaled_motions::ScaledMotions;
-pub use visits::Visits;
-pub use whitening::{SharedError, Whitening};
+pub(super) use inner_products::inner_products;
+pub(super) use matrix::{Design, SlowColumns, side_by_side};
+pub(super) use products::{Products, Sums};
+pub(super) use scaled_motions::ScaledMotions;
+pub(super) use visits::Visits;
+pub(super) use whitening::{SharedError, Whitening};

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// A candidate's products for each group, its columns scaled by their prior sigma.
 #[derive(Clone, Debug)]
-pub struct Products {
+pub(crate) struct Products {
     /// Number of parameters of the candidate.
     pub p: usize,
     /// With itself: p x p for each group.
@@ -22,7 +22,7 @@ pub struct Products {
 
 /// A candidate's products over a subset of groups.
 #[derive(Clone, Debug)]
-pub struct Sums {
+pub(crate) struct Sums {
     /// With itself, p x p.
     pub own: DMatrix<f64>,
     /// With the design's columns, p x columns.
@@ -32,7 +32,7 @@ pub struct Sums {
 impl Design {
     /// Products of `columns` with each other and with the design.
     #[must_use]
-    pub fn products(&self, columns: &DMatrix<f64>) -> Products {
+    pub(crate) fn products(&self, columns: &DMatrix<f64>) -> Products {
         let p = columns.ncols();
         let of_group = |rows: &Range<usize>| -> Vec<f64> {
             let columns = columns.rows(rows.start, rows.len());
@@ -46,7 +46,7 @@ impl Design {
 
     /// The same over all groups at once.
     #[must_use]
-    pub fn sums(&self, columns: &DMatrix<f64>) -> Sums {
+    pub(crate) fn sums(&self, columns: &DMatrix<f64>) -> Sums {
         let own = inner_products(columns.as_view(), columns.as_view());
         let mut sums = Sums { own, cross: DMatrix::zeros(columns.ncols(), 0) };
         self.extend_sums(&mut sums, columns);
@@ -55,7 +55,7 @@ impl Design {
 
     /// Products of `columns` with each other over a subset of groups.
     #[must_use]
-    pub fn products_among(&self, columns: &DMatrix<f64>, subset: &[usize]) -> DMatrix<f64> {
+    pub(crate) fn products_among(&self, columns: &DMatrix<f64>, subset: &[usize]) -> DMatrix<f64> {
         let mut sum = DMatrix::zeros(columns.ncols(), columns.ncols());
         for rows in subset.iter().filter_map(|&a| self.groups.get(a)) {
             let columns = columns.rows(rows.start, rows.len());
@@ -65,7 +65,7 @@ impl Design {
     }
 
     /// Brings `sums` over all groups up to date with columns appended since.
-    pub fn extend_sums(&self, sums: &mut Sums, columns: &DMatrix<f64>) {
+    pub(crate) fn extend_sums(&self, sums: &mut Sums, columns: &DMatrix<f64>) {
         let known = sums.cross.ncols();
         let new = inner_products(columns.as_view(), self.columns_from(known));
         let cross = std::mem::replace(&mut sums.cross, DMatrix::zeros(0, 0));
@@ -74,7 +74,7 @@ impl Design {
     }
 
     /// Brings `products` up to date with columns appended since.
-    pub fn extend(&self, products: &mut Products, columns: &DMatrix<f64>) {
+    pub(crate) fn extend(&self, products: &mut Products, columns: &DMatrix<f64>) {
         let new = self.columns_from(products.columns());
         let of_group = |rows: &Range<usize>| {
             inner_products(columns.rows(rows.start, rows.len()), new.rows(rows.start, rows.len()))
@@ -92,7 +92,7 @@ impl Design {
 impl Products {
     /// Products of no columns at all.
     #[must_use]
-    pub fn none() -> Self {
+    pub(crate) fn none() -> Self {
         Self::begun(0, Vec::new(), 0)
     }
 
@@ -102,7 +102,7 @@ impl Products {
     }
 
     /// Takes off the products with the design's columns from number `width` on.
-    pub fn truncate(&mut self, width: usize) {
+    pub(crate) fn truncate(&mut self, width: usize) {
         self.cross.truncate(self.p * self.groups * width);
         self.total.truncate(self.p * width);
     }
@@ -123,7 +123,7 @@ impl Products {
     }
 
     /// Adds the columns that `sums` lacks.
-    pub fn sum_more(&self, subset: &[usize], sums: &mut Sums) {
+    pub(crate) fn sum_more(&self, subset: &[usize], sums: &mut Sums) {
         let (p, known) = (self.p, sums.cross.ncols());
         let width = self.columns();
         if width <= known {
@@ -136,7 +136,7 @@ impl Products {
 
     /// Over a subset of groups.
     #[must_use]
-    pub fn sum(&self, subset: &[usize]) -> Sums {
+    pub(crate) fn sum(&self, subset: &[usize]) -> Sums {
         let p = self.p;
         let mut own = DMatrix::zeros(p, p);
         let mut cross = DMatrix::zeros(p, self.columns());

@@ -4,13 +4,13 @@ use crate::diagnose::dataset::{DataPoint, Dataset, ObservationKind, Twist, scale
 use nalgebra::Vector3;
 
 /// Number of columns of the registration of `targets`.
-pub fn width(dataset: &Dataset, targets: usize) -> usize {
+pub(crate) fn width(dataset: &Dataset, targets: usize) -> usize {
     let turn = if dataset.rows_per_observation == 6 { 3 } else { 0 };
     6 * dataset.stands + 3 * targets + 3 * dataset.fixed_points + turn
 }
 
 /// Their motions at the observation: base as seen from each stand, each target, each place, and the orientation of the target.
-pub fn twists(at: DataPoint<'_>, targets: usize, out: &mut Vec<Twist>) {
+pub(crate) fn twists(at: DataPoint<'_>, targets: usize, out: &mut Vec<Twist>) {
     let DataPoint { dataset, observation } = at;
     // Touches and lengths know nothing of an instrument.
     let by_instrument = matches!(observation.kind, ObservationKind::Instrument | ObservationKind::Nest);

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// The candidates of one motion.
 #[derive(Clone, Debug)]
-pub struct ScaledMotions {
+pub(crate) struct ScaledMotions {
     /// Indices into the candidates.
     pub members: Vec<usize>,
     /// Parameters of each member.
@@ -34,7 +34,7 @@ struct Parameter {
 impl ScaledMotions {
     /// Whitened columns of the `k`-th member, scaled by their prior sigma.
     #[must_use]
-    pub fn columns(&self, k: usize, rows_per_observation: usize) -> DMatrix<f64> {
+    pub(crate) fn columns(&self, k: usize, rows_per_observation: usize) -> DMatrix<f64> {
         let of_parameter = &self.parameters[k];
         DMatrix::from_fn(self.plain.nrows(), of_parameter.len(), |row, a| {
             let Parameter { plain, factor, sigma } = of_parameter[a];
@@ -46,7 +46,7 @@ impl ScaledMotions {
 impl Design {
     /// The `candidates` that are `motion`, scaled.
     #[must_use]
-    pub fn scaled_motions(
+    pub(crate) fn scaled_motions(
         &self,
         dataset: &Dataset,
         candidates: &[Candidate],
@@ -91,7 +91,7 @@ impl Design {
     }
 
     /// Products of all members of `motions` with themselves, into `products`.
-    pub fn begin_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
+    pub(crate) fn begin_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
         let width = motions.plain.ncols();
         let squares: Vec<Vec<f64>> = (0..width * width)
             .map(|k| {
@@ -136,7 +136,7 @@ impl Design {
     }
 
     /// Brings the members' products up to date with columns appended since: one matrix product for each group.
-    pub fn extend_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
+    pub(crate) fn extend_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
         let Some(first) = motions.members.first().and_then(|&c| products.get(c)) else { return };
         let known = first.columns();
         let width = motions.plain.ncols();

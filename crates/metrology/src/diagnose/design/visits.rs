@@ -24,7 +24,7 @@ impl SharedError {
     /// they scatter along the rigid motions, over what they scatter otherwise (Searle, Casella and McCulloch 1992, ch. 3);
     /// the latter is no less than `least_m2`. Nothing where there are no such visits.
     #[must_use]
-    pub fn seen(
+    pub(crate) fn seen(
         dataset: &Dataset,
         whitening: &Whitening,
         residuals: &[Twist],
@@ -65,7 +65,7 @@ impl SharedError {
 
     /// Variance of one coordinate of a target, mean over the visits.
     #[must_use]
-    pub fn at_targets(&self, dataset: &Dataset) -> f64 {
+    pub(crate) fn at_targets(&self, dataset: &Dataset) -> f64 {
         let squares = |visit: &Vec<usize>| {
             let points = || visit.iter().map(|&i| dataset.observations[i].point_m);
             let centre = points().sum::<Vector3<f64>>() / visit.len() as f64;
@@ -79,7 +79,7 @@ impl SharedError {
 
 /// The visits among some observations, as their rows stand in a column.
 #[derive(Clone, Debug)]
-pub struct Visits {
+pub(crate) struct Visits {
     visits: Vec<(Vec<usize>, Vec<Direction>)>,
     shared: SharedError,
     rows_per_observation: usize,
@@ -140,7 +140,7 @@ fn directions(dataset: &Dataset, whitening: &Whitening, observations: &[usize]) 
 impl Visits {
     /// Of the observations that `order` names, in that order. None where nothing is shared.
     #[must_use]
-    pub fn new(dataset: &Dataset, whitening: &Whitening, order: &[usize]) -> Self {
+    pub(crate) fn new(dataset: &Dataset, whitening: &Whitening, order: &[usize]) -> Self {
         let mut visits = Vec::new();
         if whitening.shared != SharedError::default() {
             let mut position_of = vec![None; dataset.observations.len()];
@@ -159,12 +159,12 @@ impl Visits {
     }
 
     /// Takes the rows of a column, weighted, to rows whose errors are independent.
-    pub fn whiten(&self, column: &mut [f64]) {
+    pub(crate) fn whiten(&self, column: &mut [f64]) {
         self.scale(column, |spread| 1.0 / spread);
     }
 
     /// The other way round.
-    pub fn restore(&self, column: &mut [f64]) {
+    pub(crate) fn restore(&self, column: &mut [f64]) {
         self.scale(column, |spread| spread);
     }
 

@@ -4,7 +4,7 @@ use crate::diagnose::dataset::Twist;
 
 /// Variances of what the targets of a visit share, over that of a row of weight 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SharedError {
+pub(crate) struct SharedError {
     /// Of a shift along one axis.
     pub shift: f64,
     /// Of a turn about one axis, 1/m^2.
@@ -13,7 +13,7 @@ pub struct SharedError {
 
 /// What makes the errors of all rows alike and independent.
 #[derive(Clone, Debug)]
-pub struct Whitening {
+pub(crate) struct Whitening {
     /// Weight of each station: 1 = one row of usual noise.
     pub weights: Vec<f64>,
     /// An orientation residual counts as if at this distance, metres.
@@ -25,12 +25,12 @@ pub struct Whitening {
 impl Whitening {
     /// Errors of all stations independent.
     #[must_use]
-    pub fn independent(weights: Vec<f64>, characteristic_length_m: f64) -> Self {
+    pub(crate) fn independent(weights: Vec<f64>, characteristic_length_m: f64) -> Self {
         Self { weights, characteristic_length_m, shared: SharedError::default() }
     }
 
     /// The first `rows_per_observation` rows of a motion at observation `i`, weighted.
-    pub fn rows(
+    pub(crate) fn rows(
         &self,
         i: usize,
         motion: Twist,

@@ -7,7 +7,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// J_j times half the gap, on the side of the last motion; where gravity's torque is large, on its side.
-pub struct Backlash;
+pub(super) struct Backlash;
 
 /// Prior weight of all variants in which gravity holds the teeth, over that in which it does not.
 const HELD_WEIGHT: f64 = 1.5;

@@ -10,7 +10,7 @@ use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
 /// A rigid motion of the base that grows over the measurement.
-pub struct BaseDrift;
+pub(super) struct BaseDrift;
 
 impl Effect for BaseDrift {
     fn kind(&self) -> EffectKind {

@@ -11,7 +11,7 @@ use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
 
 /// A rigid motion of the base from t0 on, t0 scanned.
-pub struct BaseStep;
+pub(super) struct BaseStep;
 
 impl Effect for BaseStep {
     fn kind(&self) -> EffectKind {

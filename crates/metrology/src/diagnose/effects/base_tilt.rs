@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 
 /// Turn of the base about x and y, each by its own compliance times its moment; each link's share may be wrong.
-pub struct BaseTilt;
+pub(super) struct BaseTilt;
 
 /// How far a foundation usually turns under the largest moment of the measurement, radians.
 const TILT_RAD: f64 = 1.5e-4;

@@ -10,7 +10,7 @@ use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
 
 /// An effect that can open a gap between model and robot.
-pub trait Effect: Sync {
+pub(crate) trait Effect: Sync {
     /// The effect's kind, which gives it its name in every output.
     fn kind(&self) -> EffectKind;
     /// Unit of its size: mm, rad, rad/(N.m), 1, ppm, kg.
@@ -50,7 +50,7 @@ pub trait Effect: Sync {
 
 /// Which variant of an effect: all that is scanned and not fitted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EffectVariant {
+pub(crate) struct EffectVariant {
     /// Joint or link; link i follows joint i.
     pub joint: Option<Axis>,
     /// The joint that is driven by a coupling.
@@ -70,7 +70,7 @@ pub struct EffectVariant {
 
 /// When gravity, not the last motion, decides on which side the teeth of a gear with play lie.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum GravityHold {
+pub(crate) enum GravityHold {
     /// The last motion always decides.
     #[default]
     Never,
@@ -86,7 +86,7 @@ pub enum GravityHold {
 
 impl EffectVariant {
     /// The variant without joint, period or growth.
-    pub const PLAIN: Self = Self {
+    pub(crate) const PLAIN: Self = Self {
         joint: None,
         joint_b: None,
         n: None,
@@ -98,13 +98,13 @@ impl EffectVariant {
 
     /// The plain variant of joint `j`, counted from 0.
     #[must_use]
-    pub fn of_joint(j: usize) -> Self {
+    pub(crate) fn of_joint(j: usize) -> Self {
         Self { joint: Some(Axis::at(j)), ..Self::PLAIN }
     }
 
     /// The minute at which a step happens.
     #[must_use]
-    pub fn t0_min(&self) -> Option<f64> {
+    pub(crate) fn t0_min(&self) -> Option<f64> {
         match self.growth {
             Growth::Step { t0_min } => Some(t0_min),
             _ => None,
@@ -114,7 +114,7 @@ impl EffectVariant {
 
 /// One variant of one effect, with the prior of its parameters.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Candidate {
+pub(crate) struct Candidate {
     /// The effect that it is a variant of.
     pub kind: EffectKind,
     /// Joint, period, growth: what is scanned.
@@ -136,7 +136,7 @@ pub struct Candidate {
 impl Candidate {
     /// A candidate of `kind` of weight 1, all parameters reported, unit SI.
     #[must_use]
-    pub fn new(kind: EffectKind, variant: EffectVariant, prior_sigma: Vec<f64>) -> Self {
+    pub(crate) fn new(kind: EffectKind, variant: EffectVariant, prior_sigma: Vec<f64>) -> Self {
         Self {
             kind,
             variant,
@@ -151,7 +151,7 @@ impl Candidate {
 
     /// The same of a joint that slides: sizes in mm, or in `unit` that has mm in it.
     #[must_use]
-    pub fn of_slide(self, unit: SizeUnit) -> Self {
+    pub(crate) fn of_slide(self, unit: SizeUnit) -> Self {
         Self { display_scale: mm_from_m(1.0), own_unit: Some(unit), ..self }
     }
 }

@@ -8,7 +8,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// J_j times a sine and a cosine of n q_j, and of 2 n q_j, which are part of the same gear.
-pub struct GearHarmonic {
+pub(super) struct GearHarmonic {
     kind: EffectKind,
     /// Periods per turn of the joint.
     n: u32,
@@ -20,10 +20,11 @@ const OVERTONE: f64 = 0.15;
 const OVERTONE_WEIGHT: f64 = 0.3;
 
 /// An error of one period per turn of the joint.
-pub const GEAR_ECCENTRICITY: GearHarmonic = GearHarmonic { kind: EffectKind::GearEccentricity, n: 1 };
+pub(super) const GEAR_ECCENTRICITY: GearHarmonic = GearHarmonic { kind: EffectKind::GearEccentricity, n: 1 };
 
 /// An error of two periods per turn of the joint.
-pub const GEAR_SECOND_HARMONIC: GearHarmonic = GearHarmonic { kind: EffectKind::GearSecondHarmonic, n: 2 };
+pub(super) const GEAR_SECOND_HARMONIC: GearHarmonic =
+    GearHarmonic { kind: EffectKind::GearSecondHarmonic, n: 2 };
 
 impl Effect for GearHarmonic {
     fn kind(&self) -> EffectKind {

@@ -8,7 +8,7 @@ use robot_model::deform::EffectKind;
 use std::f64::consts::TAU;
 
 /// J_j times a sine and a cosine of n q_j, n scanned.
-pub struct GearMesh;
+pub(super) struct GearMesh;
 
 /// Periods per turn that are tried.
 const LOWEST: u32 = 3;

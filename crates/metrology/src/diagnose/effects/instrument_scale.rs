@@ -7,7 +7,7 @@ use robot_model::deform::EffectKind;
 use robot_model::units::ppm_from_ratio;
 
 /// Distance times a number. Any fixed origin differs by a shift that the registration takes.
-pub struct InstrumentScale;
+pub(super) struct InstrumentScale;
 
 impl Effect for InstrumentScale {
     fn kind(&self) -> EffectKind {

@@ -7,7 +7,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// J_j times the torque about joint j, or the force along one that slides; each link's share may be wrong, and the payload's centre elsewhere.
-pub struct JointCompliance;
+pub(super) struct JointCompliance;
 
 /// How wrong a mass may be that was only guessed: gears are the softest part of an arm, and so it is they that get
 /// the benefit of the doubt; bending and tilt have to show with the guess.

@@ -9,7 +9,7 @@ use robot_model::robot::Axis;
 use robot_model::units::m_from_mm;
 
 /// The driven joint's Jacobian column J_b times the driving joint's angle q_a.
-pub struct JointCoupling;
+pub(super) struct JointCoupling;
 
 impl Effect for JointCoupling {
     fn kind(&self) -> EffectKind {

@@ -8,7 +8,7 @@ use robot_model::deform::EffectKind;
 
 /// The Jacobian's column J_j times q_j. With a constant of its own where the zero of the scale is not the model's: an encoder counts
 /// from its mark, a joint is zeroed in some posture.
-pub struct JointGain;
+pub(super) struct JointGain;
 
 /// Usual size of the gain.
 const USUAL: f64 = 6e-5;

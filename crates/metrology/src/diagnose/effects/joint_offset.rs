@@ -8,7 +8,7 @@ use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
 /// J_j times a constant.
-pub struct JointOffset;
+pub(super) struct JointOffset;
 
 impl Effect for JointOffset {
     fn kind(&self) -> EffectKind {

@@ -6,7 +6,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// Joints in the file are rounded: uniform errors of each joint, looked for by the data checks.
-pub struct JointRounding;
+pub(super) struct JointRounding;
 
 impl Effect for JointRounding {
     fn kind(&self) -> EffectKind {

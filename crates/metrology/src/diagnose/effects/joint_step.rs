@@ -10,7 +10,7 @@ use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 
 /// J_j from t0 on, t0 scanned, plus a constant of its own: either side of the jump may be the calibrated one.
-pub struct JointStep;
+pub(super) struct JointStep;
 
 impl Effect for JointStep {
     fn kind(&self) -> EffectKind {

@@ -7,7 +7,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// Every effect, in the order of the documentation.
-pub static LIBRARY: [&dyn Effect; 22] = [
+pub(super) static LIBRARY: [&dyn Effect; 22] = [
     &joint_offset::JointOffset,
     &link_geometry::LinkGeometry,
     &joint_compliance::JointCompliance,
@@ -34,26 +34,26 @@ pub static LIBRARY: [&dyn Effect; 22] = [
 
 /// The effect of this kind; of a gear's whole spectrum, which only models have, that of its lines.
 #[must_use]
-pub fn effect(kind: EffectKind) -> &'static dyn Effect {
+pub(crate) fn effect(kind: EffectKind) -> &'static dyn Effect {
     LIBRARY.into_iter().find(|effect| effect.kind() == kind).unwrap_or(&gear_mesh::GearMesh)
 }
 
 impl Candidate {
     /// The effect that it is a variant of.
     #[must_use]
-    pub fn effect(&self) -> &'static dyn Effect {
+    pub(crate) fn effect(&self) -> &'static dyn Effect {
         effect(self.kind)
     }
 
     /// Unit of its size.
     #[must_use]
-    pub fn unit(&self) -> SizeUnit {
+    pub(crate) fn unit(&self) -> SizeUnit {
         self.own_unit.unwrap_or_else(|| self.effect().unit())
     }
 
     /// The size it usually has, in words for people.
     #[must_use]
-    pub fn usual_size(&self) -> &'static str {
+    pub(crate) fn usual_size(&self) -> &'static str {
         match self.kind {
             _ if self.own_unit.is_none() => self.effect().usual_size(),
             EffectKind::JointCompliance => "0.02 to 0.2 mm under the largest force",
@@ -65,7 +65,7 @@ impl Candidate {
     }
 
     /// The linear signature at the observation per prior standard deviation of each parameter, pushed onto `out`.
-    pub fn scaled_signature(&self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+    pub(crate) fn scaled_signature(&self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         let from = out.len();
         self.effect().signature(&self.variant, at, out);
         for (twist, sigma) in out.iter_mut().skip(from).zip(&self.prior_sigma) {
@@ -76,7 +76,7 @@ impl Candidate {
 
 /// An effect that a data set cannot show, and why.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UntestableEffect {
+pub(crate) struct UntestableEffect {
     /// Kind of the effect that cannot be shown.
     pub kind: EffectKind,
     /// Why, as a phrase.
@@ -85,7 +85,7 @@ pub struct UntestableEffect {
 
 /// What a data set can show of the library, and what it cannot.
 #[derive(Clone, Debug)]
-pub struct TestableEffects {
+pub(crate) struct TestableEffects {
     /// Every variant that it can show, weights normalised within each effect.
     pub candidates: Vec<Candidate>,
     /// The effects that it cannot.
@@ -94,7 +94,7 @@ pub struct TestableEffects {
 
 /// The variants of all effects that these data can show.
 #[must_use]
-pub fn testable_effects(dataset: &Dataset) -> TestableEffects {
+pub(crate) fn testable_effects(dataset: &Dataset) -> TestableEffects {
     let mut candidates = Vec::new();
     let mut untestable = Vec::new();
     for effect in LIBRARY {

@@ -10,7 +10,7 @@ use robot_model::robot::Axis;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
 /// more at one end than at the other, or bend by the end moment alone, and each link's share of the load may be wrong.
-pub struct LinkBending;
+pub(super) struct LinkBending;
 
 /// How far a link's end usually turns under the largest load of the measurement, radians: a third of a joint's sag.
 const BEND_RAD: f64 = 1.5e-4;

@@ -8,7 +8,7 @@ use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
 /// Three shifts and three turns of the frame that follows link i, in the link's axes.
-pub struct LinkGeometry;
+pub(super) struct LinkGeometry;
 
 impl Effect for LinkGeometry {
     fn kind(&self) -> EffectKind {

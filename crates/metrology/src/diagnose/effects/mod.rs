@@ -30,8 +30,8 @@ mod tool_drift;
 mod tool_step;
 
 pub(in crate::diagnose) use backlash::held_above_n_m;
-pub use effect::{Candidate, EffectVariant};
-pub use library::{TestableEffects, UntestableEffect, effect, testable_effects};
-pub use over_time::steps_too_near;
+pub(super) use effect::{Candidate, EffectVariant};
+pub(super) use library::{TestableEffects, UntestableEffect, effect, testable_effects};
+pub(super) use over_time::steps_too_near;
 pub(in crate::diagnose) use payload_mass::{soft, usual_compliance};
-pub use rigid::{Motion, RigidBody};
+pub(super) use rigid::{Motion, RigidBody};

@@ -6,7 +6,7 @@ use robot_model::deform::identified::Growth;
 use robot_model::units::h_from_min;
 
 /// Why an effect of time cannot be seen.
-pub fn no_clock(dataset: &Dataset) -> Option<String> {
+pub(super) fn no_clock(dataset: &Dataset) -> Option<String> {
     dataset.clock.is_none().then(|| {
         "the file has no usable time (t_min), and repeats of its poses stand all over it, so that the order of the rows tells none".to_owned()
     })
@@ -16,7 +16,7 @@ pub fn no_clock(dataset: &Dataset) -> Option<String> {
 const USUAL_HOURS: f64 = 2.0;
 
 /// A way in which base or target may drift over a measurement.
-pub struct DriftPrior {
+pub(super) struct DriftPrior {
     /// How it grows.
     pub growth: Growth,
     /// Prior weight beside the other ways.
@@ -26,7 +26,7 @@ pub struct DriftPrior {
 }
 
 /// How base and target may drift over a measurement.
-pub fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
+pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
     let Some([from_min, to_min]) = dataset.clock else { return Vec::new() };
     let span_min = to_min - from_min;
     // Without times the measurement is taken to have lasted as long as most do.
@@ -43,14 +43,14 @@ pub fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
 const MIN_BESIDE_STEP: usize = 6;
 
 /// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
-pub fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
+pub(crate) fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
     let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
     let between = dataset.observations.iter().map(|s| s.clock()).filter(|t| low < *t && *t < high).count();
     0 < between && between < MIN_BESIDE_STEP
 }
 
 /// Times at which a step may lie.
-pub fn step_times(dataset: &Dataset) -> Vec<f64> {
+pub(super) fn step_times(dataset: &Dataset) -> Vec<f64> {
     if dataset.clock.is_none() {
         return Vec::new();
     }

@@ -9,7 +9,7 @@ use robot_model::deform::identified::PayloadScaling;
 use robot_model::robot::Joints;
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
-pub struct PayloadMass;
+pub(super) struct PayloadMass;
 
 /// The joints that carry most, counted from 0: they may be softer or stiffer than usual.
 #[must_use]

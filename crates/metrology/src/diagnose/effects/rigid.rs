@@ -5,28 +5,28 @@ use crate::diagnose::dataset::{DataPoint, Observation, Twist, scaled};
 use robot_model::robot::Axis;
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
-pub const LEVER_M: f64 = 0.08;
+pub(super) const LEVER_M: f64 = 0.08;
 /// How wrong a link's mass in the robot file may be, as a ratio.
-pub const MASS_ERROR: f64 = 0.3;
+pub(super) const MASS_ERROR: f64 = 0.3;
 
 /// No part of an arm gives more than this, rad/(N.m), however little its load is.
 const SOFTEST: f64 = 1e-3;
 
 /// Prior standard deviation of a compliance, rad/(N.m), of what usually turns by `angle_rad` under `largest_n_m`.
 #[must_use]
-pub fn sag_per_load(angle_rad: f64, largest_n_m: f64) -> f64 {
+pub(super) fn sag_per_load(angle_rad: f64, largest_n_m: f64) -> f64 {
     (angle_rad / largest_n_m.max(1e-9)).min(SOFTEST)
 }
 
 /// Where joint `joint` stands in the arm's arrays; the last joint, where the arm has fewer.
 #[must_use]
-pub fn of_arm(joint: Option<Axis>, observation: &Observation) -> usize {
+pub(super) fn of_arm(joint: Option<Axis>, observation: &Observation) -> usize {
     joint.map_or(0, Axis::index).min(observation.joints() - 1)
 }
 
 /// A motion that an effect gives in many sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Motion {
+pub(crate) enum Motion {
     /// A joint turns, or slides.
     Joint(Axis),
     /// A rigid motion of one side of the arm.
@@ -35,7 +35,7 @@ pub enum Motion {
 
 impl Motion {
     /// The twists of the motion itself at the observation: of a joint one, of a body one for each of its parameters.
-    pub fn plain(self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+    pub(crate) fn plain(self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         let observation = at.observation;
         match self {
             Self::Joint(joint) => {
@@ -46,7 +46,7 @@ impl Motion {
     }
 
     /// The motion, whole, times each of `factors`, pushed onto `out`.
-    pub fn signature(self, at: DataPoint<'_>, factors: &[f64], out: &mut Vec<Twist>) {
+    pub(crate) fn signature(self, at: DataPoint<'_>, factors: &[f64], out: &mut Vec<Twist>) {
         let from = out.len();
         self.plain(at, out);
         let plain = out.split_off(from);
@@ -56,7 +56,7 @@ impl Motion {
 
 /// What stands on one side of the arm and moves rigidly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RigidBody {
+pub(crate) enum RigidBody {
     /// The base: three shifts, three turns about its origin.
     Base,
     /// The target on the flange: three shifts in the flange's axes and, where the orientation is measured, three turns (without it

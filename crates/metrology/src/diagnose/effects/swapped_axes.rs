@@ -6,7 +6,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
 /// Measured points are mirrored, looked for by the data checks.
-pub struct SwappedAxes;
+pub(super) struct SwappedAxes;
 
 impl Effect for SwappedAxes {
     fn kind(&self) -> EffectKind {

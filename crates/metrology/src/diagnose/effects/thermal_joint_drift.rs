@@ -9,7 +9,7 @@ use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 
 /// J_j times warm-up, plus a constant of its own.
-pub struct ThermalJointDrift;
+pub(super) struct ThermalJointDrift;
 
 impl Effect for ThermalJointDrift {
     fn kind(&self) -> EffectKind {

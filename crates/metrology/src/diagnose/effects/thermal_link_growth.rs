@@ -10,7 +10,7 @@ use robot_model::robot::Axis;
 use robot_model::units::ppm_from_ratio;
 
 /// Each link's vector grows by one strain (all links) or one link's alone, over warm-up; plus a constant.
-pub struct ThermalLinkGrowth;
+pub(super) struct ThermalLinkGrowth;
 
 impl Effect for ThermalLinkGrowth {
     fn kind(&self) -> EffectKind {

@@ -10,7 +10,7 @@ use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
 /// A shift of the measured point in the flange's axes, with orientation also a turn, that grows over the measurement.
-pub struct ToolDrift;
+pub(super) struct ToolDrift;
 
 impl Effect for ToolDrift {
     fn kind(&self) -> EffectKind {

@@ -11,7 +11,7 @@ use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
 
 /// A shift of the measured point in the flange's axes, with orientation also a turn, from t0 on, t0 scanned.
-pub struct ToolStep;
+pub(super) struct ToolStep;
 
 impl Effect for ToolStep {
     fn kind(&self) -> EffectKind {

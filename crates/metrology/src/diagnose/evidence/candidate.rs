@@ -6,7 +6,7 @@ use crate::diagnose::design::Sums;
 use nalgebra::{DMatrix, DVector};
 
 /// A candidate over a nuisance model; [`NuisanceModel::update`] follows a nuisance model that has grown.
-pub struct Projected {
+pub(crate) struct Projected {
     pub(super) own: DMatrix<f64>,
     with_y: DVector<f64>,
     /// With the geometry's columns.
@@ -18,7 +18,7 @@ pub struct Projected {
 impl NuisanceModel {
     /// A candidate with the nuisance model's flat columns projected out.
     #[must_use]
-    pub fn project(&self, sums: &Sums) -> Projected {
+    pub(crate) fn project(&self, sums: &Sums) -> Projected {
         let p = sums.own.nrows();
         let geometry = DMatrix::from_fn(self.geometry.len(), p, |g, a| sums.cross[(a, self.geometry[g])]);
         let mut projected = Projected {
@@ -32,7 +32,7 @@ impl NuisanceModel {
     }
 
     /// Projects out the directions that the nuisance model has gained.
-    pub fn update(&self, candidate: &mut Projected, sums: &Sums) {
+    pub(crate) fn update(&self, candidate: &mut Projected, sums: &Sums) {
         match sums.own.nrows() {
             0 => {}
             1 => self.update_of(candidate, sums, [0.0; 1]),
@@ -72,7 +72,7 @@ impl NuisanceModel {
     /// What the flat columns, and geometry at `ratio`, take of a candidate, given as `projected` and by its `sums`: (directions x
     /// parameters), so that the products of two candidates lose the products of these.
     #[must_use]
-    pub fn taken(&self, projected: &Projected, sums: &Sums, ratio: f64) -> DMatrix<f64> {
+    pub(crate) fn taken(&self, projected: &Projected, sums: &Sums, ratio: f64) -> DMatrix<f64> {
         let p = sums.own.nrows();
         let flat = self.directions.len();
         let mut taken = DMatrix::zeros(flat + self.lambda.len(), p);
@@ -93,7 +93,7 @@ impl NuisanceModel {
 
     /// The same of the data.
     #[must_use]
-    pub fn taken_of_data(&self, ratio: f64) -> DVector<f64> {
+    pub(crate) fn taken_of_data(&self, ratio: f64) -> DVector<f64> {
         let geometry = self.geometry_shares(ratio).zip(self.gy.iter()).map(|(weight, g)| weight * g);
         DVector::from_iterator(
             self.directions.len() + self.lambda.len(),
@@ -109,7 +109,7 @@ impl NuisanceModel {
 
     /// Share of the candidate's own signal that the flat columns leave.
     #[must_use]
-    pub fn visible(&self, sums: &Sums) -> f64 {
+    pub(crate) fn visible(&self, sums: &Sums) -> f64 {
         let projected = self.project(sums);
         let whole = sums.own.trace();
         if whole > 0.0 { (projected.own.trace() / whole).max(0.0) } else { 0.0 }
@@ -117,7 +117,7 @@ impl NuisanceModel {
 
     /// Length of a candidate's first column that registration and geometry at `ratio` leave.
     #[must_use]
-    pub fn strength(&self, candidate: &Projected, ratio: f64) -> f64 {
+    pub(crate) fn strength(&self, candidate: &Projected, ratio: f64) -> f64 {
         let r2 = ratio * ratio;
         let mut own = candidate.own[(0, 0)];
         let with_geometry = &self.turn * candidate.geometry.column(0);
@@ -129,7 +129,7 @@ impl NuisanceModel {
 
     /// Evidence of a projected candidate.
     #[must_use]
-    pub fn evidence(&self, candidate: &Projected) -> EvidencePeak {
+    pub(crate) fn evidence(&self, candidate: &Projected) -> EvidencePeak {
         let with_geometry = &self.turn * &candidate.geometry;
         self.over_ratios(self.signal_of_unit_size(candidate), |ratio, terms| {
             self.size_terms(candidate, &with_geometry, ratio, 1, terms);
@@ -138,7 +138,7 @@ impl NuisanceModel {
 
     /// The few ratios round the null's best at which [`Self::screening_evidence`] looks.
     #[must_use]
-    pub fn screening_grid(&self, null: &EvidencePeak) -> Vec<ScreeningPoint> {
+    pub(crate) fn screening_grid(&self, null: &EvidencePeak) -> Vec<ScreeningPoint> {
         [0.0, null.geometry_ratio, 0.25 * null.geometry_ratio]
             .into_iter()
             .map(|ratio| {
@@ -156,7 +156,11 @@ impl NuisanceModel {
 
     /// No evidence of the candidate at these ratios is above this: its whole signal at no price.
     #[must_use]
-    pub fn evidence_upper_bound(&self, candidate: &Projected, screening_grid: &[ScreeningPoint]) -> f64 {
+    pub(crate) fn evidence_upper_bound(
+        &self,
+        candidate: &Projected,
+        screening_grid: &[ScreeningPoint],
+    ) -> f64 {
         let with_geometry = &self.turn * &candidate.geometry;
         screening_grid
             .iter()
@@ -174,7 +178,7 @@ impl NuisanceModel {
 
     /// A quick estimate of the evidence: the best of few ratios, sizes in steps of four.
     #[must_use]
-    pub fn screening_evidence(
+    pub(crate) fn screening_evidence(
         &self,
         candidate: &Projected,
         screening_grid: &[ScreeningPoint],
@@ -265,7 +269,7 @@ impl NuisanceModel {
 
     /// By how many standard deviations the candidate's first parameter is positive where it `peak` most.
     #[must_use]
-    pub fn sign(&self, candidate: &Projected, peak: &EvidencePeak) -> f64 {
+    pub(crate) fn sign(&self, candidate: &Projected, peak: &EvidencePeak) -> f64 {
         let with_geometry = &self.turn * &candidate.geometry;
         let (mut own, with_y) = self.reduced(candidate, &with_geometry, peak.geometry_ratio);
         let precision = peak.size_ratio.max(1e-12).powi(-2);
@@ -310,7 +314,7 @@ impl NuisanceModel {
 
 /// One geometry ratio prepared for a first look.
 #[derive(Clone, Copy, Debug)]
-pub struct ScreeningPoint {
+pub(crate) struct ScreeningPoint {
     ratio: f64,
     q: f64,
     base: f64,

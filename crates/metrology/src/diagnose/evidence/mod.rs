@@ -15,8 +15,8 @@ mod prior;
 #[cfg(test)]
 mod tests;
 
-pub use candidate::{Projected, ScreeningPoint};
-pub use pair::{PairPeak, joined};
+pub(super) use candidate::{Projected, ScreeningPoint};
+pub(super) use pair::{PairPeak, joined};
 
 use super::design::{Design, SlowColumns};
 use super::marginal::{Marginal, NoisePrior, SIGMA_M, log_add, log_sum};
@@ -34,7 +34,7 @@ const RANK: f64 = 1e-10;
 
 /// What a candidate reaches.
 #[derive(Clone, Copy, Debug)]
-pub struct EvidencePeak {
+pub(super) struct EvidencePeak {
     /// ln evidence, up to a constant shared by all on the same nuisance model.
     pub log_evidence: f64,
     /// Best noise sigma, metres.
@@ -64,7 +64,7 @@ struct Direction {
 
 /// Registration, geometry and what was already found, eliminated over a subset of the data.
 #[derive(Clone)]
-pub struct NuisanceModel {
+pub(super) struct NuisanceModel {
     /// Rows less flat directions.
     m: f64,
     rows: f64,
@@ -100,13 +100,13 @@ pub struct NuisanceModel {
 impl NuisanceModel {
     /// Eliminates the design's registration and `also` (columns, flat) over `subset`.
     #[must_use]
-    pub fn new(design: &Design, subset: &[usize], also: &[usize], noise: NoisePrior) -> Self {
+    pub(super) fn new(design: &Design, subset: &[usize], also: &[usize], noise: NoisePrior) -> Self {
         Self::with_slow(design, subset, also, noise, design.slow())
     }
 
     /// The same with `slow` noise in the place of the design's.
     #[must_use]
-    pub fn with_slow(
+    pub(super) fn with_slow(
         design: &Design,
         subset: &[usize],
         also: &[usize],
@@ -160,7 +160,7 @@ impl NuisanceModel {
     }
 
     /// Eliminates more columns of `design` over the same `subset`.
-    pub fn grow(&mut self, design: &Design, subset: &[usize], also: &[usize]) {
+    pub(super) fn grow(&mut self, design: &Design, subset: &[usize], also: &[usize]) {
         let gram = design.gram(subset);
         self.add(&gram, also);
         self.finish();
@@ -172,7 +172,7 @@ impl NuisanceModel {
     /// What only these columns tell are the rows of the inverse of all products that belong to them. A reflection
     /// (Householder 1958) takes the directions to as many that hold it and the rest; the former are given back.
     #[must_use]
-    pub fn without(&self, design: &Design, subset: &[usize], columns: &[usize]) -> Option<Self> {
+    pub(super) fn without(&self, design: &Design, subset: &[usize], columns: &[usize]) -> Option<Self> {
         let mut rest = self.clone();
         rest.dependent.retain(|column| !columns.contains(column));
         let left_out: Vec<Vec<f64>> =
@@ -325,13 +325,13 @@ impl NuisanceModel {
 
     /// Degrees of freedom left by the flat columns.
     #[must_use]
-    pub fn freedom(&self) -> f64 {
+    pub(super) fn freedom(&self) -> f64 {
         self.m
     }
 
     /// Parameters that the flat columns and geometry at `ratio` use up.
     #[must_use]
-    pub fn parameters(&self, ratio: f64) -> f64 {
+    pub(super) fn parameters(&self, ratio: f64) -> f64 {
         let r2 = ratio * ratio;
         (self.directions.len() - self.n_slow) as f64
             + self.lambda.iter().map(|l| r2 * l / (1.0 + r2 * l)).sum::<f64>()
@@ -339,7 +339,7 @@ impl NuisanceModel {
 
     /// Evidence without any candidate.
     #[must_use]
-    pub fn null(&self) -> EvidencePeak {
+    pub(super) fn null(&self) -> EvidencePeak {
         self.over_ratios(0.0, |_, terms| {
             terms.clear();
             terms.push((0.0, 0.0, 0.0));
@@ -348,7 +348,7 @@ impl NuisanceModel {
 
     /// Evidence without geometry, and with: how much the tolerances are needed.
     #[must_use]
-    pub fn geometry_gain(&self) -> f64 {
+    pub(super) fn geometry_gain(&self) -> f64 {
         let at = |which: fn(f64) -> bool| {
             let terms = self.ratios.iter().filter(|r| which(**r)).map(|&r| self.at_ratio(r).0);
             log_sum(terms)

@@ -13,7 +13,7 @@ const MOST_STEPS: usize = 4;
 
 /// What two candidates reach together.
 #[derive(Clone, Copy, Debug)]
-pub struct PairPeak {
+pub(crate) struct PairPeak {
     /// ln evidence, up to a constant shared by all on the same nuisance model.
     pub log_evidence: f64,
     /// Best s / sigma of each.
@@ -24,7 +24,7 @@ pub struct PairPeak {
 
 /// The products of two candidates side by side: `second`'s with the design hold those with the first, whose columns stand at `at`.
 #[must_use]
-pub fn joined(first: &Sums, second: &Sums, at: &[usize]) -> Sums {
+pub(crate) fn joined(first: &Sums, second: &Sums, at: &[usize]) -> Sums {
     let (a, b) = (first.own.nrows(), second.own.nrows());
     let width = first.cross.ncols().min(second.cross.ncols());
     let own = DMatrix::from_fn(a + b, a + b, |r, c| match (r < a, c < a) {
@@ -44,7 +44,7 @@ impl NuisanceModel {
     /// Evidence of two candidates, `both` side by side with `first` parameters of the first, sizes summed about the best, which is
     /// looked for from `near` on.
     #[must_use]
-    pub fn evidence_of_two(&self, both: &Projected, first: usize, near: [f64; 2]) -> PairPeak {
+    pub(crate) fn evidence_of_two(&self, both: &Projected, first: usize, near: [f64; 2]) -> PairPeak {
         let mut peak = self.evidence_about(both, first, near);
         let mut from = near;
         for _ in 0..MOST_STEPS {

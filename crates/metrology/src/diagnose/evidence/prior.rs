@@ -4,13 +4,13 @@ use crate::diagnose::marginal::{NoisePrior, SIGMA_M, normal_pdf};
 use nalgebra::DVector;
 
 /// Prior weight of geometry exactly as drawn.
-pub const NO_GEOMETRY: f64 = 0.25;
+pub(super) const NO_GEOMETRY: f64 = 0.25;
 
 /// Smallest size that is looked at, in prior sigmas.
 const SMALLEST: f64 = 1.0 / 64.0;
 
 /// Factor-of-two grids of s_g/sigma (0 first) and s/sigma that cover what the data can mean.
-pub fn grids(
+pub(super) fn grids(
     noise: &NoisePrior,
     m: f64,
     yy: f64,
@@ -32,7 +32,7 @@ pub fn grids(
 }
 
 /// ln prior mass of one factor-of-two cell at `s_g`: about the tolerance, with a tail for arms never calibrated.
-pub fn geometry_prior(s_g: f64) -> f64 {
+pub(super) fn geometry_prior(s_g: f64) -> f64 {
     if s_g <= 0.0 {
         return NO_GEOMETRY.ln();
     }
@@ -46,7 +46,7 @@ const BY_NOISE: f64 = 0.5;
 
 /// ln prior mass of one factor-of-two cell at size `s` times usual, whose signal is `rho` times the noise. What is looked
 /// for is of its usual size, or so large that these data just begin to ask for it, whatever is usual.
-pub fn size_prior(s: f64, rho: f64) -> f64 {
+pub(super) fn size_prior(s: f64, rho: f64) -> f64 {
     let x = s.max(1e-9).ln();
     let prior_sigma = 0.8 * normal_pdf(x, 0.0, 0.9) + 0.2 * normal_pdf(x, 1.2, 1.3);
     let seen = normal_pdf(rho.max(1e-9).ln(), 0.0, 1.1);

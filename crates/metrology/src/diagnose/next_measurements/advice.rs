@@ -4,7 +4,7 @@ use crate::measure::Channels;
 use robot_model::deform::EffectKind;
 
 /// What tells `kinds` apart besides poses, as a phrase; `None` where nothing is known to.
-pub fn other_means(kinds: &[EffectKind], channels: &Channels) -> Option<&'static str> {
+pub(super) fn other_means(kinds: &[EffectKind], channels: &Channels) -> Option<&'static str> {
     use EffectKind::{
         Backlash, BaseDrift, BaseStep, BaseTilt, InstrumentScale, JointCompliance, JointStep, LinkBending,
         LinkGeometry, PayloadMass, ThermalJointDrift, ThermalLinkGrowth, ToolDrift, ToolStep,

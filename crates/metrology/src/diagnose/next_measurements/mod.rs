@@ -36,7 +36,7 @@ const OPEN_NATS: f64 = 0.1;
 
 /// Measurements worth taking, and what they are good for.
 #[derive(Clone, Debug, Default)]
-pub struct NextMeasurements {
+pub(super) struct NextMeasurements {
     /// The poses, with payload and direction.
     pub measurements: Vec<NextMeasurement>,
     /// What they decide, and how many rows it takes.
@@ -45,7 +45,7 @@ pub struct NextMeasurements {
 
 /// The poses that part the causes of the open slots, the least certain first, and what they are good for.
 #[must_use]
-pub fn next_measurements(
+pub(super) fn next_measurements(
     robot: &SerialArm,
     fitted: &mut FittedModel<'_>,
     judgement: &Judgement,

@@ -19,7 +19,7 @@ const FLOOR_M: f64 = 0.1;
 
 /// When the next rows are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum When {
+pub(super) enum When {
     /// After the last row, the robot as warm as it is.
     After,
     /// From a cold start again.
@@ -28,7 +28,7 @@ pub enum When {
 
 /// A pose that could be measured next.
 #[derive(Clone, Debug)]
-pub struct PoolPose {
+pub(super) struct PoolPose {
     /// The arm there.
     pub observation: Observation,
     /// As it is written.
@@ -36,7 +36,7 @@ pub struct PoolPose {
 }
 
 /// The pool for at most `most` rows.
-pub fn pool(
+pub(super) fn pool(
     robot: &SerialArm,
     linear: &Linearised,
     options: &DiagnosisOptions,

@@ -9,7 +9,7 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// A column of the normal matrix with its coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coefficient {
+pub(super) struct Coefficient {
     /// Which column.
     pub column: usize,
     /// In prior sigmas.
@@ -18,7 +18,7 @@ pub struct Coefficient {
 
 /// A column of the normal matrix with the precision of its prior over the noise's; 0 of a flat one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FittedColumn {
+pub(super) struct FittedColumn {
     /// Which column.
     pub column: usize,
     /// Noise variance over the prior's.
@@ -27,7 +27,7 @@ pub struct FittedColumn {
 
 /// Two explanations: columns of the normal matrix.
 #[derive(Clone)]
-pub struct Pair {
+pub(super) struct Pair {
     /// Weight of confusing the two.
     pub weight: f64,
     /// Columns of the one that is taken to be true, with their coefficients.
@@ -44,7 +44,7 @@ pub struct Pair {
 
 /// A shape known to a share s leaves s² of what the cause gains over nothing open between two causes, whichever is true.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ShapeDoubt {
+pub(super) struct ShapeDoubt {
     /// s².
     pub share: f64,
     /// L of the cause over nothing in the rows measured.
@@ -54,7 +54,7 @@ pub struct ShapeDoubt {
 }
 
 /// The columns that one explanation is fitted with, and their precisions over the noise's.
-pub struct RivalModel {
+pub(super) struct RivalModel {
     /// Columns of the normal matrix, with their precisions.
     pub columns: Vec<FittedColumn>,
 }
@@ -72,7 +72,7 @@ impl RivalModel {
     }
 
     /// Square that the fit to `signal` leaves, with the noise's unit.
-    pub fn square_left(&self, gram: &DMatrix<f64>, signal: &[Coefficient]) -> Option<f64> {
+    pub(super) fn square_left(&self, gram: &DMatrix<f64>, signal: &[Coefficient]) -> Option<f64> {
         let with = |column: usize| signal.iter().map(|c| gram[(column, c.column)] * c.size).sum::<f64>();
         let right = DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| with(c.column)));
         let own: f64 = signal.iter().map(|c| with(c.column) * c.size).sum();
@@ -80,7 +80,7 @@ impl RivalModel {
     }
 
     /// Coefficients of the fit to the data, which are column 0.
-    pub fn fitted(&self, gram: &DMatrix<f64>) -> Option<Vec<f64>> {
+    pub(super) fn fitted(&self, gram: &DMatrix<f64>) -> Option<Vec<f64>> {
         let right =
             DVector::from_iterator(self.columns.len(), self.columns.iter().map(|c| gram[(c.column, 0)]));
         Some(self.cholesky(gram)?.solve(&right).iter().copied().collect())
@@ -88,7 +88,7 @@ impl RivalModel {
 }
 
 /// What each pair misses at each pose of a pool, while poses are taken.
-pub struct Separation {
+pub(super) struct Separation {
     sigma_m: f64,
     rows: usize,
     pairs: Vec<Pair>,
@@ -102,7 +102,7 @@ pub struct Separation {
 
 impl Separation {
     /// `gram`: products of all columns over the rows measured; `pool`: for each pose its rows, a number for each column.
-    pub fn new(
+    pub(super) fn new(
         gram: &DMatrix<f64>,
         models: &[RivalModel],
         pairs: Vec<Pair>,
@@ -160,7 +160,7 @@ impl Separation {
 
     /// L over the poses taken, of the two that are parted least, whichever is true; where one contains the other, it is only the
     /// richer that can be told.
-    pub fn least(&self) -> f64 {
+    pub(super) fn least(&self) -> f64 {
         let all = self.pairs.iter().filter_map(|pair| pair.both).max().map_or(0, |last| last + 1);
         let mut sums = vec![0.0; all];
         for (pair, lambda) in self.pairs.iter().zip(&self.lambda) {
@@ -175,7 +175,7 @@ impl Separation {
     }
 
     /// The bound over the poses taken.
-    pub fn confusion(&self) -> f64 {
+    pub(super) fn confusion(&self) -> f64 {
         self.bound(|_| 0.0)
     }
 
@@ -190,7 +190,7 @@ impl Separation {
     }
 
     /// The pose that lowers the bound most; `None` of none.
-    pub fn best(&self, open: impl Fn(usize) -> bool) -> Option<usize> {
+    pub(super) fn best(&self, open: impl Fn(usize) -> bool) -> Option<usize> {
         let poses = self.missed_m.first().map_or(0, Vec::len);
         (0..poses)
             .filter(|i| open(*i))
@@ -200,7 +200,7 @@ impl Separation {
     }
 
     /// Takes pose `i`: what is known of every other pose follows (a Kalman filter's update, row by row).
-    pub fn take(&mut self, i: usize) {
+    pub(super) fn take(&mut self, i: usize) {
         for row in 0..self.rows {
             for k in 0..self.pairs.len() {
                 let by = &self.spread[self.pairs[k].rival];

@@ -73,7 +73,7 @@ impl Library<'_> {
     }
 
     /// The candidates' columns in the design, appended when new; [`Self::extend`] has to follow.
-    pub fn columns_in_design(
+    pub(crate) fn columns_in_design(
         &self,
         design: &mut Design,
         column_index: &mut BTreeMap<usize, Vec<usize>>,

@@ -1,17 +1,17 @@
 //! Causes that the search has chosen, and the odds that a cause must pass.
 
 /// Prior probability that nothing is there, and that something outside the library is.
-pub const NULL_PRIOR: f64 = 0.5;
+pub(crate) const NULL_PRIOR: f64 = 0.5;
 /// Prior probability that something outside the library is there.
-pub const UNEXPLAINED_PRIOR: f64 = 0.1;
+pub(crate) const UNEXPLAINED_PRIOR: f64 = 0.1;
 /// An effect is added when it is this much likelier than nothing, nats.
-pub const ALARM_NATS: f64 = 5.0;
+pub(crate) const ALARM_NATS: f64 = 5.0;
 /// A chosen effect is dropped when it is no more than this likelier than nothing, nats.
-pub const DROP_NATS: f64 = 3.0;
+pub(crate) const DROP_NATS: f64 = 3.0;
 
 /// One cause in the model.
 #[derive(Clone, Debug)]
-pub struct ChosenCause {
+pub(crate) struct ChosenCause {
     /// Index into the candidates.
     pub candidate: usize,
     /// Its columns in the design.
@@ -24,7 +24,7 @@ pub struct ChosenCause {
 
 /// Columns of all chosen but `without`.
 #[must_use]
-pub fn cause_columns(chosen: &[ChosenCause], without: Option<usize>) -> Vec<usize> {
+pub(crate) fn cause_columns(chosen: &[ChosenCause], without: Option<usize>) -> Vec<usize> {
     chosen
         .iter()
         .enumerate()

@@ -209,7 +209,7 @@ impl Library<'_> {
 
     /// `candidate` as it would be chosen over `nuisance`.
     #[must_use]
-    pub fn chosen(
+    pub(crate) fn chosen(
         &self,
         nuisance: &NuisanceModel,
         subset: &[usize],

@@ -31,7 +31,7 @@ impl Library<'_> {
     ///
     /// `design` gains the chosen effects' columns; `column_index` remembers where. `start`: causes that may do better in the place of
     /// all that are found, by these data.
-    pub fn search(
+    pub(crate) fn search(
         &mut self,
         design: &mut Design,
         subset: &[usize],

@@ -18,7 +18,7 @@ const MOST_KEPT: usize = 40_000_000;
 /// Features of GP alternatives are kept for no more stations than this: 80 MB.
 const MAX_OBSERVATIONS_KEPT: usize = 1000;
 /// Computes the features of a GP alternative.
-pub type ColumnsOf<'a> = dyn Fn(GpAlternative) -> DMatrix<f64> + Sync + 'a;
+pub(super) type ColumnsOf<'a> = dyn Fn(GpAlternative) -> DMatrix<f64> + Sync + 'a;
 
 /// Angles nearer than this are the same to a gear's line, radians: a tenth of a tooth's width at the highest order.
 const SAME_ANGLE_RAD: f64 = 2e-3;
@@ -32,7 +32,7 @@ fn angles(dataset: &Dataset) -> Joints<usize> {
 }
 
 /// What the search looks at: candidates with their products, and GP alternatives.
-pub struct Library<'a> {
+pub(crate) struct Library<'a> {
     /// The observations that columns are computed at.
     pub dataset: &'a Dataset,
     /// Every variant of every effect that the data can show.
@@ -67,7 +67,7 @@ enum ColumnSource {
 }
 
 /// A GP alternative over the data.
-pub struct Structure {
+pub(crate) struct Structure {
     /// Which alternative it is.
     pub gp_alternative: GpAlternative,
     /// Its features as columns, where they are kept.
@@ -88,7 +88,7 @@ pub(super) struct TrackedCandidate {
 impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
-    pub fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
+    pub(crate) fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
         let motions: Vec<Motion> = joints.chain(bodies).collect();
@@ -147,24 +147,24 @@ impl<'a> Library<'a> {
 
     /// What is kept of a search: the pairs of causes that it weighed.
     #[must_use]
-    pub fn into_near_pairs(self) -> Vec<[usize; 2]> {
+    pub(crate) fn into_near_pairs(self) -> Vec<[usize; 2]> {
         self.near_pairs
     }
 
     /// The pairs of causes that a search over all data weighed in the place of one.
     #[must_use]
-    pub fn near_pairs(&self) -> &[[usize; 2]] {
+    pub(crate) fn near_pairs(&self) -> &[[usize; 2]] {
         &self.near_pairs
     }
 
     /// The library after a search that weighed these pairs of causes.
     #[must_use]
-    pub fn with_near_pairs(self, near_pairs: Vec<[usize; 2]>) -> Self {
+    pub(crate) fn with_near_pairs(self, near_pairs: Vec<[usize; 2]>) -> Self {
         Self { near_pairs, ..self }
     }
 
     /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
-    pub fn add_gp_alternatives(
+    pub(crate) fn add_gp_alternatives(
         &mut self,
         design: &Design,
         list: Vec<WeightedAlternative>,
@@ -209,7 +209,7 @@ impl<'a> Library<'a> {
     }
 
     /// Gives back the memory of many columns; they are computed again where they are needed.
-    pub fn forget_columns(&mut self) {
+    pub(crate) fn forget_columns(&mut self) {
         let kept = |source: &ColumnSource| match source {
             ColumnSource::Kept(columns) => columns.len(),
             _ => 0,
@@ -221,7 +221,7 @@ impl<'a> Library<'a> {
     }
 
     /// Brings all products up to date with columns appended to `design`.
-    pub fn extend(&mut self, design: &Design) {
+    pub(crate) fn extend(&mut self, design: &Design) {
         if self.width == design.width() {
             return;
         }
@@ -249,7 +249,7 @@ impl<'a> Library<'a> {
     }
 
     /// Takes off the products with the design's columns from number `width` on.
-    pub fn truncate(&mut self, width: usize) {
+    pub(crate) fn truncate(&mut self, width: usize) {
         self.width = self.width.min(width);
         self.products.iter_mut().for_each(|products| products.truncate(width));
         for structure in &mut self.gp_alternatives {

@@ -9,6 +9,6 @@ mod library;
 mod pairs;
 mod ranking;
 
-pub use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
-pub use library::Library;
-pub use ranking::{Hypothesis, HypothesisRanking, RankedHypothesis};
+pub(super) use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
+pub(super) use library::Library;
+pub(super) use ranking::{Hypothesis, HypothesisRanking, RankedHypothesis};

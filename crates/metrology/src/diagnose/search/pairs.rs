@@ -161,7 +161,7 @@ impl Library<'_> {
 
     /// Evidence of two causes over `bare`, the signs that physics gives them included.
     #[must_use]
-    pub fn evidence_of_two(
+    pub(crate) fn evidence_of_two(
         &self,
         bare: &NuisanceModel,
         subset: &[usize],

@@ -19,7 +19,7 @@ const RIGHT_SIGN: f64 = 0.9;
 
 /// What stands in one place of the model, and how likely.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hypothesis {
+pub(crate) enum Hypothesis {
     /// Nothing stands in this place of the model.
     Null,
     /// A candidate, by index.
@@ -30,7 +30,7 @@ pub enum Hypothesis {
 
 /// A hypothesis with how likely it is beside the others.
 #[derive(Clone, Copy, Debug)]
-pub struct RankedHypothesis {
+pub(crate) struct RankedHypothesis {
     /// What would stand in the place.
     pub hypothesis: Hypothesis,
     /// Posterior probability among all hypotheses for the place.
@@ -52,7 +52,7 @@ pub(super) struct BestEffect {
 
 /// All hypotheses for one place, likeliest first, with ln posterior weights that sum to 1.
 #[derive(Clone, Debug)]
-pub struct HypothesisRanking {
+pub(crate) struct HypothesisRanking {
     /// Hypothesis, probability, what it reached.
     pub ranked: Vec<RankedHypothesis>,
     /// Evidence with nothing here.
@@ -62,7 +62,12 @@ pub struct HypothesisRanking {
 impl Library<'_> {
     /// Every hypothesis over `nuisance` of all groups, `subset`, but the candidates in `without`.
     #[must_use]
-    pub fn scan(&self, nuisance: &NuisanceModel, subset: &[usize], without: &[usize]) -> HypothesisRanking {
+    pub(crate) fn scan(
+        &self,
+        nuisance: &NuisanceModel,
+        subset: &[usize],
+        without: &[usize],
+    ) -> HypothesisRanking {
         let tracked = self.track(nuisance, subset);
         let open: Vec<&TrackedCandidate> = tracked
             .iter()
@@ -73,13 +78,13 @@ impl Library<'_> {
 
     /// Every GP alternative over `nuisance` of all groups, weighed against nothing.
     #[must_use]
-    pub fn rank_gp_alternatives(&self, nuisance: &NuisanceModel) -> HypothesisRanking {
+    pub(crate) fn rank_gp_alternatives(&self, nuisance: &NuisanceModel) -> HypothesisRanking {
         self.rank(nuisance, &[], true)
     }
 
     /// ln evidence of one candidate over nothing.
     #[must_use]
-    pub fn gain(&self, nuisance: &NuisanceModel, subset: &[usize], candidate: usize) -> f64 {
+    pub(crate) fn gain(&self, nuisance: &NuisanceModel, subset: &[usize], candidate: usize) -> f64 {
         let projected = nuisance.project(&self.products[candidate].sum(subset));
         self.evidence(nuisance, &projected, candidate).log_evidence - nuisance.null().log_evidence
     }
@@ -206,7 +211,7 @@ impl Library<'_> {
 
     /// ln evidence of the whole effect that `candidate` belongs to, over nothing.
     #[must_use]
-    pub fn effect_gain(&self, ranking: &HypothesisRanking, candidate: usize) -> f64 {
+    pub(crate) fn effect_gain(&self, ranking: &HypothesisRanking, candidate: usize) -> f64 {
         let kind = self.candidates[candidate].kind;
         log_sum(ranking.ranked.iter().filter_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
             Hypothesis::Effect(c) if self.candidates[*c].kind == kind => {

@@ -10,14 +10,14 @@ use robot_model::robot::Axis;
 /// A rival this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
 /// Candidates that together are this likely among the causes make up the set that cannot be told apart.
-pub const CREDIBLE: f64 = 0.95;
+pub(super) const CREDIBLE: f64 = 0.95;
 
 /// How well the shape of a beam's bending, or of a base's tilt, is known, as a share of its signal: walls, ribs and bearings are
 /// in no robot file.
-pub const SHAPE_KNOWN_TO: f64 = 0.1;
+pub(crate) const SHAPE_KNOWN_TO: f64 = 0.1;
 
 /// A cause over all its variants in one ranking.
-pub struct CauseGroup {
+pub(crate) struct CauseGroup {
     /// Index of its likeliest candidate.
     pub best: usize,
     /// Of all its variants.
@@ -31,7 +31,7 @@ pub struct CauseGroup {
 }
 
 /// A slot of the model whose cause is not beyond doubt.
-pub struct OpenSlot {
+pub(crate) struct OpenSlot {
     /// Index of the cause that was chosen; `None`: none was.
     pub slot: Option<usize>,
     /// Causes that cannot be ruled out there, the likeliest first; where one alone is left, it and the next.
@@ -39,7 +39,7 @@ pub struct OpenSlot {
 }
 
 /// A cause that may stand in a slot.
-pub struct Rival {
+pub(crate) struct Rival {
     /// Index of its likeliest candidate.
     pub candidate: usize,
     /// Among all that may stand there.
@@ -50,7 +50,7 @@ pub struct Rival {
 
 impl OpenSlot {
     /// The slot of `groups`, of which the first `near` cannot be ruled out.
-    pub fn new(slot: Option<usize>, groups: &[CauseGroup], near: usize) -> Self {
+    pub(crate) fn new(slot: Option<usize>, groups: &[CauseGroup], near: usize) -> Self {
         let rivals = groups
             .iter()
             .take(near.max(2))
@@ -65,7 +65,7 @@ impl OpenSlot {
 
     /// How little is decided: entropy of the causes and of all else, nats.
     #[must_use]
-    pub fn uncertainty(&self) -> f64 {
+    pub(crate) fn uncertainty(&self) -> f64 {
         let causes: f64 = self.rivals.iter().map(|r| r.probability).sum();
         let all = self.rivals.iter().map(|r| r.probability).chain([1.0 - causes]);
         all.filter(|p| *p > 0.0).map(|p| -p * p.ln()).sum()
@@ -74,7 +74,7 @@ impl OpenSlot {
 
 /// The causes of a ranking, likeliest first.
 #[must_use]
-pub fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
+pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
     let mut found: Vec<(Key, CauseGroup)> = Vec::new();
     for RankedHypothesis { hypothesis, probability, peak } in &ranking.ranked {
         let Hypothesis::Effect(c) = hypothesis else { continue };
@@ -100,7 +100,7 @@ pub fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> V
 
 /// Joins to the likeliest cause the rival that holds it as a special case: what the rival adds is not needed, and
 /// the simpler of two nested explanations is the one to name.
-pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
+pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
     let Some(first) = cause_groups.first() else { return };
     let simple = key(&workspace.library.candidates[first.best]);
     let nests = |g: &CauseGroup| {
@@ -116,7 +116,7 @@ pub fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>
 
 /// Takes from the first cause's odds what rests on the exact shape of bending or tilt alone, where it and a rival are both of what
 /// gives under load.
-pub fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) {
+pub(super) fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) {
     let kinds: Vec<EffectKind> =
         cause_groups.iter().map(|g| workspace.library.candidates[g.best].kind).collect();
     let Some(first) = cause_groups.first() else { return };
@@ -131,18 +131,18 @@ pub fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) 
 
 /// Whether both give under load, and one of them in a shape that is known to [`SHAPE_KNOWN_TO`] only.
 #[must_use]
-pub fn shapes_in_doubt(one: EffectKind, other: EffectKind) -> bool {
+pub(crate) fn shapes_in_doubt(one: EffectKind, other: EffectKind) -> bool {
     let rough = has_rough_shape(one) || has_rough_shape(other);
     gives_under_load(one) && gives_under_load(other) && rough
 }
 
 /// Whether an effect's shape under load is that of walls, ribs and bearings, which are in no robot file.
-pub fn has_rough_shape(kind: EffectKind) -> bool {
+pub(super) fn has_rough_shape(kind: EffectKind) -> bool {
     matches!(kind, EffectKind::LinkBending | EffectKind::BaseTilt)
 }
 
 /// Whether an effect is a give under load.
-pub fn gives_under_load(kind: EffectKind) -> bool {
+pub(super) fn gives_under_load(kind: EffectKind) -> bool {
     has_rough_shape(kind) || kind == EffectKind::JointCompliance
 }
 
@@ -162,7 +162,7 @@ fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f
 
 /// The likeliest groups that together make up nearly all of the causes' probability.
 #[must_use]
-pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
+pub(super) fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
     let total: f64 = cause_groups.iter().map(|g| g.probability).sum();
     let first = cause_groups.first().map_or(0.0, |g| g.probability);
     let mut sum = 0.0;
@@ -178,7 +178,7 @@ pub fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
 
 /// Every hypothesis for one slot of the model.
 #[derive(Clone, Debug)]
-pub struct SlotScan {
+pub(super) struct SlotScan {
     /// All that may stand there, likeliest first.
     pub ranking: HypothesisRanking,
     /// How much the geometry's tolerances are needed beside the other causes, nats.
@@ -187,7 +187,7 @@ pub struct SlotScan {
 
 /// Ranks every hypothesis in the slot `without` of the model (none: beside all that is chosen).
 #[must_use]
-pub fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Option<usize>) -> SlotScan {
+pub(super) fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Option<usize>) -> SlotScan {
     let FittedModel { model, workspace, .. } = fitted;
     let groups = workspace.design.all_groups();
     let nuisance =
@@ -201,10 +201,10 @@ pub fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Option<us
 }
 
 /// What variants of one cause share.
-pub type Key = (EffectKind, Option<Axis>, Option<Axis>);
+pub(super) type Key = (EffectKind, Option<Axis>, Option<Axis>);
 
 /// The cause that a candidate is a variant of.
-pub fn key(c: &Candidate) -> Key {
+pub(super) fn key(c: &Candidate) -> Key {
     (c.kind, c.variant.joint, c.variant.joint_b)
 }
 

@@ -23,7 +23,7 @@ const MOST_STATIONS: usize = 2000;
 
 /// A line of the residuals' spectrum over time.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpectralLine {
+pub(super) struct SpectralLine {
     /// Half cycles over the measurement.
     pub half_cycles: u32,
     /// Its share of the lines that were looked at.
@@ -32,7 +32,7 @@ pub struct SpectralLine {
 
 /// Lines that stand out of the spectrum of `residuals` in stations that are not `outliers`.
 #[must_use]
-pub fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -> Vec<SpectralLine> {
+pub(super) fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -> Vec<SpectralLine> {
     let kept: Vec<usize> = (0..residuals.len()).filter(|&i| !outliers[i]).collect();
     if kept.len() > MOST_STATIONS {
         return Vec::new();

@@ -17,7 +17,7 @@ const AS_A_CANDIDATE: f64 = 0.5;
 
 /// Judges the best model of the data.
 #[must_use]
-pub fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
+pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
     let chosen = fitted.model.chosen.clone();
     fitted.workspace.library.forget_columns();
     add_gp_alternatives(fitted);

@@ -4,7 +4,7 @@ use super::cause_group::OpenSlot;
 use crate::diagnose::outcome::{Cause, Location, Verdict};
 
 /// The verdict and what it rests on.
-pub struct Judgement {
+pub(crate) struct Judgement {
     /// The verdict on the data.
     pub verdict: Verdict,
     /// The verdict in one sentence.

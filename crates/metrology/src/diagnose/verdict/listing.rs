@@ -4,11 +4,11 @@ use crate::diagnose::outcome::Cause;
 use robot_model::deform::EffectKind;
 
 /// What is less likely than this is not listed.
-pub const WORTH_SAYING: f64 = 0.005;
+pub(super) const WORTH_SAYING: f64 = 0.005;
 
 /// The causes of all slots in the order of a list. A scale of the instrument brings its twin, a scale of all links.
 #[must_use]
-pub fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
+pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
     for a in (1..causes.len()).rev() {
         if causes[..a].iter().any(|b: &Cause| same(b, &causes[a])) {
             causes.remove(a);
@@ -37,14 +37,14 @@ fn share_scale_with_links(causes: &mut Vec<Cause>) {
 }
 
 /// The highest probability of each slot.
-pub fn likeliest_of_slots(causes: &[Cause]) -> impl Iterator<Item = f64> {
+pub(super) fn likeliest_of_slots(causes: &[Cause]) -> impl Iterator<Item = f64> {
     let slots = causes.iter().map(|c| c.slot).max().unwrap_or(0);
     let of = |slot| causes.iter().filter(move |c| c.slot == slot).map(|c| c.posterior).reduce(f64::max);
     (1..=slots).filter_map(of)
 }
 
 /// Takes from the probabilities of each slot what they come to above 1: the difference of two large logarithms is known to some 1e-12.
-pub fn at_most_one(causes: &mut [Cause]) {
+pub(super) fn at_most_one(causes: &mut [Cause]) {
     let slots = causes.iter().map(|c| c.slot).max().unwrap_or(0);
     for slot in 0..=slots {
         let mut of_slot: Vec<&mut Cause> = causes.iter_mut().filter(|c| c.slot == slot).collect();
@@ -80,7 +80,7 @@ fn same(a: &Cause, b: &Cause) -> bool {
 
 /// Each rival once, and none that is a cause itself in another place.
 #[must_use]
-pub fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
+pub(super) fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
     let mut rejected: Vec<Cause> = Vec::new();
     for rival in alternatives {
         if !causes.iter().chain(&rejected).any(|named| same(named, &rival)) {

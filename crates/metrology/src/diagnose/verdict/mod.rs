@@ -15,7 +15,8 @@ mod with_causes;
 mod without_cause;
 mod wording;
 
-pub use cause_group::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
-pub use judge::judge;
-pub use judgement::Judgement;
-pub use wording::{GearBand, describe, describe_candidate, gear_bands};
+pub(super) use cause_group::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
+pub(super) use judge::judge;
+pub(super) use judgement::Judgement;
+pub(super) use wording::describe_candidate;
+pub use wording::{GearBand, describe, gear_bands};

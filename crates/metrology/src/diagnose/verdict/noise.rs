@@ -21,19 +21,19 @@ const STATED_SCATTER: f64 = 2.8;
 /// thousand (normal quantile).
 const BY_CHANCE: f64 = 2.878;
 /// Structure left that is larger than this share of the causes makes them doubtful.
-pub const MAX_RESIDUAL_SHARE: f64 = 0.5;
+pub(super) const MAX_RESIDUAL_SHARE: f64 = 0.5;
 /// Variance over the one stated that says that the statement holds. An autoregressive process keeps less than this beside its slow
 /// waves, whatever its correlation from .6 on.
 const AS_STATED: std::ops::Range<f64> = 0.72..1.5;
 /// All scatter over the variance stated, from which on what is slow is not of it.
 const ON_TOP: f64 = 1.35;
 /// The reason that [`slow_noise`] gives.
-pub const SLOW_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share \
+pub(super) const SLOW_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share \
      part of it, but together they scatter no more than the noise allows";
 
 /// Scatter that the model does not know.
 #[derive(Clone, Copy, Debug)]
-pub struct Scatter {
+pub(super) struct Scatter {
     /// Reduced chi-square against the noise, where it is too large.
     pub chi: Option<f64>,
     /// Scatter along one joint, where it passes the alarm.
@@ -43,14 +43,14 @@ pub struct Scatter {
 impl Scatter {
     /// Whether it is not small against what the causes take.
     #[must_use]
-    pub fn is_comparable(&self, fitted: &FittedModel<'_>, cause_rms_m: f64) -> bool {
+    pub(super) fn is_comparable(&self, fitted: &FittedModel<'_>, cause_rms_m: f64) -> bool {
         self.along.is_some_and(|a| a.rms_m > MAX_RESIDUAL_SHARE * cause_rms_m)
             || self.chi.is_some() && excess_m(fitted) > MAX_RESIDUAL_SHARE * cause_rms_m
     }
 
     /// The scatter as a sentence for people.
     #[must_use]
-    pub fn reason(&self, dataset: &Dataset) -> String {
+    pub(super) fn reason(&self, dataset: &Dataset) -> String {
         let what = match (self.along, self.chi) {
             (Some(a), _) => format!("poses scatter along joint {}", a.joint),
             (None, Some(chi)) => format!("poses scatter {:.1} times as much as the noise allows", chi.sqrt()),
@@ -62,7 +62,7 @@ impl Scatter {
 
 /// Scatter of the residuals along a joint.
 #[must_use]
-pub fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
+pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
     let FittedModel { model, workspace, linear } = fitted;
     let groups = workspace.design.all_groups();
     let nuisance =
@@ -99,7 +99,7 @@ fn excess_m(fitted: &FittedModel<'_>) -> f64 {
 
 /// Scatter about a model over what the noise as known allows, as a variance.
 #[derive(Clone, Copy, Debug)]
-pub struct ReducedChiSquare {
+pub(super) struct ReducedChiSquare {
     /// Squares left per degree of freedom, over the noise's variance.
     pub value: f64,
     /// Above this it is no chance, for as many repeats as there are.
@@ -109,14 +109,17 @@ pub struct ReducedChiSquare {
 impl ReducedChiSquare {
     /// Whether there is more scatter than chance would give.
     #[must_use]
-    pub fn is_exceeded(&self) -> bool {
+    pub(super) fn is_exceeded(&self) -> bool {
         self.value > self.limit
     }
 }
 
 /// Scatter about a model of `chosen` over what the repeats allow, and the limit for as many repeats as there are.
 #[must_use]
-pub fn reduced_chi_square(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<ReducedChiSquare> {
+pub(super) fn reduced_chi_square(
+    fitted: &FittedModel<'_>,
+    chosen: &[ChosenCause],
+) -> Option<ReducedChiSquare> {
     let FittedModel { model, workspace, linear } = fitted;
     let KnownNoise { sigma_m, freedom } = model.noise.known?;
     let groups = workspace.design.all_groups();
@@ -144,7 +147,7 @@ pub fn reduced_chi_square(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> O
 
 /// What slow noise means beside `chosen`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Slowness {
+pub(super) enum Slowness {
     /// The residuals have no slow noise.
     None,
     /// All scatter together is no more than the repeats or the statement allow.
@@ -160,7 +163,7 @@ pub enum Slowness {
 
 /// Whether slow noise beside `chosen` is noise, or structure over time.
 #[must_use]
-pub fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slowness {
+pub(super) fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slowness {
     let model = &fitted.model;
     let Some(slow) = model.slow else { return Slowness::None };
     let chi = reduced_chi_square(fitted, chosen);
@@ -176,7 +179,7 @@ pub fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slowness {
 /// Whether `gp_alternative` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
 /// in the model, no larger than the repeats or the statement say.
 #[must_use]
-pub fn slow_noise(fitted: &FittedModel<'_>, gp_alternative: usize) -> bool {
+pub(super) fn slow_noise(fitted: &FittedModel<'_>, gp_alternative: usize) -> bool {
     let FittedModel { model, workspace, linear } = fitted;
     let over_time = matches!(
         workspace.library.gp_alternatives[gp_alternative].gp_alternative,

@@ -6,7 +6,7 @@ use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR, cause_columns};
 
 /// Two causes in the place of one.
-pub struct PairRival {
+pub(super) struct PairRival {
     /// Indices of both candidates.
     pub candidates: [usize; 2],
     /// ln odds of both over the likeliest single cause.
@@ -18,7 +18,7 @@ pub struct PairRival {
 /// The pairs that the search weighed and that are nearly as likely in place `i` of `chosen` as the first of `groups`, likeliest first.
 /// Where a shape is known to a tenth only, the odds that rest on it are no reason to rule a pair out.
 #[must_use]
-pub fn pair_rivals(
+pub(super) fn pair_rivals(
     fitted: &FittedModel<'_>,
     chosen: &[ChosenCause],
     i: usize,
@@ -73,7 +73,7 @@ pub fn pair_rivals(
 
 /// Gives `pairs` their share of the probability of `groups`, half of it to each of the two causes that are then both there: what may
 /// stand in one place adds up to what it did.
-pub fn join_pairs(workspace: &Workspace<'_>, groups: &mut Vec<CauseGroup>, pairs: &[PairRival]) {
+pub(super) fn join_pairs(workspace: &Workspace<'_>, groups: &mut Vec<CauseGroup>, pairs: &[PairRival]) {
     let candidates = &workspace.library.candidates;
     let Some(first) = groups.first().map(|g| g.probability) else { return };
     let before: f64 = groups.iter().map(|g| g.probability).sum();

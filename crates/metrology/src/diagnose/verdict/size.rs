@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use robot_model::units::mm_from_m;
 
 /// A cause with its size: fitted in place `i` of `chosen`, or alone.
-pub fn cause(
+pub(super) fn cause(
     fitted: &mut FittedModel<'_>,
     chosen: &[ChosenCause],
     i: Option<usize>,
@@ -56,7 +56,7 @@ pub fn cause(
 }
 
 /// A gear line where there are dozens: each stood far out when it was added, none has a rival but its like.
-pub fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> Cause {
+pub(super) fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> Cause {
     let library = &fitted.workspace.library;
     let one = &chosen[i];
     let odds = one.gain_nats + library.log_prior[one.candidate] - NULL_PRIOR.ln();
@@ -72,7 +72,7 @@ pub fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: 
 
 /// A cause without its size.
 #[must_use]
-pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Cause {
+pub(super) fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Cause {
     let candidate = &workspace.library.candidates[cause_group.best];
     Cause {
         joint: candidate.variant.joint,
@@ -89,7 +89,7 @@ pub fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup) -> Ca
 
 /// How far all of `chosen` together move the point at each station, metres.
 #[must_use]
-pub fn moved_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec<f64> {
+pub(super) fn moved_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec<f64> {
     let FittedModel { model, workspace, linear } = fitted;
     let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
@@ -105,7 +105,7 @@ pub fn moved_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec<f64> {
 
 /// What `chosen` take off the residuals beyond registration and geometry, 3-D rms, metres.
 #[must_use]
-pub fn total_rms_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
+pub(super) fn total_rms_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
     let FittedModel { model, workspace, .. } = fitted;
     let groups = workspace.design.all_groups();
     let ratio = Some(model.peak.geometry_ratio);
@@ -125,7 +125,7 @@ pub fn total_rms_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
 
 /// Root mean square of the values; 0 of none.
 #[must_use]
-pub fn rms(values: &[f64]) -> f64 {
+pub(super) fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 

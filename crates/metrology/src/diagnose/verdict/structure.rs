@@ -32,13 +32,13 @@ const CYCLE_WEIGHT: f64 = 0.1;
 const VARYING_WEIGHT: f64 = 0.1;
 /// Structure beside the causes whose rms is under this share of theirs does not call them into doubt, even where a GP
 /// alternative could replace one of them.
-pub const SMALL_BESIDE: f64 = 0.25;
+pub(super) const SMALL_BESIDE: f64 = 0.25;
 /// With more causes than this each gear line is not tried against all others again.
-pub const MANY_CAUSES: usize = 8;
+pub(super) const MANY_CAUSES: usize = 8;
 
 /// Probability of all structure in a ranking.
 #[must_use]
-pub fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
+pub(super) fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
     ranking
         .ranked
         .iter()
@@ -57,14 +57,18 @@ fn is_shape_of(workspace: &Workspace<'_>, gp_alternative: usize, candidate: usiz
 
 /// Probability of the structure in a ranking that is no mere shape of `candidate`.
 #[must_use]
-pub fn alternative_share(workspace: &Workspace<'_>, ranking: &HypothesisRanking, candidate: usize) -> f64 {
+pub(super) fn alternative_share(
+    workspace: &Workspace<'_>,
+    ranking: &HypothesisRanking,
+    candidate: usize,
+) -> f64 {
     let rival = |RankedHypothesis { hypothesis: h, .. }: &&RankedHypothesis| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
     ranking.ranked.iter().filter(rival).map(|r| r.probability).sum()
 }
 
 /// Structure of no cause, and its likeliest form.
 #[derive(Clone, Copy, Debug)]
-pub struct LikeliestStructure {
+pub(super) struct LikeliestStructure {
     /// ln evidence of all structure over nothing, priors within the GP alternatives included.
     pub gain_nats: f64,
     /// Index of the likeliest GP alternative.
@@ -73,7 +77,7 @@ pub struct LikeliestStructure {
 
 /// The structure in a ranking; `None` where no GP alternative was ranked.
 #[must_use]
-pub fn likeliest_structure(
+pub(super) fn likeliest_structure(
     workspace: &Workspace<'_>,
     ranking: &HypothesisRanking,
 ) -> Option<LikeliestStructure> {
@@ -93,7 +97,7 @@ pub fn likeliest_structure(
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.
-pub fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
+pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
     let FittedModel { model, workspace, linear } = fitted;
     let (dataset, chosen) = (&linear.dataset, model.chosen.as_slice());
     let mut list = gp_alternative::gp_alternatives(dataset.joints());
@@ -143,7 +147,7 @@ pub fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
 
 /// A GP alternative that is likelier than all lines of one joint's gear together: steps and teeth of one shape, not
 /// many gears.
-pub fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<usize> {
+pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<usize> {
     let FittedModel { model, workspace, .. } = fitted;
     let groups = workspace.design.all_groups();
     let whole_m = total_rms_m(fitted, chosen);
@@ -192,7 +196,7 @@ pub fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Optio
 }
 
 /// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.
-pub fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking) -> Option<usize> {
+pub(super) fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking) -> Option<usize> {
     rest.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak, .. }| match h {
         Hypothesis::GpAlternative(k)
             if matches!(
@@ -207,7 +211,7 @@ pub fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking) -> Opt
 }
 
 /// How large the structure is that a GP alternative takes after the causes, 3-D rms, metres.
-pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
+pub(super) fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
     let sigma_with = ranking
         .ranked
         .iter()
@@ -217,7 +221,7 @@ pub fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
 }
 
 /// ln odds of structure alone, of no cause a mere shape, over all causes together.
-pub fn odds_over_causes(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
+pub(super) fn odds_over_causes(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
     let FittedModel { model, workspace, .. } = fitted;
     let groups = workspace.design.all_groups();
     let mut nuisance = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
@@ -243,13 +247,17 @@ pub fn odds_over_causes(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64
 
 /// ln odds of structure over nothing from its ln evidence.
 #[must_use]
-pub fn structure_odds(gain_nats: f64) -> f64 {
+pub(super) fn structure_odds(gain_nats: f64) -> f64 {
     gain_nats + UNEXPLAINED_PRIOR.ln() - NULL_PRIOR.ln()
 }
 
 /// Where the structure lies.
 #[must_use]
-pub fn location_of_gp(fitted: &FittedModel<'_>, chosen: &[ChosenCause], gp_alternative: usize) -> Location {
+pub(super) fn location_of_gp(
+    fitted: &FittedModel<'_>,
+    chosen: &[ChosenCause],
+    gp_alternative: usize,
+) -> Location {
     let FittedModel { model, workspace, linear } = fitted;
     let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
@@ -283,7 +291,7 @@ pub fn location_of_gp(fitted: &FittedModel<'_>, chosen: &[ChosenCause], gp_alter
 
 /// Where structure over time lies that is no function of its own in the ranking.
 #[must_use]
-pub fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Location {
+pub(super) fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Location {
     let FittedModel { model, workspace, linear } = fitted;
     let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
@@ -294,7 +302,7 @@ pub fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Location {
 
 /// Where in the workspace stations move most.
 #[must_use]
-pub fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {
+pub(super) fn region_of(linear: &Linearised, moved_m: &[f64]) -> Region {
     let Ball { centre_m: c, radius_m } = gp_alternative::region(&linear.dataset, moved_m);
     Region { center_mm: [c.x, c.y, c.z].map(mm_from_m), radius_mm: mm_from_m(radius_m) }
 }

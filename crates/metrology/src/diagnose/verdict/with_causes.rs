@@ -30,7 +30,7 @@ const AS_MUCH_PLAY: f64 = 0.5;
 const MOST_STEPS: usize = 2;
 
 /// The judgement on a model of `chosen` causes, beside which `rest` of the hypotheses stand.
-pub fn with_causes(
+pub(super) fn with_causes(
     fitted: &mut FittedModel<'_>,
     chosen: &[ChosenCause],
     rest: &HypothesisRanking,

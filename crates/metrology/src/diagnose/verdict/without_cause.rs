@@ -13,7 +13,7 @@ use crate::diagnose::outcome::{Location, Verdict};
 use crate::diagnose::search::ALARM_NATS;
 
 /// Judges what is left where the search chose nothing.
-pub fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {
+pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {
     let ranking = &rest.ranking;
     let cause_groups = cause_groups(&fitted.workspace, ranking);
     let mut causes = Vec::new();

@@ -35,7 +35,7 @@ pub fn describe(cause: &Cause) -> String {
 
 /// A candidate in words.
 #[must_use]
-pub fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
+pub(crate) fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
     let variant = &candidate.variant;
     describe(&Cause {
         joint: variant.joint,
@@ -51,7 +51,7 @@ pub fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> String {
 
 /// Structure in words; `timed`: the file has times.
 #[must_use]
-pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
+pub(super) fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
     let time = if timed { "time" } else { "the order of the rows; the time (t_min) is not in the file" };
     let of = match gp_alternative {
         GpAlternative::Joint(j) | GpAlternative::JointFine(j) => format!("the angle of joint {j}"),
@@ -90,7 +90,7 @@ pub fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> String {
 
 /// Jumps at many moments in words.
 #[must_use]
-pub fn switched_reason(lines: &[u64], dataset: &Dataset) -> String {
+pub(super) fn switched_reason(lines: &[u64], dataset: &Dataset) -> String {
     let from: Vec<String> = lines.iter().map(u64::to_string).collect();
     let payload = if dataset.channels.payload {
         ""
@@ -105,7 +105,7 @@ pub fn switched_reason(lines: &[u64], dataset: &Dataset) -> String {
 
 /// Channels that are not in the file and could tell what scatters, as a phrase.
 #[must_use]
-pub fn missing_channels(dataset: &Dataset) -> String {
+pub(super) fn missing_channels(dataset: &Dataset) -> String {
     let channels = &dataset.channels;
     let all = [
         (channels.direction, "the direction of approach (dir1 to dir6)"),
@@ -174,7 +174,7 @@ const CERTAIN: f64 = 0.9;
 
 /// What is certain and what is one of several, the largest at the tool first; of many only the first few.
 #[must_use]
-pub fn in_short(causes: &[Cause]) -> String {
+pub(super) fn in_short(causes: &[Cause]) -> String {
     const SAID: usize = 5;
     let (bands, others) = gear_bands(causes);
     let mut certain: Vec<(f64, String)> = bands

@@ -122,7 +122,7 @@ struct FilterInterval {
 
 impl ThermalRun {
     /// Takes in the touches in the order of time, from a filter as it is at the first.
-    pub fn new(mut filter: ThermalFilter, points: &TouchedPoints, options: &StateOptions) -> Self {
+    pub(super) fn new(mut filter: ThermalFilter, points: &TouchedPoints, options: &StateOptions) -> Self {
         let mut now_min = points.touches.first().map_or(0.0, |touch| touch.t_min);
         let (mut seen, mut steps, mut pending) = (Vec::new(), Vec::new(), Transition::identity());
         let mut log_likelihood = 0.0;
@@ -172,7 +172,7 @@ impl ThermalRun {
     }
 
     /// Rauch, Tung and Striebel 1965: from the last touch back; not beyond one at which the state begins anew.
-    pub fn smooth(&mut self) {
+    pub(super) fn smooth(&mut self) {
         let seen = self.filter.seen();
         let Some(last) = self.steps.last() else { return };
         let mut later = last.left;
@@ -197,7 +197,7 @@ impl ThermalRun {
     /// Adds to every standard deviation what the place of the cold arm, which only later touches tell, leaves open.
     ///
     /// To first order: by how much all changes where that place is one standard deviation elsewhere.
-    pub fn widen(
+    pub(super) fn widen(
         &mut self,
         uncertain: &FirstTouchOutlier,
         first: &ThermalFilter,

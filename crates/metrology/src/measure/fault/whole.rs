@@ -23,7 +23,7 @@ const LENGTHS: [(f64, &str); 3] = [(1000.0, "metres"), (25.4, "inches"), (10.0, 
 const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
 /// What may have happened to a row, undone.
-pub struct Change {
+pub(super) struct Change {
     /// Kind of the fault.
     pub kind: FaultKind,
     /// Column, or columns, that it is in.
@@ -36,7 +36,7 @@ pub struct Change {
 
 /// What may have happened to rows or to a column: another unit, another sign.
 #[must_use]
-pub fn changes(arm: &SerialArm) -> Vec<Change> {
+pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
     let mut all = Vec::new();
     for (factor, name) in LENGTHS {
         all.push(Change {
