@@ -8,7 +8,7 @@ use std::time::Instant;
 /// Who holds the right to write.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Holder {
-    /// Nobody holds it.
+    /// Nobody holds it now.
     Nobody,
     /// A session, by its number, on a connection.
     Session(u64, u64),

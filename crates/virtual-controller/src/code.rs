@@ -37,7 +37,7 @@ impl Expr {
 /// A name that is none of the routine's own.
 #[derive(Clone, Debug)]
 pub(super) struct NameRef {
-    /// In lower case.
+    /// Its name in lower case.
     pub name: Name,
     pub spelt: Rc<str>,
     /// The data it meant when it was looked up last.
@@ -157,7 +157,7 @@ pub(super) struct CompiledExits {
 /// A call of a procedure that may leave the loop or routine it stands in.
 #[derive(Debug)]
 pub(super) struct CompiledCall {
-    /// The procedure's name.
+    /// The procedure's name in lower case.
     pub name: Name,
     /// What decides on the way there, and what is handed over.
     pub deciding: Vec<Expr>,

@@ -82,9 +82,9 @@ impl PoseError {
 /// Compares moves of two runs by the controller's nominal kinematics.
 #[derive(Clone, Copy, Debug)]
 pub struct MoveComparator<'r> {
-    /// Nominal inverse kinematics.
+    /// The nominal arm's inverse kinematics.
     pub closed: &'r ClosedForm,
-    /// Nominal forward kinematics.
+    /// The nominal arm's forward kinematics.
     pub nominal: &'r Chain,
 }
 

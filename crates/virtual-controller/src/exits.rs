@@ -18,7 +18,7 @@ pub(super) struct BodyExits<'t> {
 /// A call of a procedure that may leave the body it stands in.
 #[derive(Debug)]
 pub(super) struct LeavingCall<'t> {
-    /// The procedure's name.
+    /// Where the procedure's name stands.
     pub name: TextRange,
     /// What decides on the way there, and what is handed over.
     pub deciding: Vec<&'t Expr>,

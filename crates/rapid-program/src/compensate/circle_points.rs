@@ -5,7 +5,7 @@
 //! correction there is that of the orientation which the arm has.
 
 use super::model::Model;
-use super::nominal::{CirclePoint, Point, Resolved};
+use super::resolved::{CirclePoint, Point, Resolved};
 use super::track::Track;
 use super::ways_back::before;
 use crate::program::Program;

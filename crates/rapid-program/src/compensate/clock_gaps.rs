@@ -2,8 +2,8 @@
 //! a pause.
 
 use super::model::Model;
-use super::nominal::{Point, Resolved};
 use super::plan::{PlannedMotion, Status};
+use super::resolved::{Point, Resolved};
 use crate::program::motion::{Motion, MotionId, Path};
 use crate::program::{Program, SpeedOverride};
 use robot_model::units::seconds_from_min;

@@ -3,7 +3,7 @@
 
 use super::messages::{Messages, span_of};
 use super::model::Model;
-use super::nominal::Resolved;
+use super::resolved::Resolved;
 use crate::program::Program;
 use crate::program::data::{LoadData, ToolData};
 use crate::program::motion::{Motion, MotionId};

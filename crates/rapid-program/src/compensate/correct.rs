@@ -2,12 +2,12 @@
 //! like to the nominal controller, and whether that may be sent.
 
 use super::model::{Model, Warm};
-use super::nominal::Point;
 use super::options::Options;
 use super::placement::keep;
 use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
+use super::resolved::Point;
 use super::warm_joints::{CommandedJoints, CommandedOrKept};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};

@@ -1,7 +1,7 @@
 //! A program's targets as a schedule sees them: points that drift.
 
 use super::model::Model;
-use super::nominal::{Point, Resolved};
+use super::resolved::{Point, Resolved};
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::MotionId;

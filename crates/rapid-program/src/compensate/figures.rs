@@ -2,8 +2,8 @@
 
 use super::correct::MotionCorrection;
 use super::drift::{ProgramPoints, errors_m};
-use super::nominal::Resolved;
 use super::plan::{Status, Summary};
+use super::resolved::Resolved;
 use super::wobj_shift_baseline;
 use crate::program::Program;
 use crate::program::motion::MotionId;

@@ -3,9 +3,9 @@
 //! Neighbouring motions share an end, and ends are solved side by side: motions are followed some hundred at a time.
 
 use super::model::Model;
-use super::nominal::{Point, Resolved};
 use super::path::{CorrectedLeg, Ends, Leg, deviations_m};
 use super::plan::{PlannedMotion, Status};
+use super::resolved::{Point, Resolved};
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::MotionId;

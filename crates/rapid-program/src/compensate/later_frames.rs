@@ -3,8 +3,8 @@
 
 use super::conditions;
 use super::model::Model;
-use super::nominal::{Point, Resolved};
 use super::placement::{Placement, keep};
+use super::resolved::{Point, Resolved};
 use super::settled_check::keep_where;
 use super::warm_joints::warm_joints;
 use crate::program::Program;

@@ -2,8 +2,8 @@
 //! arc or joint path, and how far that is from the programmed one. Of many motions side by side.
 
 use super::model::Model;
-use super::nominal::Point;
 use super::placement::Placement;
+use super::resolved::Point;
 use super::track::Track;
 use crate::program::motion::Path;
 use nalgebra::{Isometry3, Vector3};

@@ -6,10 +6,10 @@
 use super::drift::{displacements_m, errors_m, furthest_m};
 use super::error::CompensateError;
 use super::model::Model;
-use super::nominal::Point;
 use super::options::Options;
 use super::placement::Placement;
 use super::plan::Correction;
+use super::resolved::Point;
 use super::warm_joints::warm_joints_each;
 use crate::parallel;
 use crate::program::data::JointTarget;

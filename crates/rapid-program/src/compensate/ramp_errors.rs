@@ -2,9 +2,9 @@
 
 use super::correct::MotionCorrection;
 use super::model::Model;
-use super::nominal::Point;
 use super::plan::{Correction, Corrections, Form};
 use super::ramp::{LEVER_M, Ramp, Sample, values};
+use super::resolved::Point;
 use super::warm_joints::{CommandedJoints, CommandedOrKept, sent_each};
 use crate::parallel;
 use crate::schedule::Moment;

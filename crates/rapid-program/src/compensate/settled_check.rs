@@ -1,7 +1,7 @@
 //! Motions that are corrected only where the settled arm says that one correction serves all that the text leaves open.
 
 use super::model::Model;
-use super::nominal::Resolved;
+use super::resolved::Resolved;
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, SkipReason};

@@ -2,10 +2,10 @@
 
 use super::error::CompensateError;
 use super::model::Model;
-use super::nominal::Point;
 use super::options::Options;
 use super::placement::Placement;
 use super::plan::{Plan, PlannedMotion, PlannedTarget};
+use super::resolved::Point;
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Target};

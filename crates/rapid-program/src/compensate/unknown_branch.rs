@@ -2,8 +2,8 @@
 
 use super::messages::span_of;
 use super::model::Model;
-use super::nominal::{Point, Resolved};
 use super::placement::keep;
+use super::resolved::{Point, Resolved};
 use super::settled_check::keep_where;
 use super::warm_joints::warm_joints;
 use super::ways_back::before;

@@ -1,8 +1,8 @@
 //! The joints with which the warm arm stands where a point is meant to be.
 
 use super::model::Model;
-use super::nominal::Point;
 use super::placement::keep;
+use super::resolved::Point;
 use crate::program::motion::SkipReason;
 use nalgebra::Isometry3;
 use robot_model::deform::{Conditions, DeformedArm, DeformedArms};
@@ -61,7 +61,7 @@ pub(super) type CommandedOrKept = Result<CommandedJoints, SkipReason>;
 pub(super) struct CommandedJoints {
     /// Radians.
     pub(super) q_rad: [f64; 6],
-    /// By nominal kinematics.
+    /// Where these joints put the nominal arm's flange.
     pub(super) base_from_flange: Isometry3<f64>,
 }
 

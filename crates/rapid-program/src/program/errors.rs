@@ -4,8 +4,9 @@
 //! to that of the caller. TRYNEXT goes on behind the statement that failed in the handler's own routine,
 //! RETRY runs that statement again: it may be a call of which a part has already been done.
 
-use super::index::{Ctx, Index, every_statement};
+use super::index::{Ctx, Index};
 use super::names::lower_case;
+use super::statements::every_statement;
 use rapid_syntax::tree::{
     Arg, ArgKind, BinaryOp, Callee, Expr, ExprKind, HandlerKind, Routine, Stmt, StmtKind,
 };

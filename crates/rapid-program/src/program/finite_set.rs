@@ -8,9 +8,10 @@
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::expressions::{every_call, expressions_of, words};
 use super::ids::{DatumId, IdSet, RoutineIndex};
-use super::index::{Ctx, DatumKind, Index, Resolved, bodies};
+use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::names::ByNumber;
 use super::repeated_moves::every_naming_statement;
+use super::statements::bodies;
 use super::tracked::names_in;
 use super::value::Value;
 use super::writes::{How, match_arguments};

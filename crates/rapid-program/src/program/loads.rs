@@ -1,8 +1,9 @@
 //! Modules that the program itself loads while it runs: what the controller has on its disk counts then, not what was given.
 
-use super::index::{Ctx, Index, bodies};
+use super::index::{Ctx, Index};
 use super::names::{as_text, lower_case};
 use super::repeated_moves::every_naming_statement;
+use super::statements::bodies;
 use super::value;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{ArgKind, CallStmt, Callee, ExprKind, StmtKind};

@@ -42,6 +42,7 @@ mod record;
 mod repeated_moves;
 mod speed_override;
 mod state;
+mod statements;
 mod target;
 mod tracked;
 mod value;

@@ -150,7 +150,7 @@ fn module_facts(file: &SourceFile, module: &Module) -> ModuleFacts {
 
 fn for_each_comment(module: &Module, visit: &mut dyn FnMut(TextRange)) {
     let in_body = |body: &[Stmt], visit: &mut dyn FnMut(TextRange)| {
-        super::index::every_statement(body, &mut |stmt| {
+        super::statements::every_statement(body, &mut |stmt| {
             if matches!(stmt.kind, StmtKind::Comment) {
                 visit(stmt.range);
             }

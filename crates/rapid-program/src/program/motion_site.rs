@@ -3,12 +3,13 @@
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::words;
 use super::ids::RoutineIndex;
-use super::index::{Ctx, Index, bodies, every_statement, inner_bodies};
+use super::index::{Ctx, Index};
 use super::instructions::{MoveForm, move_form};
 use super::is_of_task;
 use super::motion::{self, Loop, MotionId, RoutineInfo};
 use super::names::{as_text, lower_case};
 use super::repeated_moves::name_the_same;
+use super::statements::{bodies, every_statement, inner_bodies};
 use super::value::Value;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::diagnostic::TextRange;

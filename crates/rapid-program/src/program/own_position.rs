@@ -5,10 +5,11 @@
 
 use super::expressions::{every_call, expressions_of, root_of};
 use super::ids::{DatumId, IdSet, RoutineIndex};
-use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry, bodies};
+use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
 use super::names::{ByNumber, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
+use super::statements::bodies;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::value_flow::ValueFlow;
 use super::writes::{MatchedArgument, match_arguments};

@@ -2,8 +2,9 @@
 
 use super::expressions::root_of;
 use super::ids::RoutineIndex;
-use super::index::{Ctx, DatumKind, Index, Resolved, bodies, every_statement};
+use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::late_bound::reached;
+use super::statements::{bodies, every_statement};
 use super::tracked::names_in;
 use super::value_flow::ValueFlow;
 use super::writes::{MatchedArgument, match_arguments};
@@ -11,7 +12,7 @@ use rapid_syntax::tree::{Arg, Callee, ParamMode, StmtKind};
 
 /// What late-bound calls hand from datum to datum.
 pub(super) struct ParameterFlow {
-    /// Arguments into parameters.
+    /// From arguments into parameters.
     pub(super) into: Vec<ValueFlow>,
     /// What a parameter by reference has become into what was handed over.
     pub(super) out_of: Vec<ValueFlow>,

@@ -2,12 +2,13 @@
 
 use super::expressions::{every_call, expressions_of, value_of};
 use super::ids::{DatumId, IdSet};
-use super::index::{Ctx, Index, bodies};
+use super::index::{Ctx, Index};
 use super::instructions::move_form;
 use super::motion::SkipReason;
 use super::names::{ByNumber, as_text, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
+use super::statements::bodies;
 use super::tracked::{names_in, sources};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{Callee, Expr, RoutineKind, Stmt, StmtKind};

@@ -1,9 +1,10 @@
 //! Neighbouring moves that differ in nothing but the numbers of their target, as nearly all do in a path that a post-processor
 //! wrote: the first of them names all that they name.
 
-use super::index::{Ctx, Index, inner_bodies};
+use super::index::{Ctx, Index};
 use super::instructions::move_form;
 use super::names::lower_case;
+use super::statements::inner_bodies;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, CallStmt, Callee, ExprKind, Stmt, StmtKind};
 
@@ -62,7 +63,7 @@ fn with_numbers(stmt: &Stmt) -> Option<(&CallStmt, TextRange)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::index::bodies;
+    use crate::program::statements::bodies;
     use rapid_syntax::SourceFile;
     use rapid_syntax::diagnostic::FileId;
 

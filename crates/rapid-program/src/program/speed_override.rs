@@ -2,9 +2,9 @@
 
 use super::const_eval::{ConstEvaluator, Constant};
 use super::expressions::value_of;
-use super::index::bodies;
 use super::names::lower_case;
 use super::repeated_moves::every_naming_statement;
+use super::statements::bodies;
 use super::value::Value;
 use rapid_syntax::tree::{Callee, Expr, StmtKind};
 use robot_model::units::m_from_mm;

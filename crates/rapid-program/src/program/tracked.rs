@@ -3,9 +3,10 @@
 
 use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::ids::{DatumId, Id, IdSet, Slot, Table};
-use super::index::{Ctx, DatumKind, Index, Resolved, bodies};
+use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::motion_site::MotionSites;
 use super::repeated_moves::every_naming_statement;
+use super::statements::bodies;
 use super::value_flow::{ValueFlow, ValueFlows};
 use super::writes::{MatchedArgument, Writes, match_arguments};
 use rapid_syntax::diagnostic::TextRange;

@@ -21,7 +21,7 @@ impl ValueFlows {
         Self(flows)
     }
 
-    /// All of them.
+    /// All of them, sorted.
     pub(super) fn as_slice(&self) -> &[ValueFlow] {
         &self.0
     }

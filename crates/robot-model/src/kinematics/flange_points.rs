@@ -44,7 +44,7 @@ impl FlangePoints {
         Self { points, eights }
     }
 
-    /// In their order.
+    /// The points in their order.
     #[must_use]
     pub fn as_slice(&self) -> &[FlangePoint] {
         &self.points

@@ -9,7 +9,7 @@ use super::matrix::{self, Mat3, Vec3, apply, cross, dot, mul, sub, transpose};
 /// Six for each of six joints.
 pub(super) const UNKNOWNS: usize = 36;
 
-/// Eight measured poses.
+/// Eight measured poses side by side.
 pub(super) struct Eight {
     pub(super) q_rad: [Lanes; 6],
     pub(super) pose: Pose<Lanes>,

@@ -27,9 +27,9 @@ pub enum RobotError {
     /// A table of Denavit-Hartenberg parameters that is no arm.
     #[error("Denavit-Hartenberg table, line {line}: {problem}")]
     DhTable {
-        /// From 1.
+        /// The line, counted from 1.
         line: u64,
-        /// What is wrong.
+        /// What is wrong there.
         problem: String,
     },
     /// A controller's backup that tells no robot.

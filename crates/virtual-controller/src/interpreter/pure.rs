@@ -36,7 +36,7 @@ struct DataPath {
 }
 
 impl DataPath {
-    /// All of it.
+    /// The whole of a datum.
     fn whole(root: DataRoot) -> Self {
         Self { root, path: [0; DEEPEST], len: 0 }
     }
