@@ -141,7 +141,7 @@ pub struct MoreRows<'a> {
 }
 
 impl MoreRows<'_> {
-    /// No more rows.
+    /// No rows beside those of the run.
     pub const NONE: Self = Self { rows: &[], from_cold: false, seed: 0 };
 }
 

@@ -7,7 +7,7 @@ use super::truth::QuestionKind;
 /// An effect that a data set is to have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RequestedEffect {
-    /// Which effect.
+    /// The effect, with what it leaves open.
     pub effect: Effect,
     /// How large: its rms at the point over the noise's rms.
     pub rho: f64,

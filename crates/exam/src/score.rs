@@ -13,9 +13,9 @@ use super::truth::{QuestionKind, Truth};
 /// A data set's truth, and what was answered.
 #[derive(Clone, Debug)]
 pub struct AnsweredSet {
-    /// What was withheld.
+    /// What was withheld from the diagnosis.
     pub truth: Truth,
-    /// What was said.
+    /// What the diagnosis said.
     pub answer: Answer,
 }
 

@@ -13,7 +13,7 @@ use robot_model::units::{m_from_mm, rad_from_deg};
 pub struct GearLine {
     /// Periods per turn of the joint.
     pub n: u32,
-    /// Amplitude, radians.
+    /// Amplitude of the sine, radians.
     pub size_rad: f64,
     /// One standard deviation of the amplitude, to first order, where the model has it.
     pub sigma_rad: Option<f64>,

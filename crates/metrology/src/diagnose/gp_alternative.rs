@@ -332,9 +332,9 @@ fn wrist_columns(design: &Design, dataset: &Dataset, length_rad: f64) -> DMatrix
 /// A ball in the robot's base.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ball {
-    /// Its centre, metres.
+    /// Its centre in the base, metres.
     pub centre_m: Vector3<f64>,
-    /// Its radius, metres.
+    /// Its radius about that, metres.
     pub radius_m: f64,
 }
 

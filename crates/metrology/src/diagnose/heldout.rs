@@ -90,7 +90,7 @@ struct HeldOutSquares {
     station: usize,
     /// Base and target alone.
     before_m2: f64,
-    /// With the causes.
+    /// With the causes beside them.
     causes_m2: f64,
     /// With causes and geometry.
     after_m2: f64,

@@ -6,7 +6,7 @@ use robot_model::robot::SerialArm;
 /// Measurements of one robot, and the stations that they were gathered to.
 #[derive(Clone, Copy)]
 pub(super) struct MeasuredRobot<'a> {
-    /// The nominal arm.
+    /// The nominal arm, as its model says.
     pub robot: &'a SerialArm,
     /// Rows as read, seen from one stand of the instrument.
     pub measurements: &'a Measurements,

@@ -70,7 +70,7 @@ impl Workspace<'_> {
 pub(super) struct FittedModel<'a> {
     /// The arm at every station, with residuals that are linear in all parameters.
     pub linear: &'a Linearised,
-    /// What was found.
+    /// What the search has found.
     pub model: Model,
     /// Columns and products, which grow while the model is judged.
     pub workspace: Workspace<'a>,

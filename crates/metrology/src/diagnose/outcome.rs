@@ -58,7 +58,7 @@ pub struct Cause {
     pub effect: EffectKind,
     /// Joint that it sits in, or link; `None` for effects of the whole arm, its base or its target.
     pub joint: Option<Axis>,
-    /// Driven joint.
+    /// The joint that a coupling drives.
     pub joint_b: Option<Axis>,
     /// Periods per turn of a gear line.
     pub n: Option<u32>,
@@ -276,7 +276,7 @@ pub struct RowResidual {
 /// A joint's zero, where zeros were all that is wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct JointZero {
-    /// Joint or axis.
+    /// The joint whose zero it is.
     pub joint: Axis,
     /// By how much it would be off.
     pub offset_rad: f64,

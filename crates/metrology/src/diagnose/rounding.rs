@@ -155,7 +155,7 @@ pub(super) fn find(
 /// Joints that are written on the multiples of one step.
 struct Grid {
     step_deg: f64,
-    /// Counted from 0.
+    /// Their indices, counted from 0.
     joints: Vec<usize>,
 }
 

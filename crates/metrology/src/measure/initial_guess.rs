@@ -82,7 +82,7 @@ fn trilaterated(lengths: &[WireLength]) -> Option<Vector3<f64>> {
 /// A point on the tool as an instrument saw it.
 struct SeenPoint<'a> {
     station: &'a Station,
-    /// `base_from_flange` there.
+    /// The flange's pose there, `base_from_flange`.
     pose: &'a Isometry3<f64>,
     /// In the instrument's frame, metres.
     position_m: Vector3<f64>,

@@ -17,7 +17,7 @@ const TOLERANCE: [f64; 2] = [1.5e-4, 2.5e-4];
 /// Columns of slow noise in the design; an empty range where there is none.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct SlowColumns {
-    /// Where they stand.
+    /// Where they stand in the design.
     pub columns: Range<usize>,
     /// Their prior standard deviation over the noise's.
     pub size_ratio: f64,
@@ -127,7 +127,7 @@ impl Design {
         self.slow.clone()
     }
 
-    /// Number of columns.
+    /// Number of columns, the data's among them.
     #[must_use]
     pub(crate) fn width(&self) -> usize {
         self.columns.ncols()

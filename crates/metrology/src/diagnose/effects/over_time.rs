@@ -17,7 +17,7 @@ const USUAL_HOURS: f64 = 2.0;
 
 /// A way in which base or target may drift over a measurement.
 pub(super) struct DriftPrior {
-    /// How it grows.
+    /// How it grows over the measurement.
     pub growth: Growth,
     /// Prior weight beside the other ways.
     pub weight: f64,

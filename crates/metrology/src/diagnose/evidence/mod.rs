@@ -58,7 +58,7 @@ struct Direction {
     weights: Vec<f64>,
     /// The data along it.
     y: f64,
-    /// Geometry along it.
+    /// The geometry's columns along it.
     geometry: DVector<f64>,
 }
 

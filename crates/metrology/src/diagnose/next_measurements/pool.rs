@@ -29,7 +29,7 @@ pub(super) enum When {
 /// A pose that could be measured next.
 #[derive(Clone, Debug)]
 pub(super) struct PoolPose {
-    /// The arm there.
+    /// The arm as it would stand there.
     pub observation: Observation,
     /// As it is written.
     pub next: NextMeasurement,

@@ -10,16 +10,16 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 /// A column of the normal matrix with its coefficient.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Coefficient {
-    /// Which column.
+    /// Which column of the normal matrix.
     pub column: usize,
-    /// In prior sigmas.
+    /// Its coefficient, in prior sigmas.
     pub size: f64,
 }
 
 /// A column of the normal matrix with the precision of its prior over the noise's; 0 of a flat one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FittedColumn {
-    /// Which column.
+    /// Which column of the normal matrix.
     pub column: usize,
     /// Noise variance over the prior's.
     pub precision: f64,
@@ -45,7 +45,7 @@ pub(super) struct Pair {
 /// A shape known to a share s leaves s² of what the cause gains over nothing open between two causes, whichever is true.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ShapeDoubt {
-    /// s².
+    /// s², of the shape's share s.
     pub share: f64,
     /// L of the cause over nothing in the rows measured.
     pub lambda: f64,

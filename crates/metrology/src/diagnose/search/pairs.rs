@@ -42,7 +42,7 @@ struct Pool {
 /// How large the causes of a pair are at a first look.
 #[derive(Clone, Copy)]
 enum FirstSize {
-    /// As usual.
+    /// Sizes of about the usual, as the library has them.
     Usual,
     /// So large that these data begin to see them.
     Seen,
