@@ -42,9 +42,14 @@
 //! # What to know of it
 //!
 //! Numbers are SI (metres, radians) and say so in their names (`_m`, `_rad`); mm and degrees stand where RAPID, CSV and JSON are read and
-//! written. No job of [`application`] prints. What cannot be done is a [`Diagnostic`] with a stable code, listed in
-//! `docs/MESSAGES.md`, or a [`Refusal`] that holds several. [`Fit`] makes a table of drift from touches of fixed points, [`Exam`] puts
-//! sets with sealed truth to the diagnosis.
+//! written. No job of [`application`] prints. What cannot be done is an error with a stable code, listed in `docs/MESSAGES.md`, which becomes a
+//! [`Diagnostic`]; or a [`Refusal`] that holds several.
+//!
+//! Every job has a `new`, options that are its fields, and a `run` that gives a result of its own: with its verdict, its text and its JSON.
+//! Beside those above: [`Fit`] makes a table of drift from touches of fixed points, [`Exam`] puts sets with sealed truth to the diagnosis,
+//! [`ClosedLoop`] closes the whole loop on a virtual robot, [`ProgramComparison`](application::ProgramComparison) and
+//! [`Restoration`](application::Restoration) look at a program that was corrected, and [`ModelCheck`](application::ModelCheck),
+//! [`ChangeCheck`](application::ChangeCheck) and [`AccuracyCheck`](application::AccuracyCheck) judge a robot and its model.
 //!
 //! Features: `cli` (default; the command line), `link` (default; a controller's Robot Web Services), `mcap` (recordings for Foxglove and Rerun).
 //! Without the default ones the library brings no terminal and no network.
