@@ -1,6 +1,6 @@
 //! Corrected targets as RAPID text, beside what the standard library's formatting makes of the same numbers.
 
-use rapid_program::emit::{write_orient, write_pos};
+use rapid_program::emit::{write_list, write_pos};
 use std::fmt::Write as _;
 
 /// Position (m) and orientation (w first, of length one) of a target.
@@ -26,7 +26,7 @@ pub fn targets() -> Vec<Target> {
 pub fn ours(targets: &[Target], out: &mut Vec<u8>) {
     for (position_m, wxyz) in targets {
         write_pos(out, *position_m);
-        write_orient(out, *wxyz);
+        write_list(out, *wxyz);
     }
 }
 

@@ -10,6 +10,9 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 /// than 1e-7 mm, and its digits would only make lines long.
 const NOTHING: f32 = 1e-10;
 
+/// Sizes of numbers whose shortest text has no exponent: one begins below 1e-5 and at 1e16.
+const PLAIN: std::ops::Range<f32> = 1e-4..1e9;
+
 /// Appends `value`, rounded to single precision, in the shortest fixed notation that reads back as it; gives what is read back.
 ///
 /// A value that is not finite cannot be written as RAPID; it is written `9E9` ("not used").
@@ -25,7 +28,8 @@ pub fn write_num(out: &mut Vec<u8>, value: f64) -> f32 {
     }
     let mut buffer = zmij::Buffer::new();
     let text = buffer.format_finite(single).as_bytes();
-    match exponent_at(text) {
+    // Of nearly all numbers of a program it is known that they are written without an exponent.
+    match if PLAIN.contains(&single.abs()) { None } else { exponent_at(text) } {
         None => out.extend_from_slice(text.strip_suffix(b".0").unwrap_or(text)),
         Some(at) => write_expanded(out, &text[..at], &text[at + 1..]),
     }
