@@ -1,6 +1,5 @@
 //! Where the difference between a program and what is made of it goes.
 
-use super::results::no_output;
 use crate::cli::Console;
 use crate::cli::files::Pending;
 use driftpost::application::write_file_diff;
@@ -8,7 +7,7 @@ use driftpost::report::{self, ShortDiff};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::io::{BufWriter, Read, Seek, Write};
+use std::io::{self, BufWriter, Read, Seek, Write};
 use std::path::Path;
 
 /// What is shown or written of the difference.
@@ -41,7 +40,7 @@ impl DiffTo {
     ///
     /// # Errors
     /// Those of writing.
-    pub fn add(&mut self, program: &Program, file: &EmittedFile, path: &str) -> std::io::Result<()> {
+    pub fn add(&mut self, program: &Program, file: &EmittedFile, path: &str) -> io::Result<()> {
         let buffered = |out: &mut dyn Write| {
             let mut out = BufWriter::with_capacity(1 << 16, out);
             write_file_diff(&mut out, program, file, path)?;
@@ -76,14 +75,14 @@ impl DiffTo {
     ///
     /// # Errors
     /// Those of writing.
-    pub fn show(&mut self, console: &mut Console) -> std::io::Result<()> {
+    pub fn show(&mut self, console: &mut Console) -> io::Result<()> {
         let mut text = Vec::new();
         match self {
             Self::Short(short) => short.write(&mut text)?,
             Self::Standard(all) => {
                 all.rewind()?;
                 if !console.is_coloured() {
-                    std::io::copy(all, console.out())?;
+                    io::copy(all, console.out())?;
                     return writeln!(console.out());
                 }
                 all.read_to_end(&mut text)?;
@@ -96,4 +95,8 @@ impl DiffTo {
             false => console.out().write_all(&text),
         }
     }
+}
+
+pub(super) fn no_output(cause: &io::Error) -> Diagnostic {
+    Diagnostic::error("output::unwritable", format!("standard output cannot be written: {cause}"))
 }

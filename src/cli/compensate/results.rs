@@ -1,7 +1,7 @@
 //! What is written and shown beside the program: JSON, page, joints, recording, difference, tables, verdict.
 
 use super::Args;
-use super::diff_to::DiffTo;
+use super::diff_to::{DiffTo, no_output};
 use crate::cli::Console;
 use crate::cli::destination::{Destination, Written, is_pgf};
 use crate::cli::files::{Output, Pending};
@@ -254,8 +254,4 @@ pub(super) fn recording(args: &Args, made: &Compensated<'_>) -> Result<Vec<Pendi
 
 fn shown_path(path: &Path) -> String {
     if path == Path::new("-") { "standard output".to_owned() } else { path.display().to_string() }
-}
-
-pub(super) fn no_output(cause: &io::Error) -> Diagnostic {
-    Diagnostic::error("output::unwritable", format!("standard output cannot be written: {cause}"))
 }

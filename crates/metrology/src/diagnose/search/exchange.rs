@@ -1,7 +1,6 @@
 //! What is chosen, tried again: each cause against its alternatives, gear lines against their neighbours, two against one.
 
 use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR, cause_columns};
-use super::greedy::MOST_SWAPPED;
 use super::library::{Library, TrackedCandidate};
 use super::ranking::{BestEffect, HypothesisRanking};
 use crate::diagnose::design::Design;
@@ -10,6 +9,9 @@ use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::marginal::NoisePrior;
 use robot_model::deform::EffectKind;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// With more causes than this each is not tried against all others.
+pub(super) const MOST_SWAPPED: usize = 8;
 
 /// So many periods per turn to either side of a line are its neighbours.
 const NEIGHBOURS: u32 = 5;

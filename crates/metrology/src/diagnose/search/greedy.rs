@@ -2,7 +2,7 @@
 //! its own place; what falls below is dropped.
 
 use super::chosen::ChosenCause;
-use super::exchange::Search;
+use super::exchange::{MOST_SWAPPED, Search};
 use super::library::{Library, TrackedCandidate};
 use super::ranking::{BestEffect, Hypothesis, HypothesisRanking, RankedHypothesis};
 use crate::diagnose::design::Design;
@@ -20,8 +20,6 @@ const CLEAR_NATS: f64 = 25.0;
 const FAR_OFF: f64 = 1.5;
 /// Nothing is added where fewer numbers than this are left to contradict it.
 const FEWEST_FREE: f64 = 12.0;
-/// With more causes than this each is not tried against all others.
-pub(super) const MOST_SWAPPED: usize = 8;
 /// Rounds of adding and trying in turn.
 const PASSES: usize = 3;
 
