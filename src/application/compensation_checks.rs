@@ -22,6 +22,7 @@ const OTHER_MAKERS: [&str; 12] = [
     "UNIVERSAL ROBOTS",
     "YASKAWA",
 ];
+
 impl Compensation {
     /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
     /// of how it was made.

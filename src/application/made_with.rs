@@ -39,7 +39,7 @@ pub enum Origin<'m> {
 }
 
 impl MadeWith {
-    /// What the modules of some programs say, those of the first first; where a task is named, those of its folder.
+    /// What the modules of some programs say, the first program's before the others'; where a task is named, those of its folder.
     #[must_use]
     pub fn of(programs: &[&ProgramFiles], task: Option<&str>) -> Self {
         let mut settings: Vec<Setting> = Vec::new();

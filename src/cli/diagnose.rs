@@ -113,8 +113,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if !outputs.json.is_standard() {
         console.out().write_all(found.text().as_bytes())?;
     }
-    page.write_with(|out| found.write_page(&given.name, &given.sha256, out))?;
     write_results(args, outputs, &found, &given, &controller_data, console)?;
+    page.write_with(|out| found.write_page(&given.name, &given.sha256, out))?;
     if let Some(folder) = &args.plots {
         for (name, picture) in found.pictures() {
             Pending::new(&folder.join(name))?.write(picture.as_bytes())?;

@@ -51,6 +51,7 @@ pub fn deformed(made_with: &MadeWith, growth: Option<&str>) -> Result<Option<Def
     };
     Ok(Some((deformation, identified)))
 }
+
 /// So many folders above a module are looked into: from `RAPID/TASK1/PROGMOD` of a backup to what stands beside it.
 const FOLDERS_ABOVE: usize = 5;
 

@@ -95,7 +95,9 @@ impl ProgramInput {
             places: self.places.iter().map(|place| slashed(place)).collect(),
             others: others.keys().map(|place| slashed(place)).collect(),
             read: Box::new(move |place| {
-                files::read(others.get(Path::new(place)).copied().unwrap_or(Path::new(place)), "file")
+                // A name that is no UTF-8 is not found again by its text.
+                let path = others.iter().find(|(other, _)| slashed(other) == place).map(|(_, path)| *path);
+                files::read(path.unwrap_or(Path::new(place)), "file")
             }),
         }
     }

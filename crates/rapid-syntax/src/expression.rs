@@ -243,8 +243,10 @@ fn parts<'a>(mut i: Text<'a>, close: u8) -> Read<'a, ()> {
         raise(rest, height)?;
         return Ok((rest, ()));
     }
+    // A string that is nested too deep is left to the productions, which say so.
+    let is_scanned = i.state.plain_forms && i.state.may_nest(1);
     loop {
-        let plain = if i.state.plain_forms { PlainPart::begins(i.rest) } else { None };
+        let plain = if is_scanned { PlainPart::begins(i.rest) } else { None };
         let rest = if let Some(part) = plain {
             let rest = i.skip(part.to);
             let range = i.skip(part.from).until(rest);
@@ -274,7 +276,8 @@ fn parts<'a>(mut i: Text<'a>, close: u8) -> Read<'a, ()> {
 
 /// A string, or a number, among the parts of the list that is open.
 ///
-/// Two functions, each with its kind known and the range in a register: put together in memory of a few bytes at a time, a node is waited for.
+/// Two functions, each with its kind known and the range in a register: a node that is put together in memory field by field makes the copy
+/// of it wait.
 #[inline(never)]
 fn add_leaf<const STRING: bool>(range: TextRange, state: &ParseState) {
     let kind = if STRING { ExprKind::String } else { ExprKind::Number };

@@ -58,14 +58,13 @@ pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
     let plain_odds = plain.log_odds();
     // Products take hundreds of megabytes in a large set: those of one search at a time.
     let FittedModel { linear, model, workspace } = plain;
-    let Workspace { design, library, column_index } = workspace;
-    let near_pairs = library.into_near_pairs();
+    let Workspace { design, column_index, .. } = workspace;
     let wandering = settled(problem, start);
     if wandering.model.slow.is_some() && wandering.log_odds() > plain_odds {
         return wandering;
     }
     drop(wandering);
-    let library = Library::new(&design, &linear.dataset, problem.candidates).with_near_pairs(near_pairs);
+    let library = Library::new(&design, &linear.dataset, problem.candidates);
     FittedModel { linear, model, workspace: Workspace { design, library, column_index } }
 }
 

@@ -73,11 +73,14 @@ pub(super) fn apart_where_contradictory(
     for (rank, &g) in repeated.iter().enumerate() {
         // Noise that is slow lets readings differ the more the longer between them.
         let as_far = agree.iter().filter(|&&other| 2.0 * span_min[other] >= span_min[g]);
-        let stated =
-            stated_m.map_or((0.0, 0), |sigma_m| (STATED_FREEDOM as f64 * sigma_m * sigma_m, STATED_FREEDOM));
-        let (squares, freedom) = as_far.fold(stated, |(squares, freedom), &h| {
+        let (mut squares, mut freedom) = as_far.fold((0.0, 0), |(squares, freedom), &h| {
             (squares + scatter[h].squares_m2, freedom + scatter[h].freedom)
         });
+        if let Some(sigma_m) = stated_m.filter(|_| freedom < FEWEST_FREEDOM) {
+            // Where enough others repeat, they say it alone: what is stated may be wrong.
+            squares += STATED_FREEDOM as f64 * sigma_m * sigma_m;
+            freedom += STATED_FREEDOM;
+        }
         let is_tried = groups[g].len() == 2 && 2 * rank >= repeated.len() && freedom >= FEWEST_FREEDOM;
         let limit = || variance_ratio(NO_REPEAT, scatter[g].freedom as f64, freedom as f64);
         if is_tried && variance(&g) > limit() * squares / freedom as f64 {

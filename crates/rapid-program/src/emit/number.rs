@@ -10,8 +10,8 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 /// than 1e-7 mm, and its digits would only make lines long.
 const NOTHING: f32 = 1e-10;
 
-/// Sizes of numbers whose shortest text has no exponent: one begins below 1e-5 and at 1e16.
-const PLAIN: std::ops::Range<f32> = 1e-4..1e9;
+/// Sizes of numbers that are written without an exponent, well within those where one begins.
+const PLAIN: std::ops::Range<f32> = 1e-4..1e6;
 
 /// Appends `value`, rounded to single precision, in the shortest fixed notation that reads back as it; gives what is read back.
 ///

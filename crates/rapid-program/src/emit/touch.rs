@@ -61,7 +61,7 @@ pub struct TouchFrames {
     pub base_from_object: Isometry3<f64>,
 }
 
-/// The largest amount for which the form `schedule` has buckets: so many times the table's settled drift may touches find.
+/// The largest amount for which the form `schedule` has buckets: touches may find so many times the table's settled drift.
 pub const MAX_AMOUNT: f64 = 1.5;
 
 /// Touches that one call of `tcTouch` makes at most: one, one more where it surprises, a third where the two do not agree.

@@ -145,24 +145,6 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// What is kept of a search: the pairs of causes that it weighed.
-    #[must_use]
-    pub(crate) fn into_near_pairs(self) -> Vec<[usize; 2]> {
-        self.near_pairs
-    }
-
-    /// The pairs of causes that a search over all data weighed in the place of one.
-    #[must_use]
-    pub(crate) fn near_pairs(&self) -> &[[usize; 2]] {
-        &self.near_pairs
-    }
-
-    /// The library after a search that weighed these pairs of causes.
-    #[must_use]
-    pub(crate) fn with_near_pairs(self, near_pairs: Vec<[usize; 2]>) -> Self {
-        Self { near_pairs, ..self }
-    }
-
     /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
     pub(crate) fn add_gp_alternatives(
         &mut self,

@@ -26,6 +26,8 @@ const MOST_STATIONS: usize = 1000;
 const MOST_PARAMETERS: usize = 24;
 /// Signal over noise of a size that the data begin to see.
 const SEEN: f64 = 2.0;
+/// What is left of a cause beside those that are chosen, in noise variances at its usual size, is nothing below this.
+const UNSEEN: f64 = 1e-6;
 
 /// Causes that a pair may be made of, at fixed noise: products with each other and with the data over the noise's
 /// variance, all nuisance taken out.
@@ -54,7 +56,9 @@ impl Pool {
         let own: f64 = (self.starts[k]..self.starts[k + 1]).map(|c| self.gram[(c, c)]).sum();
         match size {
             FirstSize::Usual => 1.0,
-            FirstSize::Seen => SEEN * (self.freedom / own.max(1e-300)).sqrt(),
+            // A cause that lies wholly in those that are chosen leaves rounding of either sign; no size shows it.
+            FirstSize::Seen if own < UNSEEN => 1.0,
+            FirstSize::Seen => SEEN * (self.freedom / own).sqrt(),
         }
     }
 

@@ -10,7 +10,7 @@ use robot_model::robot::Axis;
 /// A rival this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
 /// Candidates that together are this likely among the causes make up the set that cannot be told apart.
-pub(super) const CREDIBLE: f64 = 0.95;
+const CREDIBLE: f64 = 0.95;
 
 /// How well the shape of a beam's bending, or of a base's tilt, is known, as a share of its signal: walls, ribs and bearings are
 /// in no robot file.
@@ -26,8 +26,6 @@ pub(crate) struct CauseGroup {
     pub gain_nats: f64,
     /// Its best s / sigma.
     pub size_ratio: f64,
-    /// The candidate that must be there too, with its best s / sigma, where this one is one of two in the place of one.
-    pub beside: Option<(usize, f64)>,
 }
 
 /// A slot of the model whose cause is not beyond doubt.
@@ -88,7 +86,6 @@ pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRankin
                     probability: *probability,
                     gain_nats: peak.log_evidence - ranking.null.log_evidence,
                     size_ratio: peak.size_ratio,
-                    beside: None,
                 },
             )),
         }
@@ -137,12 +134,12 @@ pub(crate) fn shapes_in_doubt(one: EffectKind, other: EffectKind) -> bool {
 }
 
 /// Whether an effect's shape under load is that of walls, ribs and bearings, which are in no robot file.
-pub(super) fn has_rough_shape(kind: EffectKind) -> bool {
+fn has_rough_shape(kind: EffectKind) -> bool {
     matches!(kind, EffectKind::LinkBending | EffectKind::BaseTilt)
 }
 
 /// Whether an effect is a give under load.
-pub(super) fn gives_under_load(kind: EffectKind) -> bool {
+fn gives_under_load(kind: EffectKind) -> bool {
     has_rough_shape(kind) || kind == EffectKind::JointCompliance
 }
 
@@ -157,6 +154,10 @@ fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f
         *rival = (*rival * odds).min(first);
     }
     let after: f64 = probabilities.iter().sum();
+    if after <= 0.0 {
+        // Structure of no cause is likelier by more than a double can hold.
+        return;
+    }
     probabilities.iter_mut().for_each(|p| *p *= before / after);
 }
 
@@ -201,10 +202,10 @@ pub(super) fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Op
 }
 
 /// What variants of one cause share.
-pub(super) type Key = (EffectKind, Option<Axis>, Option<Axis>);
+type Key = (EffectKind, Option<Axis>, Option<Axis>);
 
 /// The cause that a candidate is a variant of.
-pub(super) fn key(c: &Candidate) -> Key {
+fn key(c: &Candidate) -> Key {
     (c.kind, c.variant.joint, c.variant.joint_b)
 }
 

@@ -8,7 +8,6 @@ mod judge;
 mod judgement;
 mod listing;
 mod noise;
-mod pair_rivals;
 mod size;
 mod structure;
 mod with_causes;

@@ -23,10 +23,8 @@ pub(super) fn cause(
     let FittedModel { model, workspace, linear } = fitted;
     let Workspace { design, library, column_index } = &mut *workspace;
     let columns = library.columns_in_design(design, column_index, &[cause_group.best]).concat();
-    let size_ratio = match (cause_group.beside, i.and_then(|i| chosen.get(i))) {
-        (Some(_), _) => cause_group.size_ratio,
-        (None, chosen) => chosen.map_or(1.0 / model.peak.sigma_m, |c| c.size_ratio),
-    };
+    let chosen_here = i.and_then(|i| chosen.get(i));
+    let size_ratio = chosen_here.map_or(1.0 / model.peak.sigma_m, |c| c.size_ratio);
     let this = ChosenCause {
         candidate: cause_group.best,
         columns: columns.clone(),
@@ -37,10 +35,6 @@ pub(super) fn cause(
     match i {
         Some(i) => all[i] = this,
         None => all.push(this),
-    }
-    if let Some((other, size_ratio)) = cause_group.beside {
-        let columns = library.columns_in_design(design, column_index, &[other]).concat();
-        all.push(ChosenCause { candidate: other, columns, gain_nats: cause_group.gain_nats, size_ratio });
     }
     let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, &all, Some(model.peak.geometry_ratio));
@@ -65,7 +59,6 @@ pub(super) fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCaus
         probability: 1.0 / (1.0 + (-odds).exp()),
         gain_nats: one.gain_nats,
         size_ratio: one.size_ratio,
-        beside: None,
     };
     cause(fitted, chosen, Some(i), &cause_group)
 }

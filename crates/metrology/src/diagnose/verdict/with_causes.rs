@@ -4,7 +4,6 @@ use super::cause_group::{CauseGroup, OpenSlot, cause_groups, credible, doubt_sha
 use super::judgement::Judgement;
 use super::listing::{likeliest_of_slots, listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
-use super::pair_rivals::{join_pairs, pair_rivals};
 use super::size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
 use super::structure::{
     MANY_CAUSES, SMALL_BESIDE, alternative_share, gp_alternative_share, left_over_m, likeliest_structure,
@@ -61,7 +60,7 @@ pub(super) fn with_causes(
     let Decision { verdict, reason, location } = outcome.unwrap_or_else(|| {
         let (verdict, reason) = if causes.is_empty() {
             (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
-        } else if found.clear < found.needed.min(2) || has_scale || has_open_slot {
+        } else if found.clear < found.needed.min(2) || has_scale || found.has_open_slot || has_open_slot {
             (Verdict::Ambiguous, format!("these data leave a choice: {}", in_short(&causes)))
         } else if found.needed > 1 {
             (Verdict::Several, format!("{} causes, each needed: {}", found.needed, in_short(&causes)))
@@ -102,6 +101,8 @@ struct CausesFound {
     needed: usize,
     /// Of these, slots with one cause that stands clear of all else.
     clear: usize,
+    /// Whether one of these has no cause that is likelier than not.
+    has_open_slot: bool,
     /// Slots whose causes structure of no cause could replace.
     replaceable: Vec<usize>,
     /// The likeliest structure in the last of these.
@@ -128,8 +129,6 @@ impl CausesFound {
         let mut cause_groups = cause_groups(&fitted.workspace, &ranking);
         join_nested(&fitted.workspace, &mut cause_groups);
         doubt_shapes(&fitted.workspace, &mut cause_groups);
-        let pairs = pair_rivals(fitted, chosen, i, &cause_groups);
-        join_pairs(&fitted.workspace, &mut cause_groups, &pairs);
         let Some(first) = cause_groups.first() else { return };
         let near = credible(&cause_groups);
         let nothing =
@@ -151,6 +150,7 @@ impl CausesFound {
             self.replaceable.push(i);
         }
         let play_too = looks_like_play(fitted, first.best);
+        self.has_open_slot |= first.probability < LIKELIER_THAN_NOT;
         self.clear += usize::from(
             near.len() == 1
                 && !play_too
