@@ -1,4 +1,4 @@
-//! How far the gap shrinks: poses held out, selection done anew without them, and an interval.
+//! How far the gap shrinks: poses held out, causes selected and fitted anew without them (those of all poses are offered as well), and an interval.
 
 use super::dataset::{Dataset, Observation};
 use super::linear_fit::solve;
