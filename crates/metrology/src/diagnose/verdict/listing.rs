@@ -36,13 +36,6 @@ fn share_scale_with_links(causes: &mut Vec<Cause>) {
     }
 }
 
-/// The highest probability of each slot.
-pub(super) fn likeliest_of_slots(causes: &[Cause]) -> impl Iterator<Item = f64> {
-    let slots = causes.iter().map(|c| c.slot).max().unwrap_or(0);
-    let of = |slot| causes.iter().filter(move |c| c.slot == slot).map(|c| c.posterior).reduce(f64::max);
-    (1..=slots).filter_map(of)
-}
-
 /// Takes from the probabilities of each slot what they come to above 1: the difference of two large logarithms is known to some 1e-12.
 pub(super) fn at_most_one(causes: &mut [Cause]) {
     let slots = causes.iter().map(|c| c.slot).max().unwrap_or(0);
@@ -133,14 +126,6 @@ mod tests {
             (EffectKind::BaseTilt, 1, 0.8),
         ];
         assert_eq!(named, expected);
-    }
-
-    /// Two clear causes and a third that is one of three: the third slot's likeliest is 0.4.
-    #[test]
-    fn the_least_clear_slot_is_seen() {
-        let cause = |slot, posterior| Cause { slot, ..Cause::of(EffectKind::JointOffset, posterior) };
-        let causes = [cause(1, 1.0), cause(2, 0.99), cause(3, 0.4), cause(3, 0.35), cause(3, 0.25)];
-        assert_eq!(likeliest_of_slots(&causes).collect::<Vec<_>>(), [1.0, 0.99, 0.4]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::cause_group::{CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, scan};
 use super::judgement::Judgement;
-use super::listing::{likeliest_of_slots, listed, rejected};
+use super::listing::{listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
 use super::size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
 use super::structure::{
@@ -41,7 +41,6 @@ pub(super) fn with_causes(
     }
     let causes = listed(std::mem::take(&mut found.causes));
     let has_scale = causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
-    let has_open_slot = likeliest_of_slots(&causes).any(|posterior| posterior < LIKELIER_THAN_NOT);
     let alternatives = rejected(std::mem::take(&mut found.alternatives), &causes);
     let moved_m = moved_m(fitted, chosen);
     let of_causes = Location {
@@ -60,7 +59,7 @@ pub(super) fn with_causes(
     let Decision { verdict, reason, location } = outcome.unwrap_or_else(|| {
         let (verdict, reason) = if causes.is_empty() {
             (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
-        } else if found.clear < found.needed.min(2) || has_scale || found.has_open_slot || has_open_slot {
+        } else if found.clear < found.needed.min(2) || has_scale || found.has_open_slot {
             (Verdict::Ambiguous, format!("these data leave a choice: {}", in_short(&causes)))
         } else if found.needed > 1 {
             (Verdict::Several, format!("{} causes, each needed: {}", found.needed, in_short(&causes)))
@@ -166,6 +165,7 @@ impl CausesFound {
             // Of the two the file prefers neither; the spring stands first.
             spring.posterior *= AS_MUCH_PLAY;
             let (joint, posterior) = (spring.joint, spring.posterior);
+            self.has_open_slot |= posterior < LIKELIER_THAN_NOT;
             self.causes.push(Cause { joint, slot: i + 1, ..Cause::of(EffectKind::Backlash, posterior) });
         }
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
