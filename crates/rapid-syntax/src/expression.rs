@@ -5,11 +5,10 @@ use super::lexical::{
     any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
 };
 use super::numbers::is_plain;
+use super::operator::{COMPARISON, binding, operator};
 use super::plain_list::{self, PlainList, PlainPart};
 use super::recover::balanced;
-use super::tree::{
-    Arg, ArgKind, BinaryExpr, BinaryOp, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp,
-};
+use super::tree::{Arg, ArgKind, BinaryExpr, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp};
 use super::word::Word;
 use crate::diagnostic::TextRange;
 
@@ -83,56 +82,6 @@ fn raise<'a>(i: Text<'a>, below: u16) -> Read<'a, ()> {
     }
     i.state.height.set(below + 1);
     Ok((i, ()))
-}
-
-/// How strongly an operator binds: OR XOR < AND < comparisons < + - < * / DIV MOD.
-fn binding(op: BinaryOp) -> u8 {
-    use BinaryOp::*;
-    match op {
-        Or | Xor => 0,
-        And => 1,
-        Lt | Le | Eq | Ge | Gt | Ne => COMPARISON,
-        Add | Sub => 3,
-        Mul | Div | IntDiv | Mod => 4,
-    }
-}
-
-const COMPARISON: u8 = 2;
-
-/// `operator = "OR" | "XOR" | "AND" | "<" | "<=" | "<>" | "=" | ">=" | ">" | "+" | "-" | "*" | "/" | "DIV" | "MOD" ;`
-#[inline]
-fn operator<'a>(i: Text<'a>) -> Option<(Text<'a>, BinaryOp)> {
-    use BinaryOp::*;
-    let i = blank(i);
-    let (n, op) = match i.rest {
-        [b',' | b']' | b')' | b';' | b':' | b'\\' | b'}' | b'%' | b'[', ..] => return None,
-        [b'<', b'=', ..] => (2, Le),
-        [b'<', b'>', ..] => (2, Ne),
-        [b'>', b'=', ..] => (2, Ge),
-        [b'<', ..] if placeholder(i).is_ok() => return None,
-        [b'<', ..] => (1, Lt),
-        [b'>', ..] => (1, Gt),
-        [b'=', ..] => (1, Eq),
-        [b'+', ..] => (1, Add),
-        [b'-', ..] => (1, Sub),
-        [b'*', ..] => (1, Mul),
-        [b'/', ..] => (1, Div),
-        _ => return word_operator(i),
-    };
-    Some((i.skip(n), op))
-}
-
-fn word_operator<'a>(i: Text<'a>) -> Option<(Text<'a>, BinaryOp)> {
-    let (rest, word) = any_word(i)?;
-    let op = match word {
-        Word::Or => BinaryOp::Or,
-        Word::Xor => BinaryOp::Xor,
-        Word::And => BinaryOp::And,
-        Word::Div => BinaryOp::IntDiv,
-        Word::Mod => BinaryOp::Mod,
-        _ => return None,
-    };
-    Some((rest, op))
 }
 
 /// `operand = [ "-" | "+" ] operand | "NOT" expression | primary ;`

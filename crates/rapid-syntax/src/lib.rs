@@ -21,6 +21,7 @@ mod lexical;
 pub mod literal;
 mod module;
 mod numbers;
+mod operator;
 mod parse;
 mod plain_list;
 mod plain_statement;
