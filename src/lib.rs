@@ -45,7 +45,8 @@
 //! written. No job of [`application`] prints. What cannot be done is an error with a stable code, listed in `docs/MESSAGES.md`, which becomes a
 //! [`Diagnostic`]; or a [`Refusal`] that holds several.
 //!
-//! Every job has a `new`, options that are its fields, and a `run` that gives a result of its own: with its verdict, its text and its JSON.
+//! Every job has a `new`, options that are its fields, and a `run` that gives a result of its own, most of them with a
+//! verdict, a text and their JSON.
 //! Beside those above: [`Fit`] makes a table of drift from touches of fixed points, [`Exam`] puts sets with sealed truth to the diagnosis,
 //! [`ClosedLoop`] closes the whole loop on a virtual robot, [`ProgramComparison`](application::ProgramComparison) and
 //! [`Restoration`](application::Restoration) look at a program that was corrected, and [`ModelCheck`](application::ModelCheck),

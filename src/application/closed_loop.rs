@@ -187,6 +187,20 @@ pub struct LoopFailure {
     pub model: Option<Box<Identified>>,
 }
 
+impl LoopFailure {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        self.why.code
+    }
+}
+
+impl From<LoopFailure> for Diagnostic {
+    fn from(failure: LoopFailure) -> Self {
+        failure.why
+    }
+}
+
 impl From<Diagnostic> for LoopFailure {
     fn from(why: Diagnostic) -> Self {
         Self { why, model: None }

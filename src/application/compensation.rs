@@ -299,7 +299,7 @@ impl Compensation {
     }
 }
 
-/// What was emitted.
+/// What is known of all emitted files together.
 struct Emission {
     /// All of it, bytes.
     text_bytes: usize,

@@ -30,8 +30,8 @@ impl Question {
     /// What the diagnosis says, by way of the JSON that any script reads.
     ///
     /// # Errors
-    /// [`ExamError`]
-    pub fn answer(&self) -> Result<Answer, ExamError> {
+    /// Another robot than the one of its rows, or an answer that is not that of the contract.
+    pub fn answer(&self) -> Result<Answer, QuestionError> {
         let mut diagnosis = Diagnosis::new(self.robot.clone());
         diagnosis.options = DiagnosisOptions {
             tool_m: self.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
@@ -80,10 +80,11 @@ impl Exam {
     /// Diagnoses every set, then scores the answers.
     ///
     /// # Errors
-    /// [`ExamError`]
+    /// A set that is not answered, by its name.
     pub fn run(&self) -> Result<Scored, ExamError> {
         let answer = |(truth, question): &(Truth, Question)| {
-            Ok(AnsweredSet { truth: truth.clone(), answer: question.answer()? })
+            let unanswered = |cause| ExamError { set: truth.name.clone(), cause };
+            Ok(AnsweredSet { truth: truth.clone(), answer: question.answer().map_err(unanswered)? })
         };
         let answered: Vec<AnsweredSet> =
             self.sets.par_iter().map(answer).collect::<Result<_, ExamError>>()?;
@@ -91,15 +92,43 @@ impl Exam {
     }
 }
 
-/// Why an exam is not scored.
+/// Why a question is not answered.
 #[derive(Debug, thiserror::Error)]
-pub enum ExamError {
-    /// A set is of another robot.
+pub enum QuestionError {
+    /// The set is of another robot.
     #[error(transparent)]
     Diagnosis(#[from] DiagnosisError),
-    /// An answer is not that of the contract.
+    /// The answer is not that of the contract.
     #[error(transparent)]
     Answer(#[from] serde_json::Error),
+}
+
+/// Why an exam is not scored: one of its sets is not answered.
+#[derive(Debug, thiserror::Error)]
+#[error("{set}: {cause}")]
+pub struct ExamError {
+    /// Name of the set, that of its folder.
+    pub set: String,
+    /// Why it is not answered.
+    #[source]
+    pub cause: QuestionError,
+}
+
+impl ExamError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match &self.cause {
+            QuestionError::Diagnosis(error) => error.code(),
+            QuestionError::Answer(_) => "exam::answer",
+        }
+    }
+}
+
+impl From<ExamError> for Diagnostic {
+    fn from(error: ExamError) -> Self {
+        Self::error(error.code(), error.to_string())
+    }
 }
 
 /// What an exam came to.

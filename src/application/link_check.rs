@@ -1,10 +1,11 @@
 //! A program's targets put to the controller's own kinematics: nothing moves, it calculates.
 
+use super::loading::link_message;
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
 use rapid_program::compensate::CompensateError;
 use rapid_program::compensate::commanded::{Commanded, commanded};
 use rapid_program::program::Program;
-use rapid_syntax::diagnostic::counted;
+use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_link::{Configuration, Frame, LinkError, Session, Unit};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
@@ -38,6 +39,26 @@ pub enum LinkCheckError {
     /// No or an incomplete answer.
     #[error(transparent)]
     Link(#[from] LinkError),
+}
+
+impl LinkCheckError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Robot(error) => error.code(),
+            Self::Link(error) => error.code(),
+        }
+    }
+}
+
+impl From<LinkCheckError> for Diagnostic {
+    fn from(error: LinkCheckError) -> Self {
+        match error {
+            LinkCheckError::Robot(error) => error.into(),
+            LinkCheckError::Link(error) => link_message(&error),
+        }
+    }
 }
 
 /// What was found at one target.

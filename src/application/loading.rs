@@ -83,13 +83,30 @@ pub enum LoadingError {
     Link(#[from] LinkError),
 }
 
+impl LoadingError {
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Task(message) => message.code,
+            Self::Link(error) => error.code(),
+        }
+    }
+}
+
 impl From<LoadingError> for Diagnostic {
     fn from(error: LoadingError) -> Self {
         match error {
             LoadingError::Task(message) => message,
-            LoadingError::Link(error) => Self::error(error.code(), error.to_string()).help(error.help()),
+            LoadingError::Link(error) => link_message(&error),
         }
     }
+}
+
+/// What a controller's failure is told as, with what to do next.
+#[must_use]
+pub fn link_message(error: &LinkError) -> Diagnostic {
+    Diagnostic::error(error.code(), error.to_string()).help(error.help())
 }
 
 /// The task that is named, or the only one that moves an arm.

@@ -75,7 +75,7 @@ impl MadeWith {
     /// The robot; an IRB 140 where no module names one.
     ///
     /// # Errors
-    /// As [`one`](Self::one).
+    /// Modules that say different things, as [`one`](Self::one).
     pub fn robot(&self) -> Result<Origin<'_>, Diagnostic> {
         let is_built_in = |source: &Provenance| {
             Robot::built_in_file(&source.name).is_some_and(|file| sha256(file.as_bytes()) == source.sha256)
@@ -87,7 +87,7 @@ impl MadeWith {
     /// The deformation table, where a module names one.
     ///
     /// # Errors
-    /// As [`one`](Self::one).
+    /// Modules that say different things, as [`one`](Self::one).
     pub fn deformation(&self) -> Result<Option<Origin<'_>>, Diagnostic> {
         let papers = Named::<Deformation>::paper().source;
         self.origin("deformation", |source| *source == papers)
@@ -96,7 +96,7 @@ impl MadeWith {
     /// The identified model, where a module names one.
     ///
     /// # Errors
-    /// As [`one`](Self::one).
+    /// Modules that say different things, as [`one`](Self::one).
     pub fn model(&self) -> Result<Option<Origin<'_>>, Diagnostic> {
         self.origin("model", |_| false)
     }
@@ -148,7 +148,7 @@ impl MadeWith {
     /// Joints with which the arm stands when the entry is called, radians: those that are given, else the modules'.
     ///
     /// # Errors
-    /// As [`one`](Self::one).
+    /// Modules that say different things, as [`one`](Self::one).
     pub fn start_rad(&self, given: Option<[f64; 6]>) -> Result<Option<[f64; 6]>, Diagnostic> {
         match given {
             Some(q_rad) => Ok(Some(q_rad)),
@@ -159,7 +159,7 @@ impl MadeWith {
     /// How warm the joints are, degrees Celsius.
     ///
     /// # Errors
-    /// As [`one`](Self::one).
+    /// Modules that say different things, as [`one`](Self::one).
     pub fn joint_temperature_c(&self) -> Result<Option<[f64; 6]>, Diagnostic> {
         Ok(self.one("temperature-c")?.and_then(|text| temperatures_c(text).ok()))
     }
@@ -167,7 +167,7 @@ impl MadeWith {
     /// The whole load on the flange, kg.
     ///
     /// # Errors
-    /// As [`one`](Self::one).
+    /// Modules that say different things, as [`one`](Self::one).
     pub fn payload_kg(&self) -> Result<Option<f64>, Diagnostic> {
         Ok(self.one("payload-kg")?.and_then(|text| text.parse().ok()))
     }

@@ -56,7 +56,7 @@ pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, Targe
 #[cfg(feature = "link")]
 pub use link_info::LinkInfo;
 #[cfg(feature = "link")]
-pub use loading::{Loading, LoadingError};
+pub use loading::{Loading, LoadingError, link_message};
 pub use made_with::{MadeWith, Origin};
 pub use model_check::{ModelCheck, ModelChecked};
 pub use named::Named;

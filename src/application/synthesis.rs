@@ -12,6 +12,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::m_from_mm;
+use serde::Serialize;
 
 /// A draw that leaves no signal is drawn again, so often.
 const TRIES: usize = 50;
@@ -155,9 +156,7 @@ impl Synthesized {
     /// # Errors
     /// A number that JSON cannot hold.
     pub fn sealed_truth(&self) -> serde_json::Result<(Vec<u8>, String)> {
-        let truth = serde_json::to_vec_pretty(&self.sealed)?;
-        let seal = seal(&truth);
-        Ok((truth, seal))
+        sealed(&self.sealed)
     }
 
     /// What was made, as JSON; `folder` is where it goes.
@@ -165,6 +164,13 @@ impl Synthesized {
     pub fn json(&self, folder: &str) -> serde_json::Value {
         serde_json::json!({ "out_dir": folder, "seed": self.sealed.seed, "sets": self.sets.len() })
     }
+}
+
+/// A truth as its file holds it, and the seal of that.
+fn sealed(truth: &impl Serialize) -> serde_json::Result<(Vec<u8>, String)> {
+    let truth = serde_json::to_vec_pretty(truth)?;
+    let seal = seal(&truth);
+    Ok((truth, seal))
 }
 
 /// Touches of fixed points over a warm-up and one stop, which wait to be made.
@@ -176,7 +182,7 @@ pub struct TouchSynthesis {
     pub deformation: Deformation,
     /// How many points.
     pub points: usize,
-    /// Touches of each.
+    /// How often each of them is touched.
     pub times: usize,
     /// Between two touches while the robot runs, minutes.
     pub every_min: f64,
@@ -247,9 +253,7 @@ impl TouchesSynthesized {
     /// # Errors
     /// A number that JSON cannot hold.
     pub fn sealed_truth(&self) -> serde_json::Result<(Vec<u8>, String)> {
-        let truth = serde_json::to_vec_pretty(&self.recipe)?;
-        let seal = seal(&truth);
-        Ok((truth, seal))
+        sealed(&self.recipe)
     }
 
     /// What was made, as JSON; `folder` is where it goes.

@@ -46,7 +46,7 @@ impl Tabulation {
 pub struct Tabulated {
     /// The targets, in their order.
     pub targets: Vec<Target>,
-    /// Their joints.
+    /// The joints with which the arm stands on them, minute by minute.
     pub table: MinuteTable,
     /// How far they are missed before and after, minute by minute.
     pub misses: Vec<MinuteMiss>,

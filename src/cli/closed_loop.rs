@@ -7,6 +7,7 @@ use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
 use driftpost::application::{ChosenEffects, ClosedLoop};
 use exam::rng::Rng;
+use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -86,7 +87,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let (Some(file), Some(model)) = (model_out, model) {
         file.write(model.to_toml().as_bytes())?;
     }
-    let closed = closed.map_err(|failure| failure.why)?;
+    let closed = closed.map_err(Diagnostic::from)?;
     let answer = closed.json();
     page.write("closed-loop", &hashes(&given.program()), &answer, &closed.findings.reason)?;
     let takes_standard_output = json.is_standard();

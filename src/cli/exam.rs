@@ -4,6 +4,7 @@ use super::{Console, Outcome, files, model};
 use driftpost::application::{Exam, Question};
 use exam::generate::Task;
 use metrology::measure::Measurements;
+use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 
 /// Command line of `driftpost exam`.
@@ -27,7 +28,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let stated = files::read(&args.dir.join("SEAL"), "seal")?;
     let exam = Exam::open(&truth, &String::from_utf8_lossy(&stated), |set| read(&args.dir.join(set)))?;
     let json = files::Output::new(args.json.as_deref())?;
-    let scored = exam.run()?;
+    let scored = exam.run().map_err(Diagnostic::from)?;
     let to_standard_output = matches!(json, files::Output::Standard);
     json.write(console, || Ok(scored.json().into_bytes()))?;
     if !to_standard_output {

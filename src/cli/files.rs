@@ -155,7 +155,7 @@ impl Output {
     /// The output that an option names; a file is made sure of.
     ///
     /// # Errors
-    /// As [`Pending::new`].
+    /// A place where no file can be put, as [`Pending::new`] says.
     pub fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
         match path {
             None => Ok(Self::Nowhere),

@@ -23,7 +23,7 @@ impl ReportArgs {
     /// Makes sure, before the work begins, that the page can be written.
     ///
     /// # Errors
-    /// As [`Pending::new`].
+    /// A place where no file can be put, as [`Pending::new`] says.
     pub fn open(&self) -> Result<PageOutput, Diagnostic> {
         self.report.as_deref().map(Pending::new).transpose().map(PageOutput)
     }
@@ -33,7 +33,7 @@ impl PageOutput {
     /// Writes what `work` writes, and puts the page in its place.
     ///
     /// # Errors
-    /// Those of writing.
+    /// What cannot be written, a full disk or a closed pipe.
     pub fn write_with(self, work: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> anyhow::Result<()> {
         let Some(mut page) = self.0 else { return Ok(()) };
         let mut out = BufWriter::with_capacity(1 << 16, page.out());
@@ -46,7 +46,7 @@ impl PageOutput {
     /// Writes the page of a result: its JSON, the report as it was printed, and of each input its name and SHA-256.
     ///
     /// # Errors
-    /// Those of writing.
+    /// What cannot be written, a full disk or a closed pipe.
     pub fn write(
         self,
         command: &'static str,

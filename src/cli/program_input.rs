@@ -88,16 +88,15 @@ impl ProgramInput {
     /// The same with what lies beside the modules, which is read when it is asked for.
     #[must_use]
     pub fn placed(&self) -> PlacedProgram<'_> {
-        let others: BTreeMap<&Path, &Path> =
-            self.others.iter().map(|(path, place)| (place.as_path(), path.as_path())).collect();
+        // By the text under which a place is asked for: not every name is UTF-8.
+        let others: BTreeMap<String, &Path> =
+            self.others.iter().map(|(path, place)| (slashed(place), path.as_path())).collect();
         PlacedProgram {
             files: self.program(),
             places: self.places.iter().map(|place| slashed(place)).collect(),
-            others: others.keys().map(|place| slashed(place)).collect(),
+            others: others.keys().cloned().collect(),
             read: Box::new(move |place| {
-                // A name that is no UTF-8 is not found again by its text.
-                let path = others.iter().find(|(other, _)| slashed(other) == place).map(|(_, path)| *path);
-                files::read(path.unwrap_or(Path::new(place)), "file")
+                files::read(others.get(place).copied().unwrap_or(Path::new(place)), "file")
             }),
         }
     }

@@ -177,6 +177,23 @@ fn a_file_of_other_joints_than_the_arms_is_told() {
     assert!(of_six.to_string().contains("of an arm of 6 joints"), "{of_six}");
 }
 
+/// Of an exam it is told with the name of the set: here one of a SCARA, which its task calls an IRB 140.
+#[test]
+fn a_set_of_other_joints_than_its_robots_ends_the_exam_by_its_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let (sets, scara) = (folder.path().join("sets"), "fixtures/robots/scara.toml");
+    let planted = ["--robot", scara, "--effects", "joint_offset:2", "--sets", "1", "--n", "20"];
+    driftpost().arg("synth").arg(&sets).args(planted).assert().success();
+    let task = sets.join("set_0000/task.toml");
+    let text = fs::read_to_string(&task).unwrap();
+    assert!(text.contains(scara), "{text}");
+    fs::write(&task, text.replace(scara, "irb140")).unwrap();
+    let said = driftpost().arg("exam").arg(&sets).output().unwrap();
+    let message = String::from_utf8(said.stderr).unwrap();
+    assert_eq!(said.status.code(), Some(2), "{message}");
+    assert!(message.contains("error[measure::fault]: set_0000: "), "{message}");
+}
+
 fn driftpost() -> Command {
     Command::cargo_bin("driftpost").unwrap()
 }

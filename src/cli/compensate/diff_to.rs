@@ -24,7 +24,7 @@ impl DiffTo {
     /// What `asked` says in words, or the file that it names.
     ///
     /// # Errors
-    /// As [`Pending::new`].
+    /// A place where no file can be put, as [`Pending::new`] says.
     pub fn new(asked: &Path, is_quiet: bool) -> Result<Self, Diagnostic> {
         let unnamed = || tempfile::tempfile().map_err(|cause| no_output(&cause));
         match asked.to_str() {
@@ -39,7 +39,7 @@ impl DiffTo {
     /// Takes what changes in an emitted file, which goes to `path`.
     ///
     /// # Errors
-    /// Those of writing.
+    /// What cannot be written, a full disk or a closed pipe.
     pub fn add(&mut self, program: &Program, file: &EmittedFile, path: &str) -> io::Result<()> {
         let buffered = |out: &mut dyn Write| {
             let mut out = BufWriter::with_capacity(1 << 16, out);
@@ -74,7 +74,7 @@ impl DiffTo {
     /// Writes what goes to standard output.
     ///
     /// # Errors
-    /// Those of writing.
+    /// What cannot be written, a full disk or a closed pipe.
     pub fn show(&mut self, console: &mut Console) -> io::Result<()> {
         let mut text = Vec::new();
         match self {

@@ -27,7 +27,7 @@ impl Results {
     /// JSON and page, which are written of a refusal as well.
     ///
     /// # Errors
-    /// As [`Pending::new`].
+    /// A place where no file can be put, as [`Pending::new`] says.
     pub fn new(args: &Args) -> Result<Self, Diagnostic> {
         Ok(Self {
             json: Output::new(args.json.as_deref())?,
@@ -41,7 +41,7 @@ impl Results {
     /// The others; `is_quiet`: nothing is shown but what goes to standard output by its option.
     ///
     /// # Errors
-    /// As [`Pending::new`].
+    /// A place where no file can be put, as [`Pending::new`] says.
     pub fn open(&mut self, args: &Args, is_quiet: bool) -> Result<(), Diagnostic> {
         self.joints = Output::new(args.joints_csv.as_deref())?;
         self.is_quiet = is_quiet || self.json.is_standard() || self.joints.is_standard();
@@ -105,7 +105,7 @@ impl Results {
     /// Tells a refusal; `jobs` are what was asked for, as far as that was understood.
     ///
     /// # Errors
-    /// Those of writing.
+    /// What cannot be written, a full disk or a closed pipe.
     pub fn refuse(
         self,
         args: &Args,

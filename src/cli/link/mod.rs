@@ -13,7 +13,7 @@ mod watch;
 
 use super::{Console, Outcome, interrupt};
 use clap::Subcommand;
-use rapid_syntax::diagnostic::Diagnostic;
+use driftpost::application::link_message;
 use robot_link::LinkError;
 
 /// Command line of `driftpost link`.
@@ -64,15 +64,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
             interrupt::leave()
         }
         Err(error) => Err(match error.downcast::<LinkError>() {
-            Ok(error) => anyhow::Error::from(diagnostic(&error)),
+            Ok(error) => anyhow::Error::from(link_message(&error)),
             Err(other) => other,
         }),
         done => done,
     }
-}
-
-fn diagnostic(error: &LinkError) -> Diagnostic {
-    Diagnostic::error(error.code(), error.to_string()).help(error.help())
 }
 
 /// The table of requests as it is in the program.
