@@ -1,7 +1,8 @@
 //! The controller's own functions, by name in lower case. ABB, "RAPID Instructions, Functions and Data types",
 //! lists them; a function of another name may write whatever it is handed.
 
-use super::instructions::{harmless, move_form};
+use super::move_instructions::move_form;
+use super::other_instructions::harmless;
 
 /// Whether a function is the controller's own.
 pub(super) fn is_built_in_function(name: &str) -> bool {

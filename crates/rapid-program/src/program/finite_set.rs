@@ -5,6 +5,7 @@
 //! A superset is enough: which of the values it is, run time tells. What may be changed in another way (in part, by an
 //! instruction, through a parameter, in a trap or a handler, by another task, by a name that is computed) has no such set.
 
+use super::call_arguments::match_arguments;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::expressions::{every_call, expressions_of, words};
 use super::ids::{DatumId, IdSet, RoutineIndex};
@@ -14,7 +15,7 @@ use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::tracked::names_in;
 use super::value::Value;
-use super::writes::{How, match_arguments};
+use super::writes::How;
 use rapid_syntax::diagnostic::{FileId, TextRange};
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, ModuleItem, StmtKind};
 use std::rc::Rc;

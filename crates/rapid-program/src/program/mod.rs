@@ -11,6 +11,7 @@ pub mod one_or_many;
 pub mod pgf;
 
 mod built_in;
+mod call_arguments;
 mod cfg;
 mod const_eval;
 mod convert;
@@ -23,14 +24,16 @@ mod flow;
 mod functions;
 mod ids;
 mod index;
-mod instructions;
+
 mod late_bound;
 pub mod loads;
 mod made_for;
 mod mod_ref;
 mod motion_site;
+mod move_instructions;
 mod names;
 mod order;
+mod other_instructions;
 mod other_tasks;
 mod overrides;
 mod own_position;

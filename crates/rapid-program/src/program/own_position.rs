@@ -3,6 +3,7 @@
 //! Whatever such a value can go into at some time counts. Where it matters which value it is at one place, the walk along the ways
 //! narrows that down (`state`).
 
+use super::call_arguments::{MatchedArgument, match_arguments};
 use super::expressions::{every_call, expressions_of, root_of};
 use super::ids::{DatumId, IdSet, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
@@ -12,7 +13,6 @@ use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::value_flow::ValueFlow;
-use super::writes::{MatchedArgument, match_arguments};
 use super::written_by::written_by_instruction;
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};

@@ -1,5 +1,6 @@
 //! What calls by a name that is worked out at run time hand over, and back.
 
+use super::call_arguments::{MatchedArgument, match_arguments};
 use super::expressions::root_of;
 use super::ids::RoutineIndex;
 use super::index::{Ctx, DatumKind, Index, Resolved};
@@ -7,7 +8,6 @@ use super::late_bound::reached;
 use super::statements::{bodies, every_statement};
 use super::tracked::names_in;
 use super::value_flow::ValueFlow;
-use super::writes::{MatchedArgument, match_arguments};
 use rapid_syntax::tree::{Arg, Callee, ParamMode, StmtKind};
 
 /// What late-bound calls hand from datum to datum.

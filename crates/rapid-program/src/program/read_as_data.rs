@@ -3,8 +3,8 @@
 use super::expressions::{every_call, expressions_of, value_of};
 use super::ids::{DatumId, IdSet};
 use super::index::{Ctx, Index};
-use super::instructions::move_form;
 use super::motion::SkipReason;
+use super::move_instructions::move_form;
 use super::names::{ByNumber, as_text, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;

@@ -2,7 +2,7 @@
 //! wrote: the first of them names all that they name.
 
 use super::index::{Ctx, Index};
-use super::instructions::move_form;
+use super::move_instructions::move_form;
 use super::names::lower_case;
 use super::statements::inner_bodies;
 use rapid_syntax::diagnostic::TextRange;

@@ -1,6 +1,7 @@
 //! Which data are tracked as program state: tools, work objects, speeds, zones and loads that the
 //! program changes in the ordinary course of its routines, and whatever their new values are made of.
 
+use super::call_arguments::{MatchedArgument, match_arguments};
 use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::ids::{DatumId, Id, IdSet, Slot, Table};
 use super::index::{Ctx, DatumKind, Index, Resolved};
@@ -8,7 +9,7 @@ use super::motion_site::MotionSites;
 use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::value_flow::{ValueFlow, ValueFlows};
-use super::writes::{MatchedArgument, Writes, match_arguments};
+use super::writes::Writes;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
 

@@ -3,8 +3,8 @@
 
 use super::expressions::value_of;
 use super::index::{Ctx, Index};
-use super::instructions::harmless;
 use super::names::lower_case;
+use super::other_instructions::harmless;
 use rapid_syntax::tree::{Arg, ArgKind, Expr};
 
 /// The arguments that an instruction writes, or may write.

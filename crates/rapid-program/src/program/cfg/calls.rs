@@ -2,17 +2,17 @@
 
 use super::CfgBuilder;
 use crate::program::built_in::is_built_in_function;
+use crate::program::call_arguments::{NotGiven, doubtful_arguments, match_arguments};
 use crate::program::const_eval::Constant;
 use crate::program::errors::arguments_may_fail;
 use crate::program::expressions::every_call;
 use crate::program::flow::{Binding, FlowStep, Node};
 use crate::program::ids::{DatumId, RoutineIndex};
 use crate::program::index::{DatumKind, Resolved};
-use crate::program::instructions::Special;
 use crate::program::motion::MotionId;
+use crate::program::move_instructions::Special;
 use crate::program::names::{as_text, lower_case};
 use crate::program::value::{self, Value};
-use crate::program::writes::{NotGiven, doubtful_arguments, match_arguments};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, CallStmt, Callee, Expr, ExprKind, RoutineKind, Stmt};
 

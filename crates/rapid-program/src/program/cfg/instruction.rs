@@ -1,14 +1,14 @@
 //! What an instruction does to what is tracked: what it writes, and what it puts in force.
 
 use super::CfgBuilder;
+use crate::program::call_arguments::NotGiven;
 use crate::program::const_eval::Constant;
 use crate::program::convert;
 use crate::program::data::LoadData;
 use crate::program::expressions::{root_of, words};
 use crate::program::flow::{Blocker, FlowStep, Node};
-use crate::program::instructions::{harmless, moves_arm};
 use crate::program::names::{as_text, lower_case};
-use crate::program::writes::NotGiven;
+use crate::program::other_instructions::{harmless, moves_arm};
 use crate::program::written_by::written_by_instruction;
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::{Span, TextRange};

@@ -3,9 +3,9 @@
 use crate::program::data::{ToolData, WobjData};
 use crate::program::flow::{BLOCKERS, Blocker};
 use crate::program::index::Ctx;
-use crate::program::instructions::Special;
 use crate::program::motion::SkipReason;
 use crate::program::motion_site::{MotionSite, MoveArgs};
+use crate::program::move_instructions::Special;
 use crate::program::state::State;
 use rapid_syntax::diagnostic::Span;
 

@@ -6,7 +6,8 @@
 //! that nothing calls beside a `main` are called by hand: what they set counts where it is known, as somebody may choose a tool so; what
 //! only run time tells (a tool that is calibrated) does not, or nothing made of it could be corrected by tables.
 
-use super::{MOST_STEPS, SlotState, State, Walker, lose, same, unknown};
+use super::in_force::{lose, same, unknown};
+use super::{MOST_STEPS, SlotState, State, Walker};
 use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::flow::BLOCKERS;

@@ -1,6 +1,7 @@
 //! What each step of a routine does to the state.
 
-use super::{MOST_STEPS, SlotState, State, View, Walker, same, unknown};
+use super::in_force::{same, unknown};
+use super::{MOST_STEPS, SlotState, State, View, Walker};
 use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::errors::Recovery;

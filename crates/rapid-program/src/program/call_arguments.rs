@@ -1,0 +1,91 @@
+//! What a call hands to whom: its arguments matched with the callee's parameters, and those that a routine which is not among the
+//! files may write.
+//!
+//! Knows nothing of what becomes of the data.
+
+use super::expressions::{root_of, value_of};
+use super::ids::{DatumId, RoutineIndex};
+use super::index::{Ctx, DatumKind, Index, Resolved};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{Arg, ArgKind, Expr};
+
+/// What is called and is not among the files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NotGiven {
+    /// A procedure: tools, work objects, speeds and zones are taken to be left alone, as moves leave them.
+    Procedure,
+    /// A function: it moves nothing, so it may be there to write any of its arguments.
+    Function,
+}
+
+/// The names handed to a routine that is not given, and that it may write.
+pub(super) fn doubtful_arguments(
+    index: &Index<'_>,
+    ctx: Ctx,
+    args: &[Arg],
+    callee: NotGiven,
+) -> Vec<TextRange> {
+    let mut out = Vec::new();
+    for arg in args {
+        let Some(expr) = value_of(arg) else { continue };
+        let Some((root, _)) = root_of(expr) else { continue };
+        if let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx) {
+            let left_alone = callee == NotGiven::Procedure
+                && matches!(
+                    index.type_text(index.data[datum].type_name),
+                    "tooldata" | "wobjdata" | "speeddata" | "zonedata" | "loaddata"
+                );
+            if !left_alone {
+                out.push(root);
+            }
+        }
+    }
+    out
+}
+
+/// What a call hands to a parameter of the callee.
+pub(super) struct MatchedArgument<'c> {
+    pub(super) param: DatumId,
+    /// The expression that stands there; `None` for a switch.
+    pub(super) value: Option<&'c Expr>,
+    /// The caller's own parameter that is handed on if it is present, of `\Name?parameter`.
+    pub(super) handed_on: Option<TextRange>,
+}
+
+/// The arguments of a call matched with the callee's parameters.
+pub(super) fn match_arguments<'c>(
+    index: &Index<'_>,
+    ctx: Ctx,
+    callee: RoutineIndex,
+    args: &'c [Arg],
+) -> Vec<MatchedArgument<'c>> {
+    let mut out = Vec::new();
+    let Some(routine) = index.routines.get(callee) else { return out };
+    let required = |&&id: &&DatumId| !matches!(index.data[id].kind, DatumKind::Param { optional: true, .. });
+    let mut positional = routine.params.iter().filter(required);
+    for arg in args {
+        match &arg.kind {
+            ArgKind::Positional(expr) => {
+                if let Some(&param) = positional.next() {
+                    out.push(MatchedArgument { param, value: Some(expr), handed_on: None });
+                }
+            }
+            ArgKind::Named { name, value } => {
+                if let Some(param) = parameter_named(index, ctx, routine.params.as_slice(), *name) {
+                    out.push(MatchedArgument { param, value: value.as_ref(), handed_on: None });
+                }
+            }
+            ArgKind::Conditional { name, param: own } => {
+                if let Some(param) = parameter_named(index, ctx, routine.params.as_slice(), *name) {
+                    out.push(MatchedArgument { param, value: None, handed_on: Some(*own) });
+                }
+            }
+        }
+    }
+    out
+}
+
+fn parameter_named(index: &Index<'_>, ctx: Ctx, params: &[DatumId], name: TextRange) -> Option<DatumId> {
+    let name = index.name_at(ctx.file, name)?;
+    params.iter().copied().find(|&p| index.data[p].name == name)
+}

@@ -1,0 +1,76 @@
+//! What is in force at one place of a program: tracked data, motion settings, what keeps motions from being corrected; whether two
+//! states are the same, and what is left of one when it is not known what was done to it.
+//!
+//! Knows nothing of ways through the program.
+
+use crate::program::data::LoadData;
+use crate::program::flow::BLOCKERS;
+use crate::program::ids::{Slot, Table};
+use crate::program::mod_ref::RoutineEffects;
+use crate::program::motion::SkipReason;
+use crate::program::value::{Value, Why};
+use rapid_syntax::diagnostic::Span;
+use std::rc::Rc;
+
+/// A tracked datum at one place.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::program) struct SlotState {
+    pub(in crate::program) value: Value,
+    /// On some way that leads here it is still what the program was entered with; of data that outlive a cycle.
+    pub(in crate::program) at_entry: bool,
+    /// It can be what a search has found; looked at for data alone that can hold such a point at some time.
+    pub(super) found: bool,
+    pub(super) set_at: Option<Span>,
+}
+
+/// What is in force at one place.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::program) struct State {
+    pub(in crate::program) slots: Table<Slot, SlotState>,
+    pub(in crate::program) conf_l: Option<bool>,
+    pub(in crate::program) conf_j: Option<bool>,
+    /// What the last GripLoad said; `None` = not known.
+    pub(in crate::program) grip: Option<LoadData>,
+    /// In the order of [`BLOCKERS`]: why it is, or may be, in force.
+    pub(in crate::program) blockers: [Option<Why>; BLOCKERS.len()],
+}
+
+pub(super) fn same(a: &State, b: &State) -> bool {
+    a.conf_l == b.conf_l
+        && a.conf_j == b.conf_j
+        && a.grip == b.grip
+        && a.blockers.iter().zip(&b.blockers).all(|(a, b)| a.is_some() == b.is_some())
+        && a.slots
+            .iter()
+            .zip(&b.slots)
+            .all(|(a, b)| a.at_entry == b.at_entry && a.found == b.found && a.value.same(&b.value))
+}
+
+pub(super) fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {
+    match (a, b) {
+        (None, None) => true,
+        (Some(a), Some(b)) => same(a, b),
+        _ => false,
+    }
+}
+
+pub(super) fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
+    for slot in effects.slots.iter() {
+        if let Some(slot) = state.slots.get_mut(slot) {
+            slot.value = Value::Unknown(why.clone());
+            slot.found = true;
+        }
+    }
+    state.conf_l = state.conf_l.filter(|_| !effects.conf_l);
+    state.conf_j = state.conf_j.filter(|_| !effects.conf_j);
+    state.grip = state.grip.filter(|_| !effects.grip);
+    for (by, blocker) in effects.blockers.iter().zip(&mut state.blockers) {
+        if by.is_some() {
+            blocker.clone_from(by);
+        }
+    }
+}
+
+pub(super) fn unknown(reason: &str) -> Why {
+    Rc::new(SkipReason { code: "keep::runtime-target", reason: reason.into(), because: None })
+}
