@@ -14,6 +14,7 @@ mod compensation_checks;
 mod diagnosis;
 mod exam;
 mod fit;
+mod inspection;
 #[cfg(feature = "link")]
 mod link_check;
 #[cfg(feature = "link")]
@@ -27,6 +28,7 @@ mod other_files;
 #[cfg(feature = "link")]
 mod own_data;
 mod page;
+mod planning;
 mod program_comparison;
 mod program_files;
 #[cfg(feature = "mcap")]
@@ -51,6 +53,7 @@ pub use compensated::{Compensated, Refusal};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis, DiagnosisError};
 pub use fit::{Fit, Fitted};
+pub use inspection::{Inspected, Inspection};
 #[cfg(feature = "link")]
 pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, TargetCheck};
 #[cfg(feature = "link")]
@@ -61,6 +64,7 @@ pub use made_with::{MadeWith, Origin};
 pub use model_check::{ModelCheck, ModelChecked};
 pub use named::Named;
 pub use other_files::{PlacedProgram, ReadOther};
+pub use planning::{Planned, Planning, PlanningError};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles};
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};

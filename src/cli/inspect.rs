@@ -4,8 +4,7 @@ use super::files::Output;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
 use clap::ValueEnum;
-use driftpost::report::{self, LocatedDiagnostic};
-use rapid_program::program::{Overrides, Program};
+use driftpost::application::Inspection;
 use std::path::PathBuf;
 
 /// Command line of `driftpost inspect`.
@@ -46,20 +45,19 @@ pub enum Format {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let given = ProgramInput::read(&args.program)?;
-    let files = given.program().sources();
-    if let Err(message) = driftpost::application::check_modules(&files) {
-        console.explain(&[LocatedDiagnostic::new(message, &files)], true);
-        return Ok(Outcome::Refused);
-    }
-    let program = Program::read(files, &Overrides::default());
-    let warnings = program.files.iter().flat_map(|file| &file.warnings);
-    let messages = LocatedDiagnostic::all(warnings.chain(&program.diagnostics).cloned(), &program.files);
-    console.explain(&messages, args.all);
-    let pretty = || format!("{:#}\n", report::inspection(&program, &messages)).into_bytes();
+    let inspected = match Inspection::new().run(&given.program()) {
+        Ok(inspected) => inspected,
+        Err(why) => {
+            console.explain(&[*why], true);
+            return Ok(Outcome::Refused);
+        }
+    };
+    console.explain(&inspected.messages, args.all);
+    let pretty = || format!("{:#}\n", inspected.json()).into_bytes();
     if !json.is_standard() {
         match args.format {
-            Format::Text => report::write_inspection(console.out(), &program, args.all)?,
-            Format::Csv => report::write_inspection_csv(console.out(), &program)?,
+            Format::Text => inspected.write(console.out(), args.all)?,
+            Format::Csv => inspected.write_csv(console.out())?,
             Format::Json => console.out().write_all(&pretty())?,
         }
     }

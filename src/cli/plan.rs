@@ -3,13 +3,12 @@
 use super::number::positive;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files};
-use driftpost::report::plan as report;
-use metrology::plan::{PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv};
+use driftpost::application::Planning;
+use metrology::plan::{PlanOptions, Space, Sweeps};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Axis;
 use robot_model::units::{m_from_mm, rad_from_deg};
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost plan`.
@@ -98,32 +97,25 @@ pub struct Args {
 /// A file that cannot be written, an option that cannot be, a robot without room.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
-    let options = options(args)?;
-    if let Some(joint) = options.sweeps.joints.iter().find(|joint| joint.index() >= robot.joints.len()) {
-        let text = format!("--sweep {joint}: {} has {} joints", robot.name, robot.joints.len());
-        return Err(Diagnostic::error("option::range", text).into());
-    }
-    let six_axis =
-        args.rapid_out.as_ref().map(|_| robot.clone().six_axis()).transpose().map_err(Diagnostic::from)?;
+    let job = Planning { robot, options: options(args)?, with_rapid: args.rapid_out.is_some() };
+    job.check().map_err(Diagnostic::from)?;
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;
     let module = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
-    let planned =
-        console.while_busy("choosing poses", || plan(&robot, &options)).map_err(Diagnostic::from)?;
+    let planned = console.while_busy("choosing poses", || job.run()).map_err(Diagnostic::from)?;
     if let Some(file) = csv {
-        file.write(poses_csv(&planned, &robot).as_bytes())?;
+        file.write(planned.poses_csv().as_bytes())?;
     }
     if let Some(file) = template {
-        file.write(template_csv(&planned, &robot).as_bytes())?;
+        file.write(planned.template_csv().as_bytes())?;
     }
-    if let (Some(file), Some(robot)) = (module, &six_axis) {
-        file.write(rapid(&planned, robot).as_bytes())?;
+    if let (Some(file), Some(text)) = (module, planned.rapid()) {
+        file.write(text.as_bytes())?;
     }
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", report::json(&planned, &robot)).into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    report::write(to, &planned, &robot.name)?;
+    json.write(console, || Ok(format!("{:#}\n", planned.json()).into_bytes()))?;
+    planned.write(if takes_standard_output { console.err() } else { console.out() })?;
     Ok(Outcome::Done)
 }
 
