@@ -58,14 +58,14 @@
 //! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
 //! [`virtual_controller`], [`metrology`] and [`exam`].
 
-// The command line names the library as who calls it from outside does.
+// The command line names what is public as who calls it from outside does.
 #[cfg(feature = "cli")]
 extern crate self as driftpost;
 
 pub mod application;
 #[cfg(feature = "cli")]
 mod cli;
-pub mod report;
+mod report;
 
 /// The `driftpost` program, for whoever brings it under a name of its own.
 #[cfg(feature = "cli")]
@@ -80,6 +80,7 @@ pub use application::{
 };
 pub use metrology::measure::{Measurements, Touches};
 pub use rapid_syntax::diagnostic::{Diagnostic, Severity};
+pub use report::{ColorMode, LocatedDiagnostic, Page, ResultPage, write_messages, write_page};
 pub use robot_model::deform::Deformation;
 pub use robot_model::robot::Robot;
 pub use virtual_controller::TrueRobot;

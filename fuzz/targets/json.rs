@@ -2,8 +2,8 @@
 
 #![allow(clippy::expect_used, reason = "a target stops where its promise is broken")]
 
-use driftpost::report::{Page, write_page};
 use driftpost::{Diagnostic, Exam};
+use driftpost::{Page, write_page};
 use exam::truth::seal;
 use std::sync::LazyLock;
 

@@ -2,7 +2,7 @@
 
 #![allow(clippy::expect_used, reason = "a target stops where its promise is broken")]
 
-use driftpost::report::{ResultPage, write_page};
+use driftpost::{ResultPage, write_page};
 use std::sync::LazyLock;
 
 /// What could end an element of a page or begin another.

@@ -3,7 +3,7 @@
 use crate::errors::{Message, message, refused};
 use driftpost::ProgramFiles;
 use driftpost::command_line;
-use driftpost::{Diagnostic, report::LocatedDiagnostic};
+use driftpost::{Diagnostic, LocatedDiagnostic};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;

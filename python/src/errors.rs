@@ -1,6 +1,6 @@
 //! The library's messages as `driftpost.DriftpostError`.
 
-use driftpost::report::LocatedDiagnostic;
+use driftpost::LocatedDiagnostic;
 use driftpost::{Diagnostic, Severity};
 use pyo3::prelude::*;
 

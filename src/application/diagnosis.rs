@@ -1,6 +1,6 @@
 //! Diagnosis of a robot from measured poses.
 
-use crate::report::{DiagnosisPage, diagnosis, plots};
+use crate::report::{ControllerData, DiagnosisPage, diagnosis, plots, rapid_data};
 use metrology::diagnose::{self, DiagnosisOptions, diagnose, diagnose_and_identify, gear_spectra};
 use metrology::measure::{FaultKind, Measurements, check_rows};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -91,6 +91,20 @@ impl Diagnosed {
     pub fn model_of(&self, name: &str, sha256: &str) -> Option<Identified> {
         let (data, data_sha256) = (name.to_owned(), sha256.to_owned());
         self.model.clone().map(|model| Identified { data, data_sha256, ..model })
+    }
+
+    /// What was found as RAPID to paste, put into copies of what stands `on_controller`; `name` and `sha256` are those of the
+    /// measurements. `None` as of [`model_of`](Self::model_of), or where the model does not say how it was measured.
+    #[must_use]
+    pub fn rapid_of(&self, name: &str, sha256: &str, on_controller: &ControllerData) -> Option<String> {
+        rapid_data::rapid(&self.model_of(name, sha256)?, on_controller)
+    }
+
+    /// By how much each axis stands further than the controller shows, with what to know before anybody types that into it; empty
+    /// where no offset was found. `None` where there is no model.
+    #[must_use]
+    pub fn axis_table(&self) -> Option<String> {
+        self.model.as_ref().map(rapid_data::axis_table)
     }
 
     /// Why there is no model.

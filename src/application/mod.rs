@@ -40,10 +40,14 @@ mod simulation;
 mod state_estimation;
 mod synthesis;
 mod tabulation;
+#[cfg(feature = "cli")]
 mod tasks;
 mod touch;
 
 pub use self::exam::{Exam, ExamError, Question, Scored};
+#[cfg(feature = "mcap")]
+pub use crate::report::Recording;
+pub use crate::report::{ControllerData, ControllerDataError, Declaration, SourceReview};
 pub use accuracy_check::{AccuracyCheck, AccuracyChecked, AccuracyError};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
@@ -78,11 +82,18 @@ pub use synthesis::{
 pub use tabulation::{Tabulated, Tabulation};
 pub use touch::TouchRequest;
 
-// What a job's input is held to before it is known which job, and how it is named.
-pub use compensated::write_file_diff;
-pub use made_with::{joints_rad, temperatures_c};
-pub use named::sha256;
-#[cfg(feature = "link")]
-pub use own_data::{OwnData, is_own_name};
-pub use program_files::{check_modules, check_text};
-pub use tasks::{check_tasks, configured_tasks};
+// What jobs share with the command line, and nobody else asks for.
+#[cfg(feature = "cli")]
+pub(crate) use compensated::write_file_diff;
+#[cfg(feature = "cli")]
+pub(crate) use made_with::{joints_rad, temperatures_c};
+#[cfg(feature = "cli")]
+pub(crate) use named::sha256;
+#[cfg(all(feature = "cli", feature = "link"))]
+pub(crate) use own_data::{OwnData, is_own_name};
+#[cfg(all(feature = "cli", feature = "link"))]
+pub(crate) use program_files::check_modules;
+#[cfg(feature = "cli")]
+pub(crate) use program_files::check_text;
+#[cfg(feature = "cli")]
+pub(crate) use tasks::{check_tasks, configured_tasks};

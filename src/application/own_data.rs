@@ -70,6 +70,7 @@ impl OwnData {
     ///
     /// # Errors
     /// No or an incomplete answer.
+    #[cfg(feature = "cli")]
     pub fn read_again(&mut self, session: &mut Session) -> Result<(), LinkError> {
         for (name, value) in &mut self.values {
             *value = session.value(&self.task, &self.module, name)?;

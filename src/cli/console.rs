@@ -4,7 +4,7 @@
 //! dropped, the work goes on and the exit code is what it would have been.
 
 use super::Outcome;
-use driftpost::report::{self, ColorMode, LocatedDiagnostic};
+use crate::report::{self, ColorMode, LocatedDiagnostic};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use std::io::{self, IsTerminal, Write};
 

@@ -2,7 +2,7 @@
 //! overwritten.
 
 use super::program_input::slashed;
-use driftpost::application::sha256;
+use crate::application::sha256;
 use std::fs;
 use std::path::{Path, PathBuf};
 

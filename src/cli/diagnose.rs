@@ -5,8 +5,7 @@ use super::measured::{MeasurementArgs, MeasurementInput};
 use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, model};
-use driftpost::application::{Diagnosed, Diagnosis};
-use driftpost::report::rapid_data::{self, ControllerData};
+use driftpost::application::{ControllerData, ControllerDataError, Declaration, Diagnosed, Diagnosis};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::PathBuf;
@@ -103,7 +102,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let outputs = Outputs::open(args)?;
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
-    let controller_data = controller_data(args, options.tool_m)?;
+    let controller_data = controller_data(args, options.tool_m).map_err(Diagnostic::from)?;
     let identify = outputs.model.is_some() || outputs.rapid.is_some() || args.page.report.is_some();
     let job = Diagnosis { robot, options, identify };
     let found = job.run(&measurements).map_err(|error| model::in_file(&given.name, error.into()))?;
@@ -134,21 +133,20 @@ fn write_results(
 ) -> anyhow::Result<()> {
     let is_model_shown = !outputs.json.is_standard() && (outputs.model.is_some() || outputs.rapid.is_some());
     outputs.json.write(console, || Ok(found.json()?.into_bytes()))?;
-    let identified = found.model_of(&given.name, &given.sha256);
     let none = |file: &Pending| found.no_model().help(format!("{} was not written", file.path().display()));
     if let Some(file) = outputs.rapid {
-        let text = identified.as_ref().and_then(|model| rapid_data::rapid(model, controller_data));
+        let text = found.rapid_of(&given.name, &given.sha256, controller_data);
         let text = text.ok_or_else(|| none(&file))?;
         file.write(text.as_bytes())?;
     }
-    if let Some(model) = identified.as_ref().filter(|_| is_model_shown) {
-        console.out().write_all(rapid_data::axis_table(model).as_bytes())?;
+    if let Some(table) = found.axis_table().filter(|_| is_model_shown) {
+        console.out().write_all(table.as_bytes())?;
     }
     if let (Some(file), Some(path)) = (outputs.clean, &args.source.measurements) {
         file.write(&found.cleaned(&files::read(path, "measurement file")?))?;
     }
     if let Some(file) = outputs.model {
-        let model = identified.ok_or_else(|| none(&file))?;
+        let model = found.model_of(&given.name, &given.sha256).ok_or_else(|| none(&file))?;
         file.write(model.to_toml().as_bytes())?;
     }
     if let Some(csv) = outputs.csv {
@@ -157,29 +155,12 @@ fn write_results(
     Ok(())
 }
 
-/// Data as they stand on the controller; RAPID that can be read.
-fn controller_data(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<ControllerData, Diagnostic> {
-    let named = |option: &str, text: &Option<String>, sample: &str| {
-        let Some(text) = text else { return Ok(None) };
-        let parts =
-            text.split_once('=').map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()));
-        let is_name = |name: &str| {
-            name.starts_with(|c: char| c.is_ascii_alphabetic())
-                && name.len() <= 32
-                && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-        };
-        match parts {
-            Some((name, value)) if is_name(&name) && rapid_data::alike(&value, sample) => {
-                Ok(Some((name, value)))
-            }
-            _ => Err(Diagnostic::error("override::not-read", format!("--{option} {text} cannot be read"))
-                .help(format!("write it as RAPID does: NAME={sample}"))),
-        }
-    };
+/// What the options say of the data that stand on the controller.
+fn controller_data(args: &Args, tool_m: Option<Vector3<f64>>) -> Result<ControllerData, ControllerDataError> {
     Ok(ControllerData {
-        tool: named("tooldata", &args.tooldata, rapid_data::TOOL)?,
-        wobj: named("wobjdata", &args.wobjdata, rapid_data::WOBJ)?,
-        load: named("loaddata", &args.loaddata, rapid_data::LOAD)?,
+        tool: args.tooldata.as_deref().map(Declaration::tool).transpose()?,
+        wobj: args.wobjdata.as_deref().map(Declaration::wobj).transpose()?,
+        load: args.loaddata.as_deref().map(Declaration::load).transpose()?,
         tool_m,
     })
 }

@@ -2,7 +2,8 @@
 
 use super::files;
 use super::model;
-use driftpost::application::{MadeWith, Named, Origin, sha256};
+use crate::application::sha256;
+use driftpost::application::{MadeWith, Named, Origin};
 use rapid_program::emit::Provenance;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;

@@ -2,8 +2,8 @@
 
 use super::model::in_file;
 use super::{Console, files, model};
+use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
-use driftpost::report::LocatedDiagnostic;
 use metrology::measure::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::diagnostic::{counted, plural};
@@ -95,7 +95,7 @@ impl MeasurementArgs {
             )
         })?;
         console.explain(&LocatedDiagnostic::all(unmatched(&joined, points, joints), &[]), true);
-        whole.sha256 = driftpost::application::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
+        whole.sha256 = crate::application::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
         whole.name = format!("{} and {}", whole.name, other.name);
         whole.table = joined.table;
         Ok(whole)
@@ -145,11 +145,7 @@ fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagno
             map.table(&bytes).map_err(|error| in_file(&shown, error.into()))?
         }
     };
-    Ok(MeasurementInput {
-        table,
-        name: model::file_name(path),
-        sha256: driftpost::application::sha256(&bytes),
-    })
+    Ok(MeasurementInput { table, name: model::file_name(path), sha256: crate::application::sha256(&bytes) })
 }
 
 fn unmatched(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {

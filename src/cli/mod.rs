@@ -52,9 +52,9 @@ pub mod validate;
 pub use console::Console;
 pub use outcome::Outcome;
 
+use crate::report::LocatedDiagnostic;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{ArgMatches, Args as _, CommandFactory, FromArgMatches, Parser, Subcommand};
-use driftpost::report::LocatedDiagnostic;
 use driftpost::{Compensation, ProgramFiles};
 use rapid_syntax::diagnostic::Diagnostic;
 use settings::Settings;

@@ -1,7 +1,7 @@
 //! Tasks of a controller's backup: those that are not among the files of a program, and those whose robots the command line names.
 
 use super::shared::{JointAngles, joint_angles};
-use driftpost::application::configured_tasks;
+use crate::application::configured_tasks;
 use rapid_program::program::task_of;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;

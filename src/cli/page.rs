@@ -1,8 +1,9 @@
 //! `--report`: the page of a result, beside what a command writes anyway.
 
 use super::files::Pending;
-use driftpost::application::{ProgramFiles, sha256};
-use driftpost::report::{ResultPage, write_page};
+use crate::application::sha256;
+use crate::report::{ResultPage, write_page};
+use driftpost::application::ProgramFiles;
 use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::Value;
 use std::io::{self, BufWriter, Write};

@@ -1,7 +1,8 @@
 //! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
 
 use super::files;
-use driftpost::application::{PlacedProgram, ProgramFiles, check_text};
+use crate::application::check_text;
+use driftpost::application::{PlacedProgram, ProgramFiles};
 use rapid_program::program::modules_of_pgf;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,7 +1,7 @@
 //! `driftpost report`: a page of a result's JSON.
 
 use super::{Console, Outcome, files};
-use driftpost::report::{Page, write_page};
+use crate::report::{Page, write_page};
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 

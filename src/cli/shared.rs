@@ -2,7 +2,7 @@
 
 use super::model;
 use super::number::positive;
-use driftpost::application::joints_rad;
+use crate::application::joints_rad;
 use metrology::diagnose::DiagnosisOptions;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;

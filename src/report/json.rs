@@ -185,6 +185,7 @@ fn of_severity(list: &[LocatedDiagnostic], is: fn(Severity) -> bool) -> Value {
 /// Which cases of a folder came out as expected, by the path of each, with a line end; `is_updated`: what comes out is what is
 /// expected from now on.
 #[must_use]
+#[cfg(feature = "cli")]
 pub fn golden_json(cases: &[(String, bool)], is_updated: bool) -> String {
     let list: Vec<Value> = cases.iter().map(|(case, same)| json!({"case": case, "same": same})).collect();
     format!("{:#}\n", json!({"cases": list, "updated": is_updated}))

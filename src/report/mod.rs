@@ -12,6 +12,7 @@ pub(crate) mod changed;
 mod comparison;
 mod comparison_figures;
 mod comparison_lines;
+mod controller_data;
 pub(crate) mod diagnosis;
 mod diff;
 pub(crate) mod fit;
@@ -21,13 +22,14 @@ mod json;
 mod message;
 mod motion_rows;
 mod page;
-pub mod plan;
+pub(crate) mod plan;
 pub(crate) mod plots;
-pub mod rapid_data;
+pub(crate) mod rapid_data;
 #[cfg(feature = "mcap")]
 mod recording;
 pub(crate) mod restored;
 mod review;
+#[cfg(feature = "cli")]
 mod short_diff;
 pub(crate) mod simulation;
 pub(crate) mod state;
@@ -37,24 +39,30 @@ pub(crate) mod tabulation;
 pub(crate) mod validation;
 
 #[cfg(feature = "mcap")]
-pub use self::recording::{Recording, urdf};
-pub use diff::{Cut, write_texts};
-pub use inspect::{inspection, write_inspection, write_inspection_csv};
-pub use json::golden_json;
+pub use self::recording::Recording;
+pub use controller_data::{ControllerData, ControllerDataError, Declaration};
 pub use message::{ColorMode, LocatedDiagnostic, write_messages};
-#[cfg(feature = "link")]
-pub use page::WatchPage;
 pub use page::{Page, ResultPage, SourceReview, write_page};
-pub use short_diff::{ShortDiff, write_coloured};
 
 pub(crate) use comparison::Compared;
+#[cfg(all(feature = "cli", feature = "link"))]
+pub(crate) use diff::Cut;
+#[cfg(feature = "cli")]
+pub(crate) use diff::write_texts;
 pub(crate) use diff::{write_created, write_edits};
+pub(crate) use inspect::{inspection, write_inspection, write_inspection_csv};
 pub(crate) use joints::{JointRow, JointTable};
+#[cfg(feature = "cli")]
+pub(crate) use json::golden_json;
 pub(crate) use json::{CompensationJson, refusal, rounded};
 pub(crate) use motion_rows::MotionRows;
+#[cfg(all(feature = "cli", feature = "link"))]
+pub(crate) use page::WatchPage;
 pub(crate) use page::{CompensationPage, DiagnosisPage};
 pub(crate) use rapid_syntax::diagnostic::{counted, plural};
 #[cfg(feature = "mcap")]
 pub(crate) use recording::{LoggedCorrection, RecordingMoment};
 pub(crate) use review::{Review, write_review, write_verdict};
+#[cfg(feature = "cli")]
+pub(crate) use short_diff::{ShortDiff, write_coloured};
 pub(crate) use table::{Align, Table};

@@ -1,5 +1,6 @@
 //! What was found, as RAPID to paste: tool, work object and load data, and each axis's offset with its warning.
 
+use super::controller_data::{ControllerData, Declaration, elements};
 use nalgebra::{Isometry3, Vector3};
 use rapid_program::emit::{write_num, write_orient, write_pos};
 use robot_model::deform::EffectKind;
@@ -7,46 +8,6 @@ use robot_model::deform::identified::Identified;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::fmt::Write as _;
-
-/// Data as they stand on the controller: name and value.
-#[derive(Clone, Debug, Default)]
-pub struct ControllerData {
-    /// Tool as RAPID writes it: `NAME=[TRUE,[[x,y,z],[q1,q2,q3,q4]],[...]]`
-    pub tool: Option<(String, String)>,
-    /// Work object as RAPID writes it: `NAME=[FALSE,TRUE,"",[[x,y,z],[q1,q2,q3,q4]],[[...],[...]]]`
-    pub wobj: Option<(String, String)>,
-    /// Load as RAPID writes it: `NAME=[mass,[x,y,z],[...],ix,iy,iz]`
-    pub load: Option<(String, String)>,
-    /// Where the target was believed to be on the flange, metres.
-    pub tool_m: Option<Vector3<f64>>,
-}
-
-/// What each kind of data looks like.
-pub const TOOL: &str = "[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]";
-/// A work object as an example.
-pub const WOBJ: &str = "[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]";
-/// A load as an example.
-pub const LOAD: &str = "[1,[0,0,50],[1,0,0,0],0,0,0]";
-
-/// Whether a value is built as `sample` is: lists where it has lists, numbers, TRUE or FALSE, and texts.
-#[must_use]
-pub fn alike(value: &str, sample: &str) -> bool {
-    match (elements(value), elements(sample)) {
-        (Some(a), Some(b)) => a.len() == b.len() && a.iter().zip(&b).all(|(a, b)| alike(a, b)),
-        (None, None) => {
-            let is_truth = |t: &str| t.eq_ignore_ascii_case("TRUE") || t.eq_ignore_ascii_case("FALSE");
-            if sample.starts_with('"') {
-                return value.len() >= 2
-                    && value.starts_with('"')
-                    && value.ends_with('"')
-                    && value.is_ascii();
-            }
-            is_truth(value) == is_truth(sample)
-                && (is_truth(value) || value.parse::<f64>().is_ok_and(f64::is_finite))
-        }
-        _ => false,
-    }
-}
 
 /// Before anyone touches calibration offsets.
 pub const WARNING: [&str; 6] = [
@@ -120,7 +81,7 @@ pub fn rapid(model: &Identified, written: &ControllerData) -> Option<String> {
 fn tool(out: &mut String, written: &ControllerData, target_m: Vector3<f64>) {
     let [x, y, z] = [target_m.x, target_m.y, target_m.z].map(mm_from_m);
     let _ = writeln!(out, "  ! The measured target on the flange: {x:.3}, {y:.3}, {z:.3} mm.");
-    let parts = written.tool.as_ref().and_then(|(name, value)| {
+    let parts = written.tool.as_ref().and_then(|Declaration { name, value }| {
         let [held, frame, load] = <[&str; 3]>::try_from(elements(value)?).ok()?;
         let [place, turn] = <[&str; 2]>::try_from(elements(frame)?).ok()?;
         let numbers: Vec<f64> = elements(place)?.iter().map(|n| n.parse().ok()).collect::<Option<_>>()?;
@@ -151,7 +112,7 @@ fn tool(out: &mut String, written: &ControllerData, target_m: Vector3<f64>) {
 fn wobj(out: &mut String, written: &ControllerData, base_from_instrument: &Isometry3<f64>) {
     out.push_str("  ! The instrument's frame in the robot's base: points measured in it are targets in this work object.\n");
     let frame = frame(base_from_instrument);
-    let parts = written.wobj.as_ref().and_then(|(name, value)| {
+    let parts = written.wobj.as_ref().and_then(|Declaration { name, value }| {
         let [held, fixed, unit, _, object] = <[&str; 5]>::try_from(elements(value)?).ok()?;
         Some((name, held, fixed, unit, object))
     });
@@ -175,7 +136,7 @@ fn load(out: &mut String, written: &ControllerData, model: &Identified) {
         .sum();
     if heavier_kg == 0.0 {
         out.push_str("  ! No wrong load was found.\n");
-        if let Some((name, value)) = &written.load {
+        if let Some(Declaration { name, value }) = &written.load {
             let _ = writeln!(out, "  PERS loaddata {name}:={value};");
         }
         out.push('\n');
@@ -183,7 +144,7 @@ fn load(out: &mut String, written: &ControllerData, model: &Identified) {
     }
     let _ =
         writeln!(out, "  ! What hangs there weighs {heavier_kg:+.3} kg more than was declared: weigh it.");
-    let parts = written.load.as_ref().and_then(|(name, value)| {
+    let parts = written.load.as_ref().and_then(|Declaration { name, value }| {
         let all = elements(value)?;
         let mass_kg: f64 = all.first()?.parse().ok()?;
         Some((name, mass_kg + heavier_kg, all[1..].join(",")))
@@ -194,31 +155,6 @@ fn load(out: &mut String, written: &ControllerData, model: &Identified) {
         out.push_str("  ! --loaddata NAME=[...] writes your load data with the corrected mass.\n");
     }
     out.push('\n');
-}
-
-/// The elements of a RAPID aggregate `[a,[b,c],d]`.
-#[must_use]
-pub fn elements(value: &str) -> Option<Vec<&str>> {
-    let inner = value.trim().strip_prefix('[')?.strip_suffix(']')?;
-    let (mut depth, mut quoted, mut from) = (0_i32, false, 0);
-    let mut out = Vec::new();
-    for (at, c) in inner.char_indices() {
-        match c {
-            '"' => quoted = !quoted,
-            '[' if !quoted => depth += 1,
-            ']' if !quoted => depth -= 1,
-            ',' if !quoted && depth == 0 => {
-                out.push(inner.get(from..at)?.trim());
-                from = at + 1;
-            }
-            _ => {}
-        }
-        if depth < 0 {
-            return None;
-        }
-    }
-    out.push(inner.get(from..)?.trim());
-    (depth == 0 && !quoted).then_some(out)
 }
 
 fn ascii(text: &str) -> String {
@@ -243,21 +179,4 @@ fn frame(of: &Isometry3<f64>) -> String {
     let q = of.rotation;
     let turn = text(|out| write_orient(out, [q.w, q.i, q.j, q.k]));
     format!("[{},{turn}]", pos(of.translation.vector))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn aggregates_come_apart_at_their_own_commas() {
-        let value = "[TRUE, [[1,2,3],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]";
-        assert_eq!(elements(value).unwrap(), ["TRUE", "[[1,2,3],[1,0,0,0]]", "[1,[0,0,50],[1,0,0,0],0,0,0]"]);
-        assert_eq!(elements("[FALSE,\"a,b\"]").unwrap(), ["FALSE", "\"a,b\""]);
-        assert_eq!(elements("[1,[2]"), None);
-        assert_eq!(elements("1"), None);
-        assert!(alike(value, TOOL) && alike(TOOL, TOOL) && alike(WOBJ, WOBJ));
-        assert!(!alike("[TRUE,[[1,2],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]", TOOL));
-        assert!(!alike("[TRUE,[[a,2,3],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]", TOOL));
-    }
 }

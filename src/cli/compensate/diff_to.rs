@@ -1,9 +1,9 @@
 //! Where the difference between a program and what is made of it goes.
 
+use crate::application::write_file_diff;
 use crate::cli::Console;
 use crate::cli::files::Pending;
-use driftpost::application::write_file_diff;
-use driftpost::report::{self, ShortDiff};
+use crate::report::{self, ShortDiff};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;

@@ -18,8 +18,9 @@ use super::model;
 use super::other_tasks;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome};
-use driftpost::application::{Compensated, Compensation, ProgramFiles, Refusal, check_tasks};
-use driftpost::report::{LocatedDiagnostic, SourceReview};
+use crate::application::check_tasks;
+use crate::report::{LocatedDiagnostic, SourceReview};
+use driftpost::application::{Compensated, Compensation, ProgramFiles, Refusal};
 use rapid_syntax::diagnostic::Diagnostic;
 use results::{Results, recording, say_written};
 

@@ -1,8 +1,8 @@
 //! Values of the options of `driftpost compensate` that are no plain numbers or paths, and how they are written.
 
+use crate::application::temperatures_c;
 use crate::cli::suggest;
 use clap::ValueEnum;
-use driftpost::application::temperatures_c;
 use rapid_program::compensate::FormChoice;
 use rapid_program::emit::Sensor;
 use rapid_program::schedule::Until;

@@ -5,8 +5,8 @@ use super::diff_to::{DiffTo, no_output};
 use crate::cli::Console;
 use crate::cli::destination::{Destination, Written, is_pgf};
 use crate::cli::files::{Output, Pending};
+use crate::report::{self, SourceReview};
 use driftpost::application::{Compensated, Compensation, Refusal};
-use driftpost::report::{self, SourceReview};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -246,9 +246,9 @@ pub(super) fn recording(_: &Args, _: &Compensated<'_>) -> Result<Vec<Pending>, D
 pub(super) fn recording(args: &Args, made: &Compensated<'_>) -> Result<Vec<Pending>, Diagnostic> {
     let Some(path) = &args.mcap else { return Ok(Vec::new()) };
     let [mut file, mut arm] = [Pending::new(path)?, Pending::new(&path.with_extension("urdf"))?];
-    let bytes = made.recording()?.mcap().map_err(|cause| no_output(&cause))?;
-    file.fill(&bytes)?;
-    arm.fill(report::urdf(made.robot).as_bytes())?;
+    let recording = made.recording()?;
+    file.fill(&recording.mcap().map_err(|cause| no_output(&cause))?)?;
+    arm.fill(recording.arm_urdf().as_bytes())?;
     Ok(vec![file, arm])
 }
 

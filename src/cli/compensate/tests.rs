@@ -1,8 +1,8 @@
 //! What is made of a program in several files.
 
 use super::*;
+use crate::report::{ColorMode, write_messages};
 use clap::{Args as _, FromArgMatches as _};
-use driftpost::report::{ColorMode, write_messages};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
 use serde_json::Value;

@@ -1,13 +1,14 @@
 //! `driftpost link check`: a program's targets put to the controller's own kinematics.
 
 use super::connection::Connection;
+use crate::application::check_modules;
 use crate::cli::files::Output;
 use crate::cli::number::positive;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::shared::ProgramSettings;
 use crate::cli::{Console, Outcome, made_with};
-use driftpost::application::{LinkCheck, LinkCheckError, LinkChecked, MadeWith, check_modules};
-use driftpost::report::LocatedDiagnostic;
+use crate::report::LocatedDiagnostic;
+use driftpost::application::{LinkCheck, LinkCheckError, LinkChecked, MadeWith};
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Unit;

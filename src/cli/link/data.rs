@@ -1,8 +1,8 @@
 //! `driftpost link get` and `set`: the data of corrected programs, and of nothing else.
 
 use super::connection::Connection;
+use crate::application::is_own_name;
 use crate::cli::{Console, Outcome};
-use driftpost::application::is_own_name;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Session;
 

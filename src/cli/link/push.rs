@@ -2,10 +2,11 @@
 
 use super::connection::Connection;
 use super::question::is_yes;
+use crate::application::{OwnData, check_modules};
 use crate::cli::program_input::ProgramInput;
 use crate::cli::{Console, Outcome};
-use driftpost::application::{Loading, LoadingError, OwnData, SentModule, check_modules};
-use driftpost::report::{self, LocatedDiagnostic};
+use crate::report::{self, LocatedDiagnostic};
+use driftpost::application::{Loading, LoadingError, SentModule};
 use robot_link::{Execution, LinkError, Session};
 use std::path::PathBuf;
 

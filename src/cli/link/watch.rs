@@ -1,11 +1,11 @@
 //! `driftpost link watch`: state, bucket or share, minute and messages of corrected programs, as they change.
 
 use super::connection::Connection;
+use crate::application::OwnData;
 use crate::cli::number::positive;
 use crate::cli::page::ReportArgs;
 use crate::cli::{Console, Outcome, files};
-use driftpost::application::OwnData;
-use driftpost::report::WatchPage;
+use crate::report::WatchPage;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{Event, LinkError, Session, Subscription};
 use std::path::PathBuf;

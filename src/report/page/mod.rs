@@ -11,13 +11,13 @@ mod from_json;
 mod model_view;
 mod scene;
 mod source_review;
-#[cfg(feature = "link")]
+#[cfg(all(feature = "cli", feature = "link"))]
 mod watch;
 
 pub use compensation::CompensationPage;
 pub use diagnosis::DiagnosisPage;
 pub use source_review::SourceReview;
-#[cfg(feature = "link")]
+#[cfg(all(feature = "cli", feature = "link"))]
 pub use watch::WatchPage;
 
 use base64::Engine as _;

@@ -7,7 +7,7 @@ mod messages;
 mod schemas;
 mod urdf;
 
-pub use urdf::urdf;
+use urdf::urdf;
 
 use messages::{FrameTransform, FrameTransforms, Log, Pose, PosesInFrame, parts};
 
@@ -73,6 +73,12 @@ pub struct LoggedCorrection<'a> {
 }
 
 impl Recording<'_> {
+    /// The arm as a description (URDF) for tools that do not read the one in the recording.
+    #[must_use]
+    pub fn arm_urdf(&self) -> String {
+        urdf(self.robot)
+    }
+
     /// The file, whole.
     ///
     /// # Errors
