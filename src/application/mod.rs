@@ -5,6 +5,8 @@
 
 mod accuracy_check;
 mod arm;
+#[cfg(feature = "cli")]
+mod backup;
 mod calibration;
 mod change_check;
 mod closed_loop;
@@ -12,6 +14,8 @@ mod compensated;
 mod compensation;
 mod compensation_checks;
 mod diagnosis;
+#[cfg(feature = "cli")]
+mod earlier_result;
 mod exam;
 mod fit;
 mod inspection;
@@ -84,7 +88,11 @@ pub use touch::TouchRequest;
 
 // What jobs share with the command line, and nobody else asks for.
 #[cfg(feature = "cli")]
+pub(crate) use backup::{check_absolute_accuracy, check_base, check_bases};
+#[cfg(feature = "cli")]
 pub(crate) use compensated::write_file_diff;
+#[cfg(feature = "cli")]
+pub(crate) use earlier_result::EarlierResult;
 #[cfg(feature = "cli")]
 pub(crate) use made_with::{joints_rad, temperatures_c};
 #[cfg(feature = "cli")]

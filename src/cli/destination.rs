@@ -1,10 +1,11 @@
 //! Where the files of a result go.
 
 use super::copies::Copies;
-use super::files::{self, PENDING, Pending};
+use super::files::{self, Pending};
+use super::overwriting;
 use super::program_input::{ProgramInput, Shape};
-use rapid_program::emit::{EmittedFile, is_as_written};
-use rapid_program::program::module_facts::EMITTED_MARK;
+use crate::application::EarlierResult;
+use rapid_program::emit::EmittedFile;
 use rapid_program::program::{modules_of_pgf, pgf_with_module};
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::fs;
@@ -13,19 +14,19 @@ use std::path::{Path, PathBuf};
 /// For each given file, where what becomes of it goes.
 pub struct Destination {
     /// Path of each module, by [`FileId`].
-    modules: Vec<PathBuf>,
+    pub(super) modules: Vec<PathBuf>,
     /// Files that are copied as they are: from, to.
-    others: Vec<(PathBuf, PathBuf)>,
+    pub(super) others: Vec<(PathBuf, PathBuf)>,
     /// All modules are written, also unchanged ones; otherwise only what is changed.
-    whole: bool,
+    pub(super) whole: bool,
     /// Results that were changed since they were written are overwritten, too.
     force: bool,
     /// What was copied into the result's folder, where it is one.
-    copies: Option<Copies>,
+    pub(super) copies: Option<Copies>,
 }
 
 /// Name that stands for standard output.
-const STANDARD: &str = "-";
+pub(super) const STANDARD: &str = "-";
 
 impl Destination {
     /// Without `output`: beside the input, with `_tc` in the name; of standard input to standard output.
@@ -94,50 +95,16 @@ impl Destination {
                     .help("name another place with -o, or say --in-place"));
             }
         }
-        self.modules.iter().try_for_each(|path| self.check_unchanged(path))?;
-        self.check_copies(given)
-    }
-
-    /// Refuses to overwrite a copy that was changed since it was put into the result's folder.
-    fn check_copies(&self, given: &ProgramInput) -> Result<(), Diagnostic> {
-        let Some(copies) = self.copies.as_ref().filter(|_| !self.force) else { return Ok(()) };
-        let modules = self.modules.iter().zip(&given.bytes).map(|(to, bytes)| (to, Some(&**bytes), None));
-        let others = self.others.iter().filter(|(from, _)| !is_pgf(from));
-        let others = others.map(|(from, to)| (to, None, Some(from)));
-        for (to, bytes, from) in modules.chain(others) {
-            let Some(there) = to.is_file().then(|| fs::read(to).ok()).flatten() else { continue };
-            let own;
-            let new = match (bytes, from) {
-                (Some(bytes), _) => bytes,
-                (None, Some(from)) => {
-                    own = fs::read(from).unwrap_or_default();
-                    &own
-                }
-                (None, None) => continue,
-            };
-            if there != new && !is_ours(&there) && !copies.is_as_copied(to, &there) {
-                let text = format!(
-                    "{} was changed since it was written, or is no result of this program",
-                    to.display()
-                );
-                return Err(Diagnostic::error("output::changed", text)
-                    .help("take it away, name another place with -o, or say --force"));
-            }
-        }
-        Ok(())
-    }
-
-    /// Refuses to overwrite a result that was changed since it was written: touched up, or saved back by a controller.
-    fn check_unchanged(&self, path: &Path) -> Result<(), Diagnostic> {
-        let is_file = !self.force && fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-        let Some(bytes) = is_file.then(|| fs::read(path).ok()).flatten() else {
+        if self.force {
             return Ok(());
-        };
-        if is_ours(&bytes) && is_as_written(&bytes) != Some(true) {
-            let text = format!("{} was changed since it was written", path.display());
-            return Err(Diagnostic::error("output::changed", text).help(
-                "get what was touched up with `driftpost restore`, name another place with -o, or say --force",
-            ));
+        }
+        self.modules.iter().try_for_each(|path| overwriting::check_result(path))?;
+        let Some(copies) = &self.copies else { return Ok(()) };
+        for (to, bytes) in self.modules.iter().zip(&given.bytes) {
+            overwriting::check_copy(copies, to, || bytes.to_vec())?;
+        }
+        for (from, to) in self.others.iter().filter(|(from, _)| !is_pgf(from)) {
+            overwriting::check_copy(copies, to, || fs::read(from).unwrap_or_default())?;
         }
         Ok(())
     }
@@ -159,10 +126,7 @@ impl Destination {
         others.sort();
         let has_clock = |path: &PathBuf| {
             let is_module = path.is_file() && !written.contains(&files::identity(path));
-            is_module
-                && fs::read(path).is_ok_and(|bytes| {
-                    is_ours(&bytes) && memchr::memmem::find(&bytes, b"PROC tcUpdate").is_some()
-                })
+            is_module && fs::read(path).is_ok_and(|bytes| EarlierResult::has_clock(&bytes))
         };
         let other =
             others.into_iter().filter(|path| super::program_input::is_module(path)).find(has_clock)?;
@@ -208,7 +172,7 @@ impl Destination {
 
     /// Refuses new modules in the place of others: an input, another result, or what belongs to another
     /// program.
-    fn check_new(&self, given: &ProgramInput, emitted: &[EmittedFile]) -> Result<(), Diagnostic> {
+    pub(super) fn check_new(&self, given: &ProgramInput, emitted: &[EmittedFile]) -> Result<(), Diagnostic> {
         let paths: Vec<PathBuf> = emitted.iter().map(|file| self.path_of(file, given)).collect();
         let inputs: Vec<&Path> = given.paths.iter().map(PathBuf::as_path).collect();
         let new = emitted.iter().zip(&paths).filter(|(file, _)| file.source.is_none());
@@ -221,8 +185,10 @@ impl Destination {
                     .help("name a place with -o, or leave --core at embedded"));
             }
             files::keep_apart(&inputs, &[path])?;
-            self.check_unchanged(path)?;
-            if let Some(other) = of_another_program(path, &file.bytes, &outputs) {
+            if !self.force {
+                overwriting::check_result(path)?;
+            }
+            if let Some(other) = overwriting::of_another_program(path, &file.bytes, &outputs) {
                 let text = format!("{} is there already, and {other}", path.display());
                 return Err(Diagnostic::error("output::other-core", text).help(
                     "compensate programs that are loaded together in one run, or name another folder with -o",
@@ -233,7 +199,7 @@ impl Destination {
     }
 
     /// A `.pgf` that lists a changed module lists the new ones that are loaded with it, too.
-    fn list_with(
+    pub(super) fn list_with(
         &self,
         from: &Path,
         to: &Path,
@@ -255,131 +221,6 @@ impl Destination {
         }
         bytes
     }
-}
-
-/// Why a common module that is there already must stay; `None` where it may be written.
-fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<String> {
-    let there = fs::read(core).ok()?;
-    if there == bytes {
-        return None;
-    }
-    if !is_ours(&there) {
-        return Some("it is no module of this program's making".to_owned());
-    }
-    // Of this program alone where all compensated modules beside it are written anew.
-    let written: Vec<PathBuf> = outputs.iter().map(|path| files::identity(path)).collect();
-    let beside = fs::read_dir(core.parent()?).ok()?;
-    let mut others: Vec<PathBuf> = beside.filter_map(|entry| Some(entry.ok()?.path())).collect();
-    others.sort();
-    let other = others.into_iter().find(|path| {
-        path.is_file()
-            && !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PENDING))
-            && !written.contains(&files::identity(path))
-            && fs::read(path).is_ok_and(|bytes| is_ours(&bytes))
-    })?;
-    Some(format!("{} was made with it", other.display()))
-}
-
-/// Files of a result, each written beside its place; all are written before any is put in its place.
-///
-/// The first are the emitted ones: changed modules, new ones beside them.
-#[derive(Default)]
-pub struct Writing {
-    pending: Vec<Pending>,
-    /// Paths and sizes of the emitted files.
-    written: Vec<(PathBuf, usize)>,
-    /// The emitted files; of the common module alone with what stands in it.
-    emitted: Vec<EmittedFile>,
-    /// The module that goes to standard output.
-    standard: Option<Vec<u8>>,
-}
-
-/// Files that are whole, beside their places.
-pub struct Written {
-    /// To be put in their places.
-    pub pending: Vec<Pending>,
-    /// Paths and sizes of the emitted files, changed and new.
-    pub emitted: Vec<(PathBuf, usize)>,
-    /// What goes to standard output.
-    pub standard: Option<Vec<u8>>,
-}
-
-impl Writing {
-    /// Writes an emitted file.
-    ///
-    /// # Errors
-    /// `output::unwritable`.
-    pub fn add(
-        &mut self,
-        to: &Destination,
-        given: &ProgramInput,
-        file: EmittedFile,
-    ) -> Result<(), Diagnostic> {
-        let path = to.path_of(&file, given);
-        self.written.push((path.clone(), file.bytes.len()));
-        if path == Path::new(STANDARD) {
-            self.standard = Some(file.bytes.clone());
-        } else {
-            self.put(&path, &file.bytes)?;
-        }
-        let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
-        self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
-        Ok(())
-    }
-
-    fn put(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
-        let mut file = Pending::new(path)?;
-        file.fill(bytes)?;
-        self.pending.push(file);
-        Ok(())
-    }
-
-    /// Writes what stays as it is.
-    ///
-    /// # Errors
-    /// `output::unwritable` or `input::unreadable`.
-    pub fn finish(mut self, to: &Destination, given: &ProgramInput) -> Result<Written, Diagnostic> {
-        to.check_new(given, &self.emitted)?;
-        let mut record = String::new();
-        if to.whole {
-            for (id, (path, bytes)) in to.modules.iter().zip(&given.bytes).enumerate() {
-                if !self.emitted.iter().any(|file| file.source == Some(FileId(id as u32))) {
-                    match path == Path::new(STANDARD) {
-                        true => self.standard = Some(bytes.to_vec()),
-                        false => {
-                            self.put(path, bytes)?;
-                            record.extend(to.copies.as_ref().map(|copies| copies.line(path, bytes)));
-                        }
-                    }
-                }
-            }
-        }
-        for (from, place) in &to.others {
-            if is_pgf(from) {
-                let listed = files::read(from, "list of modules")?;
-                let now = to.list_with(from, place, &listed, given, &self.emitted);
-                if now != listed {
-                    self.written.push((place.clone(), now.len()));
-                }
-                if from != place || now != listed {
-                    self.put(place, &now)?;
-                }
-                continue;
-            }
-            let bytes = fs::read(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
-            self.put(place, &bytes)?;
-            record.extend(to.copies.as_ref().map(|copies| copies.line(place, &bytes)));
-        }
-        if let Some(copies) = to.copies.as_ref().filter(|_| !record.is_empty()) {
-            self.put(&copies.record(), record.as_bytes())?;
-        }
-        Ok(Written { pending: self.pending, emitted: self.written, standard: self.standard })
-    }
-}
-
-/// Whether a file holds a module that this program has emitted.
-fn is_ours(bytes: &[u8]) -> bool {
-    memchr::memmem::find(bytes, EMITTED_MARK.as_bytes()).is_some()
 }
 
 /// Whether a path names a folder, be it there or not.

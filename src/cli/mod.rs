@@ -17,6 +17,7 @@ pub mod model;
 pub mod number;
 mod other_tasks;
 mod outcome;
+mod overwriting;
 pub mod page;
 mod pending;
 pub mod program_input;
@@ -25,6 +26,7 @@ pub mod shared;
 mod simulate_hints;
 pub mod state;
 mod suggest;
+mod writing;
 
 pub mod accuracy;
 pub mod closed_loop;

@@ -1,13 +1,13 @@
 //! The robot and its deformation, as the options name them.
 
 use super::{files, suggest};
+use crate::application::{check_base, check_bases};
 use driftpost::application::Named;
 use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::robot::{BackedUp, BaseFrame, DhConvention, Robot, SerialArm};
-use robot_model::units::mm_from_m;
+use robot_model::robot::{BackedUp, DhConvention, Robot, SerialArm};
 use std::path::{Path, PathBuf};
 
 /// As [`robot`], with what the header of an emitted program says of it.
@@ -151,13 +151,8 @@ pub fn backup(name: &str) -> Option<Result<BackedUp, Diagnostic>> {
 /// # Errors
 /// As [`robot`]; `robot::base-frame` where a backup says that the base stands elsewhere.
 pub fn robot_of_program(name: &str) -> Result<Robot, Diagnostic> {
-    if let Some(BaseFrame { position_m: at, orientation_wxyz: turned }) =
-        backup(name).transpose()?.and_then(|backup| backup.base_frame)
-    {
-        let at_mm = at.map(mm_from_m);
-        return Err(base_frame(&format!(
-            "the base of {name} stands at {at_mm:?} mm, turned by {turned:?}, in the world"
-        )));
+    if let Some(backup) = backup(name).transpose()? {
+        check_base(name, &backup)?;
     }
     robot(name)
 }
@@ -170,30 +165,7 @@ pub fn base_beside(program: &Path) -> Result<Option<Diagnostic>, Diagnostic> {
     let real = std::fs::canonicalize(program).unwrap_or_else(|_| program.to_owned());
     let moc = real.ancestors().take(5).map(|folder| folder.join("SYSPAR").join("MOC.cfg"));
     let Some(text) = moc.filter_map(|path| std::fs::read(path).ok()).next() else { return Ok(None) };
-    let (moved, all) = BackedUp::moved_bases(&String::from_utf8_lossy(&text));
-    match (moved.is_empty(), all) {
-        (true, _) => Ok(None),
-        (false, true) => Err(base_frame(&format!(
-            "by the backup's MOC.cfg the base of {} stands elsewhere than in the world's frame",
-            moved.join(", ")
-        ))),
-        (false, false) => {
-            let text = format!(
-                "by the backup's MOC.cfg the base of {} stands elsewhere than in the world's frame",
-                moved.join(", ")
-            );
-            Ok(Some(
-                Diagnostic::warning("robot::base-frame", text)
-                    .help("a program of that robot would be corrected for another place: do not load it"),
-            ))
-        }
-    }
-}
-
-fn base_frame(text: &str) -> Diagnostic {
-    Diagnostic::error("robot::base-frame", text.to_owned()).help(
-        "targets are given in the world, and corrections are made for an arm whose base is the world's frame; work objects of this one would be taken for other places",
-    )
+    check_bases(&String::from_utf8_lossy(&text))
 }
 
 fn moc_of(folder: &str) -> PathBuf {

@@ -279,6 +279,18 @@ fn python_uses_the_front_door() {
 }
 
 #[test]
+fn the_library_has_one_front_door() {
+    let text = fs::read_to_string(root().join("src/lib.rs")).unwrap();
+    let public = syn::parse_file(&text).unwrap().items.into_iter().filter_map(|item| match item {
+        syn::Item::Mod(module) if matches!(module.vis, syn::Visibility::Public(_)) => {
+            Some(module.ident.to_string())
+        }
+        _ => None,
+    });
+    assert_eq!(public.collect::<Vec<_>>(), ["application", "command_line"]);
+}
+
+#[test]
 fn a_module_uses_only_what_stands_to_its_left() {
     let modules = Modules::read();
     let mut wrong = Vec::new();

@@ -2,6 +2,7 @@
 
 use super::args::Args;
 use super::option_values::{ClockName, CoreName};
+use crate::application::check_absolute_accuracy;
 use crate::cli::model;
 use crate::cli::number::{minutes, positive};
 use crate::cli::other_tasks::{TaskRobot, given_for};
@@ -64,12 +65,8 @@ impl Args {
         let name = of_task.map_or(&self.robot.name, |task| &task.robot);
         model::robot_of_program(name)?;
         let robot = model::robot_with_source(name)?;
-        let backup = model::backup(name).transpose()?;
-        if backup.is_some_and(|backup| backup.absolute_accuracy) && !self.absolute_accuracy {
-            let text = format!("{name}: the controller corrects this robot by a calibration of its own");
-            return Err(Diagnostic::error("robot::absolute-accuracy", text).help(
-                "--absolute-accuracy says that it is in use, and leaves alone what would be corrected twice; give the robot's name where it is switched off",
-            ));
+        if let Some(backup) = model::backup(name).transpose()? {
+            check_absolute_accuracy(name, &backup, self.absolute_accuracy)?;
         }
         let identified = self.model.as_deref().map(model::identified).transpose()?;
         let table = match of_task {

@@ -12,11 +12,12 @@ pub use args::Args;
 pub use option_values::Temperatures;
 pub(in crate::cli) use option_values::temperatures;
 
-use super::destination::{Destination, Writing};
+use super::destination::Destination;
 use super::files::{check_size, place_all};
 use super::model;
 use super::other_tasks;
 use super::program_input::ProgramInput;
+use super::writing::Writing;
 use super::{Console, Outcome};
 use crate::application::check_tasks;
 use crate::report::{LocatedDiagnostic, SourceReview};

@@ -3,8 +3,9 @@
 use super::Args;
 use super::diff_to::{DiffTo, no_output};
 use crate::cli::Console;
-use crate::cli::destination::{Destination, Written, is_pgf};
+use crate::cli::destination::{Destination, is_pgf};
 use crate::cli::files::{Output, Pending};
+use crate::cli::writing::Written;
 use crate::report::{self, SourceReview};
 use driftpost::application::{Compensated, Compensation, Refusal};
 use rapid_program::emit::EmittedFile;

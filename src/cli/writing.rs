@@ -1,0 +1,106 @@
+//! The files of a result: each is written whole beside its place before any is put there.
+
+use super::destination::{Destination, STANDARD, is_pgf};
+use super::files::{self, Pending};
+use super::program_input::ProgramInput;
+use rapid_program::emit::EmittedFile;
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Files of a result, each written beside its place; all are written before any is put in its place.
+///
+/// The first are the emitted ones: changed modules, new ones beside them.
+#[derive(Default)]
+pub struct Writing {
+    pending: Vec<Pending>,
+    /// Paths and sizes of the emitted files.
+    written: Vec<(PathBuf, usize)>,
+    /// The emitted files; of the common module alone with what stands in it.
+    emitted: Vec<EmittedFile>,
+    /// The module that goes to standard output.
+    standard: Option<Vec<u8>>,
+}
+
+/// Files that are whole, beside their places.
+pub struct Written {
+    /// To be put in their places.
+    pub pending: Vec<Pending>,
+    /// Paths and sizes of the emitted files, changed and new.
+    pub emitted: Vec<(PathBuf, usize)>,
+    /// What goes to standard output.
+    pub standard: Option<Vec<u8>>,
+}
+
+impl Writing {
+    /// Writes an emitted file.
+    ///
+    /// # Errors
+    /// `output::unwritable`.
+    pub fn add(
+        &mut self,
+        to: &Destination,
+        given: &ProgramInput,
+        file: EmittedFile,
+    ) -> Result<(), Diagnostic> {
+        let path = to.path_of(&file, given);
+        self.written.push((path.clone(), file.bytes.len()));
+        if path == Path::new(STANDARD) {
+            self.standard = Some(file.bytes.clone());
+        } else {
+            self.put(&path, &file.bytes)?;
+        }
+        let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
+        self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
+        Ok(())
+    }
+
+    fn put(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+        let mut file = Pending::new(path)?;
+        file.fill(bytes)?;
+        self.pending.push(file);
+        Ok(())
+    }
+
+    /// Writes what stays as it is.
+    ///
+    /// # Errors
+    /// `output::unwritable` or `input::unreadable`.
+    pub fn finish(mut self, to: &Destination, given: &ProgramInput) -> Result<Written, Diagnostic> {
+        to.check_new(given, &self.emitted)?;
+        let mut record = String::new();
+        if to.whole {
+            for (id, (path, bytes)) in to.modules.iter().zip(&given.bytes).enumerate() {
+                if !self.emitted.iter().any(|file| file.source == Some(FileId(id as u32))) {
+                    match path == Path::new(STANDARD) {
+                        true => self.standard = Some(bytes.to_vec()),
+                        false => {
+                            self.put(path, bytes)?;
+                            record.extend(to.copies.as_ref().map(|copies| copies.line(path, bytes)));
+                        }
+                    }
+                }
+            }
+        }
+        for (from, place) in &to.others {
+            if is_pgf(from) {
+                let listed = files::read(from, "list of modules")?;
+                let now = to.list_with(from, place, &listed, given, &self.emitted);
+                if now != listed {
+                    self.written.push((place.clone(), now.len()));
+                }
+                if from != place || now != listed {
+                    self.put(place, &now)?;
+                }
+                continue;
+            }
+            let bytes = fs::read(from).map_err(|cause| files::cannot_read(from, "file", &cause))?;
+            self.put(place, &bytes)?;
+            record.extend(to.copies.as_ref().map(|copies| copies.line(place, &bytes)));
+        }
+        if let Some(copies) = to.copies.as_ref().filter(|_| !record.is_empty()) {
+            self.put(&copies.record(), record.as_bytes())?;
+        }
+        Ok(Written { pending: self.pending, emitted: self.written, standard: self.standard })
+    }
+}
