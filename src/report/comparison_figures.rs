@@ -2,6 +2,7 @@
 
 use super::rounded;
 use rapid_program::compensate::compare::{ComparedMotion, Comparison};
+use rapid_program::emit::Difference;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 
@@ -72,4 +73,18 @@ impl<'c> Figures<'c> {
 /// The bucket of the k-th step; `None` for the original of a scheduled target, and where it is not scheduled.
 pub(super) fn bucket(compared: &ComparedMotion, k: usize) -> Option<usize> {
     if compared.steps.len() > 1 { k.checked_sub(1) } else { None }
+}
+
+/// A difference beside the targets, for people.
+pub(super) fn sentence(difference: &Difference) -> String {
+    match difference {
+        Difference::Text { before: (a, line_a), after: (b, line_b) } => format!(
+            "Beside the targets the text differs, first at {a}:{line_a} and line {line_b} of {b} without what \
+             compensation added."
+        ),
+        Difference::Missing(module) => format!("Module {module} is only in the first program."),
+        Difference::Added(module) => format!("Module {module} is only in the second program."),
+        Difference::Altered { file, what } => format!("{file}:{}: {what}", what.line()),
+        Difference::Damaged { file, error } => format!("{file} was edited where it must not be: {error}"),
+    }
 }

@@ -1,7 +1,8 @@
 //! The lines in which two programs differ, file by file.
 
 use super::Compared;
-use super::diff::{Cut, write_created, write_texts};
+use super::cut_lines::Cut;
+use super::diff::{write_created, write_texts};
 use super::plural;
 use std::io::{self, Cursor, Write};
 

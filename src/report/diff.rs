@@ -1,5 +1,6 @@
 //! Unified diffs: from known edits without searching, or of two texts.
 
+use super::changed_lines::{Change, Lines, changes};
 use rapid_syntax::Edit;
 use similar::{Algorithm, DiffTag, capture_diff_slices_deadline, group_diff_ops};
 use std::io::{self, BufRead, Seek, Write};
@@ -137,111 +138,6 @@ impl std::fmt::Display for Side {
     }
 }
 
-/// Lines `from..to` of the source (from 0) become `new`.
-#[derive(Debug)]
-pub(super) struct Change {
-    pub from: usize,
-    pub to: usize,
-    pub new: Vec<Vec<u8>>,
-}
-
-/// The edits by lines, in order: neighbouring changes stay apart, so that each changed line stands beside
-/// what it becomes.
-pub(super) fn changes<'d>(
-    source: &'d [u8],
-    lines: &'d Lines,
-    edits: &'d [Edit],
-) -> impl Iterator<Item = Change> + 'd {
-    let mut rest = edits;
-    std::iter::from_fn(move || {
-        while let Some(first) = rest.first() {
-            let (from, mut to) = lines.touched(first);
-            let mut count = 1;
-            while let Some(next) = rest.get(count) {
-                let (next_from, next_to) = lines.touched(next);
-                if next_from >= to {
-                    break;
-                }
-                to = to.max(next_to);
-                count += 1;
-            }
-            let (these, later) = rest.split_at(count);
-            rest = later;
-            if let Some(change) = change(source, lines, from, to, these) {
-                return Some(change);
-            }
-        }
-        None
-    })
-}
-
-/// What the lines `from..to` become; what stays equal at either end is left out.
-fn change(source: &[u8], lines: &Lines, mut from: usize, mut to: usize, edits: &[Edit]) -> Option<Change> {
-    let mut text = Vec::new();
-    let mut at = lines.start(from);
-    for edit in edits {
-        let (start, end) = (edit.range.start as usize, edit.range.end as usize);
-        text.extend_from_slice(source.get(at..start).unwrap_or_default());
-        text.extend_from_slice(&edit.text);
-        at = end;
-    }
-    text.extend_from_slice(source.get(at..lines.start(to)).unwrap_or_default());
-    let new_lines = Lines::new(&text);
-    let mut new: Vec<Vec<u8>> = (0..new_lines.count()).map(|i| new_lines.of(&text, i).to_vec()).collect();
-    while from < to && new.last().is_some_and(|n| n == lines.of(source, to - 1)) {
-        new.pop();
-        to -= 1;
-    }
-    let equal = (from..to).zip(&new).take_while(|(i, n)| lines.of(source, *i) == n.as_slice()).count();
-    new.drain(..equal);
-    from += equal;
-    (from < to || !new.is_empty()).then_some(Change { from, to, new })
-}
-
-/// Where lines begin, by LF alone as in every tool that reads diffs.
-pub(super) struct Lines {
-    starts: Vec<usize>,
-    end: usize,
-}
-
-impl Lines {
-    pub fn new(text: &[u8]) -> Self {
-        let mut starts = vec![0];
-        starts.extend(memchr::memchr_iter(b'\n', text).map(|at| at + 1));
-        if starts.last() == Some(&text.len()) {
-            starts.pop();
-        }
-        Self { starts, end: text.len() }
-    }
-
-    fn all<'t>(&self, text: &'t [u8]) -> Vec<&'t [u8]> {
-        (0..self.count()).map(|line| self.of(text, line)).collect()
-    }
-
-    fn count(&self) -> usize {
-        self.starts.len()
-    }
-
-    fn start(&self, line: usize) -> usize {
-        self.starts.get(line).copied().unwrap_or(self.end)
-    }
-
-    pub fn of<'t>(&self, text: &'t [u8], line: usize) -> &'t [u8] {
-        text.get(self.start(line)..self.start(line + 1)).unwrap_or_default()
-    }
-
-    /// The lines an edit changes: `from..to`, empty where whole lines are put in between two.
-    fn touched(&self, edit: &Edit) -> (usize, usize) {
-        let (start, end) = (edit.range.start as usize, edit.range.end as usize);
-        let holding = |at: usize| self.starts.partition_point(|&s| s <= at).saturating_sub(1);
-        let from = holding(start);
-        if start == end && self.start(from) == start && edit.text.last() == Some(&b'\n') {
-            return (from, from);
-        }
-        (from, (holding(end) + 1).min(self.count()))
-    }
-}
-
 fn write_lines<'t>(out: &mut dyn Write, sign: u8, lines: impl Iterator<Item = &'t [u8]>) -> io::Result<()> {
     for line in lines {
         out.write_all(&[sign])?;
@@ -251,41 +147,6 @@ fn write_lines<'t>(out: &mut dyn Write, sign: u8, lines: impl Iterator<Item = &'
         }
     }
     Ok(())
-}
-
-/// Passes on so many lines and counts the rest.
-pub struct Cut<'w> {
-    out: &'w mut dyn Write,
-    left: usize,
-    /// Lines that were not passed on.
-    pub dropped: usize,
-}
-
-impl<'w> Cut<'w> {
-    /// Passes `lines` lines on to `out`.
-    pub fn new(out: &'w mut dyn Write, lines: usize) -> Self {
-        Self { out, left: lines, dropped: 0 }
-    }
-}
-
-impl Write for Cut<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let mut passed = 0;
-        while self.left > 0 && passed < bytes.len() {
-            let end = memchr::memchr(b'\n', &bytes[passed..]).map_or(bytes.len(), |at| passed + at + 1);
-            self.out.write_all(&bytes[passed..end])?;
-            if bytes[end - 1] == b'\n' {
-                self.left -= 1;
-            }
-            passed = end;
-        }
-        self.dropped += memchr::memchr_iter(b'\n', &bytes[passed..]).count();
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.out.flush()
-    }
 }
 
 #[cfg(test)]
@@ -366,16 +227,6 @@ mod tests {
             );
             assert_eq!(created("", at_once), "--- /dev/null\n+++ x.mod\n@@ -0,0 +1,0 @@\n");
         }
-    }
-
-    #[test]
-    fn what_is_cut_is_counted() {
-        let mut out = Vec::new();
-        let mut cut = Cut::new(&mut out, 2);
-        cut.write_all(b"a\nb").unwrap();
-        cut.write_all(b"c\nd\ne\n").unwrap();
-        assert_eq!(cut.dropped, 2);
-        assert_eq!(out, b"a\nbc\n");
     }
 
     proptest! {

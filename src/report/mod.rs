@@ -9,11 +9,15 @@
 pub(crate) mod accuracy;
 mod cause_rows;
 pub(crate) mod changed;
+mod changed_lines;
 mod comparison;
 mod comparison_figures;
 mod comparison_lines;
+mod comparison_rows;
 mod controller_data;
+mod cut_lines;
 pub(crate) mod diagnosis;
+mod diagnosis_sections;
 mod diff;
 pub(crate) mod fit;
 mod inspect;
@@ -46,7 +50,7 @@ pub use page::{Page, ResultPage, SourceReview, write_page};
 
 pub(crate) use comparison::Compared;
 #[cfg(all(feature = "cli", feature = "link"))]
-pub(crate) use diff::Cut;
+pub(crate) use cut_lines::Cut;
 #[cfg(feature = "cli")]
 pub(crate) use diff::write_texts;
 pub(crate) use diff::{write_created, write_edits};

@@ -1,7 +1,7 @@
 //! The beginning of a difference: the motions that are changed and the first targets, for a reader who wants to see what
 //! kind of change it is.
 
-use super::diff::{Change, Lines, changes};
+use super::changed_lines::{Change, Lines, changes};
 use super::plural;
 use rapid_syntax::Edit;
 use std::io::{self, Write};

@@ -1,6 +1,6 @@
 //! Changed lines as a review shows them side by side: what stays equal at both ends of a line stands once.
 
-use crate::report::diff::{Lines, changes};
+use crate::report::changed_lines::{Lines, changes};
 use rapid_syntax::Edit;
 use serde::Serialize;
 use serde::ser::Serializer;
