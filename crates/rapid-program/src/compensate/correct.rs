@@ -75,22 +75,12 @@ pub(super) fn correct(
         let commanded = |sent: &CommandedJoints| point.placement.object_from_tcp(&sent.base_from_flange);
         let commanded: Vec<Isometry3<f64>> = of_buckets().flatten().map(commanded).collect();
         made.add_corrections(&meant, &commanded);
-        let by_joints = matches!(value, TargetValue::Joint(_));
         let corrections = match at {
             Moments::Buckets(warm) => {
                 made.add_errors(point, &joints, warm);
-                Corrections::InBuckets(match by_joints {
-                    true => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
-                    false => commanded.iter().map(|there| as_written(there, &meant, &value)).collect(),
-                })
+                corrected_in_buckets(&value, &meant, &joints, &commanded)
             }
-            Moments::Nodes(_) => {
-                let corrections = match by_joints {
-                    true => Ramp::turns(point, &joints),
-                    false => Ramp::shifts(&meant, &commanded),
-                };
-                Corrections::AtNodes(corrections.into_iter().collect())
-            }
+            Moments::Nodes(_) => corrections_at_nodes(point, &value, &joints, &commanded),
         };
         targets.push(planned_target(point, &value, corrections, model));
     }
@@ -129,6 +119,35 @@ impl Moments {
             Self::Nodes(ramp) => Some(ramp),
         }
     }
+}
+
+/// What a target is in each bucket: the arm's joints there, or where the controller is sent.
+fn corrected_in_buckets(
+    value: &TargetValue,
+    meant: &Isometry3<f64>,
+    joints: &[[f64; 6]],
+    commanded: &[Isometry3<f64>],
+) -> Corrections {
+    Corrections::InBuckets(match value {
+        TargetValue::Joint(_) => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
+        TargetValue::Rob(_) | TargetValue::FromJoints(_) => {
+            commanded.iter().map(|there| as_written(there, meant, value)).collect()
+        }
+    })
+}
+
+/// What changes a target at each node of the time functions: turns of the joints, or a shift and a turn of the pose.
+fn corrections_at_nodes(
+    point: &Point,
+    value: &TargetValue,
+    joints: &[[f64; 6]],
+    commanded: &[Isometry3<f64>],
+) -> Corrections {
+    let corrections = match value {
+        TargetValue::Joint(_) => Ramp::turns(point, joints),
+        TargetValue::Rob(_) | TargetValue::FromJoints(_) => Ramp::shifts(&point.object_from_tcp(), commanded),
+    };
+    Corrections::AtNodes(corrections.into_iter().collect())
 }
 
 fn planned_target(

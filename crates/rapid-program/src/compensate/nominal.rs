@@ -10,8 +10,9 @@ use super::placement::{Placement, keep};
 use super::resolved::Resolved;
 use super::ways_back::{Way, before, ways_back};
 use crate::program::Program;
-use crate::program::data::JointTarget;
+use crate::program::data::{ConfData, JointTarget};
 use crate::program::motion::{Motion, MotionId, SkipReason, TargetValue};
+use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeSet;
@@ -222,7 +223,7 @@ fn place_targets(
     if motion.targets.iter().any(|target| target.values().next().is_none()) {
         return Err(keep("keep::runtime-target", "its target is only known at run time"));
     }
-    let mut say = |message: Diagnostic| messages.add(Some(motion.setup.routine), message);
+    let mut report = |message: Diagnostic| messages.add(Some(motion.setup.routine), message);
     for (k, target) in motion.targets.iter().enumerate() {
         // Of an array's elements a hint cannot say which it means.
         let hinted = hinted.get(k).copied().filter(|_| target.value().is_some());
@@ -230,36 +231,20 @@ fn place_targets(
             let branch = match value {
                 TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
                     let q_rad = all_axes(&joints)?;
-                    let base_from_flange = hinted.map(|hinted| (hinted, model.nominal.forward(&q_rad)));
-                    if let Some((hinted, there)) = base_from_flange
-                        && let Err(message) = check_pose(motion, &there, hinted, model)
-                    {
-                        say(message);
-                    }
+                    check_joints(motion, &q_rad, hinted, model).unwrap_or_else(&mut report);
                     Branch::known(q_rad)
                 }
                 TargetValue::Rob(pose) => {
-                    let base_from_flange = match ahead {
-                        Some(ahead) => ahead.base_from_flange,
-                        None => placement.base_from_flange(&pose.object_from_tcp),
-                    };
-                    let placed = (motion, &base_from_flange, &pose.conf);
-                    let by_hint =
-                        hinted.map(|hinted| hinted_branch(placed, &from, model, hinted)).transpose();
-                    let branch = match by_hint.unwrap_or_else(|message| {
-                        say(message);
-                        None
-                    }) {
-                        Some(branch) => branch,
-                        None => match ahead.and_then(|ahead| ahead.as_written(motion, &from, model)) {
-                            Some(branch) => branch,
-                            None => branch_of(motion, &base_from_flange, &pose.conf, &from, model)?,
+                    let placed = PlacedPose {
+                        motion,
+                        conf: &pose.conf,
+                        base_from_flange: match ahead {
+                            Some(ahead) => ahead.base_from_flange,
+                            None => placement.base_from_flange(&pose.object_from_tcp),
                         },
+                        ahead,
                     };
-                    if let Some(note) = branch.note {
-                        say(note.message(motion, &pose.conf));
-                    }
-                    branch
+                    placed.branch(&from, hinted, model, &mut report)?
                 }
             };
             // Of an array's elements none comes from the one before.
@@ -270,6 +255,52 @@ fn place_targets(
         }
     }
     Ok((Arc::clone(placement), branches))
+}
+
+/// Whether a hint agrees with the joints that a target is written as.
+fn check_joints(
+    motion: &Motion,
+    q_rad: &[f64; 6],
+    hinted: Option<Hinted>,
+    model: &Model,
+) -> Result<(), Diagnostic> {
+    hinted.map_or(Ok(()), |hinted| check_pose(motion, &model.nominal.forward(q_rad), hinted, model))
+}
+
+/// A robtarget of a motion, and where it sends the flange.
+struct PlacedPose<'p> {
+    motion: &'p Motion,
+    conf: &'p ConfData,
+    base_from_flange: Isometry3<f64>,
+    ahead: Option<&'p PlacedTarget>,
+}
+
+impl PlacedPose<'_> {
+    /// The branch that a hint names, else the one that is written where it can be told so, else the one that is meant by where
+    /// the arm comes from.
+    fn branch(
+        &self,
+        from: &[ComesFrom],
+        hinted: Option<Hinted>,
+        model: &Model,
+        report: &mut impl FnMut(Diagnostic),
+    ) -> Result<Branch, SkipReason> {
+        let Self { motion, conf, base_from_flange, ahead } = self;
+        let by_hint =
+            hinted.map(|hinted| hinted_branch((motion, base_from_flange, conf), from, model, hinted));
+        let by_hint = by_hint.transpose().unwrap_or_else(|message| {
+            report(message);
+            None
+        });
+        let branch = match by_hint.or_else(|| ahead.and_then(|ahead| ahead.as_written(motion, from, model))) {
+            Some(branch) => branch,
+            None => branch_of(motion, base_from_flange, conf, from, model)?,
+        };
+        if let Some(note) = branch.note {
+            report(note.message(motion, conf));
+        }
+        Ok(branch)
+    }
 }
 
 fn all_axes(joints: &JointTarget) -> Result<[f64; 6], SkipReason> {

@@ -14,6 +14,7 @@ use super::model::Model;
 use super::nominal::resolve;
 use super::options::{FormChoice, Options};
 use super::plan::{Plan, PlannedMotion, Status};
+use super::quadrant_border::Crossing;
 use super::ramp::{Ramp, Sample};
 use super::resolved::{Point, Resolved};
 use super::unknown_branch::keep_unknown_branches;
@@ -51,34 +52,7 @@ pub fn plan(
     let model = Model::new(robot, deformation, options, temperature_c.map(|range_c| range_c[0]))?;
     let mut of_plan = Messages::default();
     plausible::check_deformation(&model, &mut of_plan)?;
-    let left_alone = options.selection.of(program)?;
-    let start_rad = options.start_rad.or(program.home_rad);
-    let (hints, out_of_step) = match options.joints_hint.as_deref().map(|hint| hint.by_motion(program)) {
-        None => (Hints::new(), None),
-        Some(Ok(hints)) => (hints, None),
-        // Who wrote the text made other moves of what it was told: which joints are of which is not known.
-        Some(Err(error @ JointsHintError::Order { .. })) => (Hints::new(), Some(error)),
-        Some(Err(error)) => return Err(error.into()),
-    };
-    let (mut resolved, mut messages) = resolve(program, &model, start_rad, &hints);
-    if let Some(error) = out_of_step {
-        let text = format!("{error}; its joints are not used");
-        let help = "write the hint of the program as it is, or `file,line,q1_deg,...,q6_deg`";
-        messages.add(None, Diagnostic::warning(error.code(), text).help(help));
-    }
-    conditions::fill(program, &model, &mut resolved);
-    keep_unknown_branches((program, start_rad.is_some()), &model, options.tolerance_m, &mut resolved);
-    keep_other_later_frames(program, &model, options.tolerance_m, &mut resolved);
-    keep_what_no_array_holds(program, options, &mut resolved);
-    keep_as_asked(program, options, &mut resolved);
-    for (resolved, why) in resolved.iter_mut().zip(left_alone) {
-        if let Some(why) = why {
-            resolved.keep(Arc::new(why));
-        }
-    }
-    turn_with_arcs(program, &model, &mut resolved);
-    keep_what_cannot_be_followed(program, &model, &mut resolved);
-    conditions::check(program, &model, &resolved, &mut messages);
+    let (resolved, mut messages) = resolve_motions(program, &model, options)?;
     let points = ProgramPoints::of(program, &resolved, &model, |_| true);
     let asks_at_run_time =
         options.form.corrects_run_time() && program.motions.iter().any(|motion| motion.run_time);
@@ -92,24 +66,15 @@ pub fn plan(
     let settled = model.arm(Moment::Settled);
     let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref(), settled };
     let (mut motions, tally, crossings) = corrector.correct_all(&resolved, &chosen);
-    let corrected = |planned: &PlannedMotion| !matches!(planned.status, Status::Kept(_));
-    if !motions.iter().any(corrected) {
-        let reason = |i: usize| match &motions.get(i)?.status {
-            Status::Kept(why) => Some(why),
-            Status::Compensated | Status::Refused(_) => None,
-        };
+    if motions.iter().all(|planned| why_kept(planned).is_some()) {
+        let reason = |i: usize| motions.get(i).and_then(why_kept);
         return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
     let compensated = |i: usize| motions.get(i).is_some_and(|m| m.status == Status::Compensated);
     let compensated = ProgramPoints::of(program, &resolved, &model, compensated);
     let summary = tally.summary((program, &resolved), &compensated, &chosen.schedule);
     drop(compensated);
-    for (i, crossing) in crossings {
-        if motions[i].status == Status::Compensated {
-            let motion = &program.motions[i];
-            messages.add(Some(motion.setup.routine), crossing.message(motion));
-        }
-    }
+    report_crossings(program, &motions, crossings, &mut messages);
     if options.strict {
         motions.iter_mut().for_each(refuse_kept);
     }
@@ -131,6 +96,65 @@ pub fn plan(
         summary,
         diagnostics: [of_plan.finish(), messages.finish()].concat(),
     })
+}
+
+/// Where each motion goes on the nominal arm, and those that stay as they are, with the reason; and what is to be said about them.
+fn resolve_motions(
+    program: &Program,
+    model: &Model<'_>,
+    options: &Options,
+) -> Result<(Vec<Resolved>, Messages), CompensateError> {
+    let left_alone = options.selection.of(program)?;
+    let start_rad = options.start_rad.or(program.home_rad);
+    let (hints, out_of_step) = match options.joints_hint.as_deref().map(|hint| hint.by_motion(program)) {
+        None => (Hints::new(), None),
+        Some(Ok(hints)) => (hints, None),
+        // Who wrote the text made other moves of what it was told: which joints are of which is not known.
+        Some(Err(error @ JointsHintError::Order { .. })) => (Hints::new(), Some(error)),
+        Some(Err(error)) => return Err(error.into()),
+    };
+    let (mut resolved, mut messages) = resolve(program, model, start_rad, &hints);
+    if let Some(error) = out_of_step {
+        let text = format!("{error}; its joints are not used");
+        let help = "write the hint of the program as it is, or `file,line,q1_deg,...,q6_deg`";
+        messages.add(None, Diagnostic::warning(error.code(), text).help(help));
+    }
+    conditions::fill(program, model, &mut resolved);
+    keep_unknown_branches((program, start_rad.is_some()), model, options.tolerance_m, &mut resolved);
+    keep_other_later_frames(program, model, options.tolerance_m, &mut resolved);
+    keep_what_no_array_holds(program, options, &mut resolved);
+    keep_as_asked(program, options, &mut resolved);
+    for (resolved, why) in resolved.iter_mut().zip(left_alone) {
+        if let Some(why) = why {
+            resolved.keep(Arc::new(why));
+        }
+    }
+    turn_with_arcs(program, model, &mut resolved);
+    keep_what_cannot_be_followed(program, model, &mut resolved);
+    conditions::check(program, model, &resolved, &mut messages);
+    Ok((resolved, messages))
+}
+
+/// Joints of compensated motions that leave the quadrant which confdata names.
+fn report_crossings(
+    program: &Program,
+    motions: &[PlannedMotion],
+    crossings: Vec<(usize, Crossing)>,
+    messages: &mut Messages,
+) {
+    for (i, crossing) in crossings {
+        if motions[i].status == Status::Compensated {
+            let motion = &program.motions[i];
+            messages.add(Some(motion.setup.routine), crossing.message(motion));
+        }
+    }
+}
+
+fn why_kept(planned: &PlannedMotion) -> Option<&Arc<SkipReason>> {
+    match &planned.status {
+        Status::Kept(why) => Some(why),
+        Status::Compensated | Status::Refused(_) => None,
+    }
 }
 
 /// The schedule or the time functions, and the moments for which corrections are made.

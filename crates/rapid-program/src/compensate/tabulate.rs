@@ -178,14 +178,7 @@ pub fn tabulate(
     if deformation.index() != Index::WarmUpTime {
         return Err(TabulateError::Temperature);
     }
-    let mut nominal: Vec<Solution> = Vec::with_capacity(targets.len());
-    for target in targets {
-        let previous = nominal.last().map_or([0.0; 6], |last| last.q_rad);
-        let solution = choose(&closed, target, configuration, &previous).map_err(|problem| {
-            TabulateError::Target { name: target.name.clone(), line: target.line, problem }
-        })?;
-        nominal.push(solution);
-    }
+    let nominal = nominal_solutions(&closed, targets, configuration)?;
     let frames = NominalFrames::of(robot);
     let chains: Vec<Chain> =
         minutes.iter().map(|&t_min| frames.chain(&deformation.offsets_at(t_min))).collect();
@@ -229,6 +222,23 @@ pub fn tabulate(
         }
     }
     Ok(MinuteTable { nominal, rows })
+}
+
+/// For each target the nominal joints, nearest to those of the target before.
+fn nominal_solutions(
+    closed: &ClosedForm,
+    targets: &[Target],
+    configuration: Option<&Configuration>,
+) -> Result<Vec<Solution>, TabulateError> {
+    let mut nominal: Vec<Solution> = Vec::with_capacity(targets.len());
+    for target in targets {
+        let previous = nominal.last().map_or([0.0; 6], |last| last.q_rad);
+        let solution = choose(closed, target, configuration, &previous).map_err(|problem| {
+            TabulateError::Target { name: target.name.clone(), line: target.line, problem }
+        })?;
+        nominal.push(solution);
+    }
+    Ok(nominal)
 }
 
 fn choose(

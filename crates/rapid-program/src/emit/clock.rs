@@ -6,6 +6,7 @@
 //! add up from motion to motion.
 
 mod amount;
+mod law_text;
 
 use super::names::{MAX_NAME, Names};
 use super::number::num;
@@ -250,51 +251,7 @@ impl CoreText<'_> {
         };
         let amount = self.amount();
         let full = amount.full();
-        let warm = match law {
-            Law::TwoStage { .. } => format!("{full},{full}"),
-            Law::OneLag { .. } => format!("{full},0"),
-            Law::Elapsed | Law::Sensor { .. } => format!("{},0", num(last_min.ceil() + 1.0)),
-        };
-        let start_at = match law {
-            Law::TwoStage { tau_min, .. } => {
-                let lag = format!("tcLags(tcRunMinutes,{})", amount.tau(*tau_min, "tcTau"));
-                let [first, second] = [format!("1-Exp(-{lag})"), format!("1-(1+{lag})*Exp(-{lag})")]
-                    .map(|share| amount.times(&share));
-                format!("tcBegin tcPart({first}),\n        tcPart({second});")
-            }
-            Law::OneLag { tau_min, .. } => {
-                let lag = format!("tcLags(tcRunMinutes,{})", amount.tau(*tau_min, "tcTau"));
-                format!("tcBegin tcPart({}),0;", amount.times(&format!("1-Exp(-{lag})")))
-            }
-            Law::Elapsed | Law::Sensor { .. } => "tcBegin tcRunMinutes,0;".to_owned(),
-        };
-        let grown = match (law, self.growth) {
-            (Law::TwoStage { .. } | Law::OneLag { .. }, _) => amount.grown().to_owned(),
-            (_, Some(GrowthLaw::TwoStage { tau_min })) => {
-                let lag = format!("tcLags(tcMinute,{})", num(tau_min));
-                format!("    tcWarm:=tcPart(1-(1+{lag})*Exp(-{lag}));")
-            }
-            (_, Some(GrowthLaw::Exp { tau_min })) => {
-                format!("    tcWarm:=tcPart(1-Exp(-tcLags(tcMinute,{})));", num(tau_min))
-            }
-            (_, Some(GrowthLaw::None) | None) => "    tcWarm:=1;".to_owned(),
-        };
-        let sensor = matches!(law, Law::Sensor { .. });
-        let [what, index, unknown, cannot] = if sensor {
-            [
-                "the temperature",
-                "tcAbove()",
-                "No temperature yet: original targets",
-                "Temperature lost, out of range or stale: original targets",
-            ]
-        } else {
-            [
-                "the warm-up minute",
-                "tcMinute",
-                "Warm-up not known, call tcColdStart or tcWarmStart: original targets",
-                "Warm-up state or date cannot be, call tcColdStart: original targets",
-            ]
-        };
+        let [what, index, unknown, cannot] = law.wording();
         let [scale, forced] = match &self.choice {
             Choice::Scale(_) if shares => ["tcScale tcWarm".to_owned(), "tcScale tcMode/100".to_owned()],
             _ => [format!("tcScaleAt {index},1"), format!("tcScaleAt {},tcMode/100", num(last_min))],
@@ -303,9 +260,9 @@ impl CoreText<'_> {
             ("@PARTS@", if parts_per_min > 1 { format!("{parts_per_min}*") } else { String::new() }),
             ("@COUNT@", count.to_string()),
             ("@LAST@", count.saturating_sub(1).to_string()),
-            ("@WARM@", warm),
-            ("@START_AT@", start_at),
-            ("@GROWN@", grown),
+            ("@WARM@", law.warm_state(amount, last_min)),
+            ("@START_AT@", law.start_at(amount)),
+            ("@GROWN@", self.grown(amount)),
             ("@WHAT@", what.to_owned()),
             ("@INDEX@", amount.index(index)),
             ("@UNKNOWN@", unknown.to_owned()),
@@ -316,32 +273,25 @@ impl CoreText<'_> {
             ("@MOST@", num(amount.most())),
         ];
         if let Some((touch, largest_m)) = self.touch {
-            let lags = match law {
-                Law::TwoStage { tau_min, tau_cool_min, .. } => (true, [*tau_min, *tau_cool_min]),
-                Law::OneLag { tau_min, tau_cool_min, .. } => (false, [*tau_min, *tau_cool_min]),
-                Law::Elapsed | Law::Sensor { .. } => (false, [1.0; 2]),
-            };
-            numbers.extend(touch.numbers(lags, largest_m));
+            numbers.extend(touch.numbers(&law.lags(), largest_m));
         }
-        if let Law::Sensor { read, range_c: [low_c, high_c], hold_min, stale_min } = law {
-            let beyond_c = BEYOND * (high_c - low_c);
-            numbers.push(("@READ@", read.clone()));
-            numbers.push(("@LOW@", num(low_c - beyond_c)));
-            numbers.push(("@HIGH@", num(high_c + beyond_c)));
-            numbers.push(("@FROM@", num(*low_c)));
-            numbers.push(("@HOLD@", num(*hold_min)));
-            numbers.push(("@STALE@", num(*stale_min)));
-        }
-        if let Law::TwoStage { tau_min, tau_cool_min, gap_min }
-        | Law::OneLag { tau_min, tau_cool_min, gap_min } = law
-        {
-            numbers.push(("@MINUTE@", amount.minute(*tau_min)));
-            numbers.push(("@TAU@", amount.tau(*tau_min, "tcTau")));
-            numbers.push(("@TABLE_TAU@", num(*tau_min)));
-            numbers.push(("@TAU_COOL@", amount.tau(*tau_cool_min, "tcTauCool")));
-            numbers.push(("@GAP@", num(*gap_min)));
-        }
+        numbers.extend(law.numbers(amount));
         numbers
+    }
+
+    /// The statement that works out the share of the drift where the clock does not keep it itself.
+    fn grown(&self, amount: Amount) -> String {
+        match (self.law, self.growth) {
+            (Law::TwoStage { .. } | Law::OneLag { .. }, _) => amount.grown().to_owned(),
+            (_, Some(GrowthLaw::TwoStage { tau_min })) => {
+                let lag = format!("tcLags(tcMinute,{})", num(tau_min));
+                format!("    tcWarm:=tcPart(1-(1+{lag})*Exp(-{lag}));")
+            }
+            (_, Some(GrowthLaw::Exp { tau_min })) => {
+                format!("    tcWarm:=tcPart(1-Exp(-tcLags(tcMinute,{})));", num(tau_min))
+            }
+            (_, Some(GrowthLaw::None) | None) => "    tcWarm:=1;".to_owned(),
+        }
     }
 }
 

@@ -204,76 +204,90 @@ impl Record {
 /// # Errors
 /// A sentence.
 pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize), String> {
-    let mut entries: Vec<(Vec<u8>, Vec<u8>)> = Vec::new();
+    let (entries, count) = entries(lines)?;
+    let mut record = Record::default();
+    let pairs = || entries.iter().map(|entry| (entry.key.as_slice(), entry.text.as_slice()));
+    let sum = checksum::of_lines(pairs().filter(|(key, _)| KEYS.contains(key)));
+    record.is_whole = pairs().any(|(key, text)| key == b"sum" && text == sum);
+    for entry in entries {
+        let key = entry.key.clone();
+        record.accept(entry).ok_or_else(|| {
+            format!("the line `{}` of the comment block is damaged", String::from_utf8_lossy(&key))
+        })?;
+    }
+    Ok((record, count))
+}
+
+/// An entry of the block: what stands before the colon, and what behind it, with that of the lines that go on with it.
+struct Entry {
+    key: Vec<u8>,
+    text: Vec<u8>,
+}
+
+/// The entries of a block, and the number of lines up to and including the last.
+fn entries<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Vec<Entry>, usize), String> {
+    let mut entries: Vec<Entry> = Vec::new();
     let mut count = 0;
-    let mut ended = false;
     for line in lines {
         let Some(comment) = line.trim_ascii().strip_prefix(b"!") else { break };
         count += 1;
         let Some(text) = comment.trim_ascii_start().strip_prefix(b"driftpost ") else { continue };
         if text == b"end" {
-            ended = true;
-            break;
+            return Ok((entries, count));
         }
         let Some(colon) = memchr::memmem::find(text, b": ") else { continue };
         let (key, rest) = (&text[..colon], &text[colon + 2..]);
         if key == b"more" {
-            if let Some((_, last)) = entries.last_mut() {
-                last.extend_from_slice(rest);
+            if let Some(last) = entries.last_mut() {
+                last.text.extend_from_slice(rest);
             }
         } else {
-            entries.push((key.to_vec(), rest.to_vec()));
+            entries.push(Entry { key: key.to_vec(), text: rest.to_vec() });
         }
     }
-    if !ended {
-        return Err("the comment block after MODULE has no end".to_owned());
-    }
-    let mut record = Record::default();
-    let pairs = || entries.iter().map(|(key, text)| (key.as_slice(), text.as_slice()));
-    let sum = checksum::of_lines(pairs().filter(|(key, _)| KEYS.contains(key)));
-    record.is_whole = pairs().any(|(key, text)| key == b"sum" && text == sum);
-    for (key, text) in entries {
-        let broken =
-            || format!("the line `{}` of the comment block is damaged", String::from_utf8_lossy(&key));
-        let utf8 = std::str::from_utf8(&text).map_err(|_| broken())?;
+    Err("the comment block after MODULE has no end".to_owned())
+}
+
+impl Record {
+    /// Takes over what an entry says; `None` where it is damaged.
+    fn accept(&mut self, Entry { key, text }: Entry) -> Option<()> {
+        let utf8 = std::str::from_utf8(&text).ok()?;
         match key.as_slice() {
-            b"core" => record.is_core = true,
+            b"core" => self.is_core = true,
             b"source" => {
-                let (sha256, name) =
-                    utf8.strip_prefix("SHA-256 ").and_then(|rest| rest.split_once(' ')).ok_or_else(broken)?;
-                sha256.clone_into(&mut record.source_sha256);
-                name.clone_into(&mut record.source_name);
+                let (sha256, name) = utf8.strip_prefix("SHA-256 ")?.split_once(' ')?;
+                sha256.clone_into(&mut self.source_sha256);
+                name.clone_into(&mut self.source_name);
             }
             b"with" => {
-                let (name, value) = utf8.split_once(' ').ok_or_else(broken)?;
-                let value = unescape(value.as_bytes()).and_then(|value| String::from_utf8(value).ok());
-                record.settings.push((name.to_owned(), value.ok_or_else(broken)?));
+                let (name, value) = utf8.split_once(' ')?;
+                let value = String::from_utf8(unescape(value.as_bytes())?).ok()?;
+                self.settings.push((name.to_owned(), value));
             }
             b"added" => {
-                let mut numbers =
-                    utf8.split(", ").map(|part| part.split(' ').next().and_then(|n| n.parse().ok()));
-                let mut next = || numbers.next().flatten().ok_or_else(broken);
-                (record.targets, record.data, record.routines) = (next()?, next()?, next()?);
+                let mut numbers = utf8.split(", ").map(|part| part.split(' ').next()?.parse().ok());
+                let mut next = || numbers.next().flatten();
+                (self.targets, self.data, self.routines) = (next()?, next()?, next()?);
             }
             b"renamed" => {
-                let (name, by) = utf8.split_once(' ').ok_or_else(broken)?;
-                record.renamed.insert(name.to_owned(), by.to_owned());
+                let (name, by) = utf8.split_once(' ')?;
+                self.renamed.insert(name.to_owned(), by.to_owned());
             }
             b"shares" => {
                 // Where lines are lost others may have been added to this one: then nothing is entries of shares.
-                record.shares = utf8.split(' ').map(str::parse).collect::<Result<_, _>>().unwrap_or_default();
+                self.shares = utf8.split(' ').map(str::parse).collect::<Result<_, _>>().unwrap_or_default();
             }
             b"was" => {
-                let (name, was) = utf8.split_once(' ').ok_or_else(broken)?;
-                record.was.insert(name.to_owned(), unescape(was.as_bytes()).ok_or_else(broken)?);
+                let (name, was) = utf8.split_once(' ')?;
+                self.was.insert(name.to_owned(), unescape(was.as_bytes())?);
             }
-            b"points" => record.points = text,
-            b"targets" => record.checksums = text,
-            b"code" => record.code = text,
+            b"points" => self.points = text,
+            b"targets" => self.checksums = text,
+            b"code" => self.code = text,
             _ => {}
         }
+        Some(())
     }
-    Ok((record, count))
 }
 
 /// What an emitted file says that it was made with, by the names of options; `None` where it is none, or its comment block

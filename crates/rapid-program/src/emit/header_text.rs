@@ -4,6 +4,7 @@ use super::clock::{Choice, CoreText};
 use super::names::Names;
 use super::number::num;
 use super::options::{Clock, Core, EmitOptions, Sensor};
+use super::touch::Touch;
 use crate::compensate::plan::{Form, Plan, Totals};
 use robot_model::units::{deg_from_rad, mm_from_m};
 
@@ -14,50 +15,77 @@ pub fn header_text(
     plan: &Plan,
     totals: &Totals,
 ) -> Vec<String> {
-    let (schedule, temperature_c) = (&plan.schedule, plan.temperature_c);
-    let (unit, zero) = temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
-    let [mode, update] = ["tcMode", "tcUpdate"].map(|name| names.core(name));
-    let mut about =
-        vec![format!("Form {}, clock {}", options.form.name(), clock(options, names.core("tcColdStart")))];
-    match &text.choice {
+    let by_temperature = plan.temperature_c.is_some();
+    let mut about = vec![
+        format!("Form {}, clock {}", options.form.name(), clock(options, names.core("tcColdStart"))),
+        what_scales(&text.choice, plan),
+        format!(
+            "Largest correction {:.4} mm, {:.5} deg",
+            mm_from_m(totals.max_correction_m),
+            deg_from_rad(totals.max_correction_rad)
+        ),
+        if options.absolute_accuracy {
+            "Absolute Accuracy is declared to be on".to_owned()
+        } else {
+            "Absolute Accuracy must be off: the targets are made for nominal kinematics".to_owned()
+        },
+        what_to_call(names, by_temperature),
+        modes(names, &text.choice, by_temperature),
+        how_to_touch_up(names, totals),
+        format!(
+            "Motion that is not corrected does not ask: where the arm moves for long without, the program may call {}",
+            names.core("tcUpdate")
+        ),
+    ];
+    if let Some(touch) = &options.touch {
+        about.extend(of_touch(names, touch));
+    }
+    about.push("To remove: load the original file, or get it back with `driftpost restore`".to_owned());
+    about.push(where_the_clock_is(names, core));
+    about
+}
+
+/// What corrections go by: the buckets with their edges, or functions of time.
+fn what_scales(choice: &Choice<'_>, plan: &Plan) -> String {
+    let (unit, zero) = plan.temperature_c.map_or(("warm-up minute", 0.0), |[low_c, _]| ("degree", low_c));
+    match choice {
         Choice::Bucket(_) => {
-            let edges: Vec<String> = schedule.buckets.iter().map(|b| num(zero + b.from_min)).collect();
-            about.push(format!("Buckets from {unit} {}; the last holds on", edges.join(", ")));
+            let edges: Vec<String> = plan.schedule.buckets.iter().map(|b| num(zero + b.from_min)).collect();
+            format!("Buckets from {unit} {}; the last holds on", edges.join(", "))
         }
-        Choice::Scale(scaled) => about.push(format!(
+        Choice::Scale(scaled) => format!(
             "Corrections are scaled by {} of the {}",
             match scaled.functions.count() {
                 1 => "one function".to_owned(),
                 n => format!("{n} functions"),
             },
-            if temperature_c.is_some() { "temperature" } else { "warm-up" }
-        )),
+            if plan.temperature_c.is_some() { "temperature" } else { "warm-up" }
+        ),
     }
-    about.push(format!(
-        "Largest correction {:.4} mm, {:.5} deg",
-        mm_from_m(totals.max_correction_m),
-        deg_from_rad(totals.max_correction_rad)
-    ));
-    about.push(if options.absolute_accuracy {
-        "Absolute Accuracy is declared to be on".to_owned()
-    } else {
-        "Absolute Accuracy must be off: the targets are made for nominal kinematics".to_owned()
-    });
-    about.push(if temperature_c.is_some() {
-        "Nothing needs to be called; before the first good reading the original targets are used".to_owned()
-    } else {
-        format!(
-            "Call {} once, on a cold robot, not each morning: the clock follows stops and nights itself. {} is for a robot \
-             that is fully warm, {} for one that has worked so many minutes; before one of them was called the original \
-             targets are used",
-            names.core("tcColdStart"),
-            names.core("tcWarmStart"),
-            names.core("tcStartAt")
-        )
-    });
-    let shown = names.core(if temperature_c.is_some() { "tcDegrees" } else { "tcMinute" });
-    let what = if temperature_c.is_some() { "temperature" } else { "warm-up minute" };
-    about.push(match &text.choice {
+}
+
+/// Which routine has to be called, and when.
+fn what_to_call(names: &Names, by_temperature: bool) -> String {
+    if by_temperature {
+        return "Nothing needs to be called; before the first good reading the original targets are used"
+            .to_owned();
+    }
+    format!(
+        "Call {} once, on a cold robot, not each morning: the clock follows stops and nights itself. {} is for a robot \
+         that is fully warm, {} for one that has worked so many minutes; before one of them was called the original \
+         targets are used",
+        names.core("tcColdStart"),
+        names.core("tcWarmStart"),
+        names.core("tcStartAt")
+    )
+}
+
+/// What the mode can be set to, and where it is shown what is in force.
+fn modes(names: &Names, choice: &Choice<'_>, by_temperature: bool) -> String {
+    let mode = names.core("tcMode");
+    let shown = names.core(if by_temperature { "tcDegrees" } else { "tcMinute" });
+    let what = if by_temperature { "temperature" } else { "warm-up minute" };
+    match choice {
         Choice::Bucket(schedule) => format!(
             "{mode} -1 automatic, 0..{} that bucket, -2 the original targets; {} the bucket in use, -1 originals; {shown} the \
              {what}",
@@ -69,9 +97,13 @@ pub fn header_text(
              originals; {shown} the {what}",
             names.core("tcShare")
         ),
-    });
+    }
+}
+
+/// How a target is touched up in the corrected program.
+fn how_to_touch_up(names: &Names, totals: &Totals) -> String {
     let [schedules, ..] = totals.by_form;
-    about.push(if schedules > 0 {
+    if schedules > 0 {
         "ModPos changes the one array element in force: `driftpost restore` turns it into the original that it means".to_owned()
     } else {
         format!(
@@ -83,40 +115,43 @@ pub fn header_text(
                 String::new()
             }
         )
-    });
-    about.push(format!(
-        "Motion that is not corrected does not ask: where the arm moves for long without, the program may call {update}"
-    ));
-    if let Some(touch) = &options.touch {
-        about.push(format!(
-            "{} measures at {} ({}) how warm the arm is; {} the minutes since, {} one standard deviation in mm where the \
-             drift is largest, {} what came of it",
-            names.core("tcTouch"),
-            touch.name,
-            touch.point.join(", "),
-            names.core("tcTouchAge"),
-            names.core("tcTouchSigma"),
-            names.core("tcTouchSaid"),
-        ));
-        if touch.log {
-            about.push(format!(
-                "Each touch is a line of the file in HOME that {} names, for driftpost state; {} begins a new one",
-                names.core("tcLogFile"),
-                names.core("tcColdStart"),
-            ));
-        }
     }
-    about.push("To remove: load the original file, or get it back with `driftpost restore`".to_owned());
-    about.push(match core {
+}
+
+/// What a touch measures and keeps.
+fn of_touch(names: &Names, touch: &Touch) -> Vec<String> {
+    let measures = format!(
+        "{} measures at {} ({}) how warm the arm is; {} the minutes since, {} one standard deviation in mm where the \
+         drift is largest, {} what came of it",
+        names.core("tcTouch"),
+        touch.name,
+        touch.point.join(", "),
+        names.core("tcTouchAge"),
+        names.core("tcTouchSigma"),
+        names.core("tcTouchSaid"),
+    );
+    let log = touch.log.then(|| {
+        format!(
+            "Each touch is a line of the file in HOME that {} names, for driftpost state; {} begins a new one",
+            names.core("tcLogFile"),
+            names.core("tcColdStart"),
+        )
+    });
+    std::iter::once(measures).chain(log).collect()
+}
+
+/// Which module has the clock and its functions.
+fn where_the_clock_is(names: &Names, core: Core) -> String {
+    match core {
         Core::Separate => {
             format!("Clock and functions live in module {}, which must be loaded too", names.core("tcCore"))
         }
         Core::Embedded => format!(
-            "Clock and functions live in this module under global names ({update} and others): no other module with a clock \
-             of its own loads beside it; compensate modules of one task in one run"
+            "Clock and functions live in this module under global names ({} and others): no other module with a clock \
+             of its own loads beside it; compensate modules of one task in one run",
+            names.core("tcUpdate")
         ),
-    });
-    about
+    }
 }
 
 fn clock(options: &EmitOptions, cold_start: &str) -> String {

@@ -98,24 +98,30 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
+    check_nothing_is_left(&restored, &added)?;
+    let exact = hex(&Sha256::digest(&restored)) == sha256;
+    altered.sort_by_key(Altered::line);
+    Ok(Restored { bytes: restored, source_name, touched, altered, exact })
+}
+
+/// Whether what was added is named nowhere in what is left; `added`: names in lower case.
+fn check_nothing_is_left(restored: &[u8], added: &BTreeSet<Vec<u8>>) -> Result<(), RestoreError> {
     let mut left = None;
     let mut begins = [false; 256];
     for &first in added.iter().filter_map(|name| name.first()) {
         begins[usize::from(first)] = true;
     }
-    words(&restored, |word| {
+    words(restored, |word| {
         let may_be = word.len() > 2 && begins[usize::from(word[0].to_ascii_lowercase())];
         if left.is_none() && may_be && added.contains(&word.to_ascii_lowercase()) {
             left = Some((word.as_ptr() as usize - restored.as_ptr() as usize, word.to_vec()));
         }
     });
-    if let Some((at, name)) = left {
-        return Err(RestoreError::Damaged {
-            line: LineIndex::new(&restored).line(at as u32),
+    match left {
+        None => Ok(()),
+        Some((at, name)) => Err(RestoreError::Damaged {
+            line: LineIndex::new(restored).line(at as u32),
             what: format!("{} is still named there when all is taken out", String::from_utf8_lossy(&name)),
-        });
+        }),
     }
-    let exact = hex(&Sha256::digest(&restored)) == sha256;
-    altered.sort_by_key(Altered::line);
-    Ok(Restored { bytes: restored, source_name, touched, altered, exact })
 }

@@ -90,6 +90,34 @@ impl Scaled<'_> {
     /// The lines of the routines that scale.
     #[must_use]
     pub fn routines(&self) -> Vec<String> {
+        let mut parts = vec![CHOOSE.to_owned(), self.scaling()];
+        let count = self.functions.count();
+        let corrections: Vec<String> = match count {
+            1 => vec!["tcC".to_owned()],
+            _ => (1..=count).map(|r| format!("tcC{r}")).collect(),
+        };
+        if self.joints {
+            parts.insert(0, at_joints(&corrections));
+        }
+        if self.one_of {
+            let of_best: Vec<String> = (1..=count).map(|r| format!("tcC{{tcBest,{}}}", r + 1)).collect();
+            parts.insert(0, at_one(&of_best.join(",")));
+        }
+        if self.poses {
+            let text = AT
+                .replace("@POSES@", &declared("pose", &corrections))
+                .replace("@CORRECTIONS@", &corrections.join(","))
+                .replace("@TARGET@", &target(&corrections, self.normalise));
+            parts.insert(0, text);
+        }
+        if let Some((live, tests)) = &self.live {
+            parts.insert(0, live.routines(tests).join("\n"));
+        }
+        parts
+    }
+
+    /// The routine that works out what each function of time is worth.
+    fn scaling(&self) -> String {
         let count = self.functions.count();
         let scale = match &self.functions.course {
             Course::Share => SHARE.to_owned(),
@@ -114,46 +142,13 @@ impl Scaled<'_> {
                     .replace("tcPart0*@SHOWN_SHARE@", &format!("tcF{settled}"))
             }
         };
-        let scale = match &self.live {
+        match &self.live {
             // What is made of them once, when they change.
             Some((live, _)) if live.has_offsets_of_time() => {
                 scale.replace("    tcOn:=", "    tcOffsets;\n    tcOn:=")
             }
             _ => scale,
-        };
-        let mut parts = vec![CHOOSE.to_owned(), scale];
-        let corrections: Vec<String> = match count {
-            1 => vec!["tcC".to_owned()],
-            _ => (1..=count).map(|r| format!("tcC{r}")).collect(),
-        };
-        let declared =
-            |of: &str| corrections.iter().map(|c| format!("{of} {c}")).collect::<Vec<String>>().join(",");
-        if self.joints {
-            let axis = |k: usize| {
-                let by: String =
-                    (1..).zip(&corrections).map(|(r, c)| format!("+tcF{r}*{c}.rax_{k}")).collect();
-                format!("tcP.robax.rax_{k}{by}")
-            };
-            let text = AT_JOINTS
-                .replace("@ROBJOINTS@", &declared("robjoint"))
-                .replace("@JOINTS@", &list("    tcP.robax:=[", (1..=6).map(axis), "];"));
-            parts.insert(0, text);
         }
-        if self.one_of {
-            let of_best: Vec<String> = (1..=count).map(|r| format!("tcC{{tcBest,{}}}", r + 1)).collect();
-            parts.insert(0, at_one(&of_best.join(",")));
-        }
-        if self.poses {
-            let text = AT
-                .replace("@POSES@", &declared("pose"))
-                .replace("@CORRECTIONS@", &corrections.join(","))
-                .replace("@TARGET@", &target(&corrections, self.normalise));
-            parts.insert(0, text);
-        }
-        if let Some((live, tests)) = &self.live {
-            parts.insert(0, live.routines(tests).join("\n"));
-        }
-        parts
     }
 
     /// The minute at which all is settled.
@@ -166,6 +161,22 @@ impl Scaled<'_> {
             }
         }
     }
+}
+
+/// Corrections as parameters of a type.
+fn declared(type_name: &str, corrections: &[String]) -> String {
+    corrections.iter().map(|c| format!("{type_name} {c}")).collect::<Vec<String>>().join(",")
+}
+
+/// The function that gives a jointtarget with its corrections, each scaled by its function of time.
+fn at_joints(corrections: &[String]) -> String {
+    let axis = |k: usize| {
+        let by: String = (1..).zip(corrections).map(|(r, c)| format!("+tcF{r}*{c}.rax_{k}")).collect();
+        format!("tcP.robax.rax_{k}{by}")
+    };
+    AT_JOINTS
+        .replace("@ROBJOINTS@", &declared("robjoint", corrections))
+        .replace("@JOINTS@", &list("    tcP.robax:=[", (1..=6).map(axis), "];"))
 }
 
 /// The target among few, with `of_best` the corrections of row `tcBest`.

@@ -61,6 +61,17 @@ pub struct TouchFrames {
     pub base_from_object: Isometry3<f64>,
 }
 
+/// The lags of warmth that a clock keeps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lags {
+    /// Two in a row, not one.
+    pub two: bool,
+    /// Time constant of warming, minutes.
+    pub tau_min: f64,
+    /// Time constant of cooling, minutes.
+    pub tau_cool_min: f64,
+}
+
 /// The largest amount for which the form `schedule` has buckets: touches may find so many times the table's settled drift.
 pub const MAX_AMOUNT: f64 = 1.5;
 
@@ -102,14 +113,18 @@ impl Touch {
         [TOUCH, stands, probe].into_iter().chain(self.log.then_some(LOG)).collect()
     }
 
-    /// What stands for each `@NAME@`: of `two` lags or one with these time constants of warming and cooling, minutes, and the
-    /// largest settled correction of the program, metres.
+    /// What stands for each `@NAME@`; `largest_m`: the largest settled correction of the program, metres.
     #[must_use]
-    pub fn numbers(
-        &self,
-        (two, [tau_min, tau_cool_min]): (bool, [f64; 2]),
-        largest_m: f64,
-    ) -> Vec<(&'static str, String)> {
+    pub fn numbers(&self, lags: &Lags, largest_m: f64) -> Vec<(&'static str, String)> {
+        let mut numbers = self.filter_numbers(lags, largest_m);
+        numbers.extend(self.place_numbers());
+        numbers.extend(self.by.numbers());
+        numbers
+    }
+
+    /// The numbers of the filter, and of the point that it looks at.
+    fn filter_numbers(&self, lags: &Lags, largest_m: f64) -> Vec<(&'static str, String)> {
+        let Lags { two, tau_min, tau_cool_min } = *lags;
         let seen = if two { 2.0 } else { 1.0 };
         let settled = self.settled_m.map(mm_from_m);
         let square = settled.norm_squared();
@@ -123,22 +138,13 @@ impl Touch {
         let row = |i: usize| (0..5).map(|j| num(first(i, j))).collect::<Vec<_>>().join(",");
         let known: Vec<String> = (0..5).map(|i| format!("[{}]", row(i))).collect();
         let hour = |i: usize| num(filter::HOUR_SIGMA[i].powi(2));
-        let seen_row = |k: usize| format!("tcTo{{{seen},{k}}}");
-        let of_known = |k: usize| {
-            (1..=5).map(|j| format!("{}*tcKnown{{{k},{j}}}", seen_row(j))).collect::<Vec<_>>().join("+")
-        };
-        let sum: Vec<String> = (1..=5).map(|k| format!("{}*({})", seen_row(k), of_known(k))).collect();
         let [point, tool, wobj] = &self.point;
-        let cold = match self.cold_m.map(mm_from_m) {
-            cold if cold == Vector3::zeros() => point.clone(),
-            cold => format!("Offs({point},{},{},{})", num(cold.x), num(cold.y), num(cold.z)),
-        };
         let lag =
             |name: &str, k: usize| format!("tcHeld({name}+tcG{{2,{k}}}*tcOff,0,{})", num(filter::MOST_SHARE));
         let agree = filter::AGREE.powi(2) * 2.0 * variance / square;
         let mut numbers = vec![
             ("@NAME@", self.name.clone()),
-            ("@COLD@", cold),
+            ("@COLD@", self.cold_target()),
             ("@POINT@", point.clone()),
             ("@TOOL@", format!("{tool}\\WObj:={wobj}")),
             ("@SECOND_HALF@", if two { "tcPart(tcAmount/2)".to_owned() } else { "0".to_owned() }),
@@ -157,7 +163,7 @@ impl Touch {
             ("@LEAST@", num(-filter::GATE * (variance / square).sqrt())),
             ("@SEEN@", num(seen)),
             ("@LARGEST@", num(mm_from_m(largest_m.max(self.settled_m.norm())))),
-            ("@VARIANCE@", sum.join("\n      +")),
+            ("@VARIANCE@", variance_seen(seen)),
             ("@QSEEN@", hour(if two { 1 } else { 0 })),
             ("@KNOWN@", known.join(",")),
             ("@LAG1@", lag("tcLag1", 1)),
@@ -174,8 +180,23 @@ impl Touch {
             ("@TABLE_TAU@", num(tau_min)),
         ];
         numbers.extend(["@Q11@", "@Q22@", "@Q33@", "@Q44@", "@Q55@"].into_iter().zip((0..5).map(hour)));
+        numbers
+    }
+
+    /// The target that the cold arm must be told to go to.
+    fn cold_target(&self) -> String {
+        let [point, ..] = &self.point;
+        match self.cold_m.map(mm_from_m) {
+            cold if cold == Vector3::zeros() => point.clone(),
+            cold => format!("Offs({point},{},{},{})", num(cold.x), num(cold.y), num(cold.z)),
+        }
+    }
+
+    /// Target, tool and work object as numbers, and the joints there.
+    fn place_numbers(&self) -> Vec<(&'static str, String)> {
+        let [_, tool, wobj] = &self.point;
         let [cf1, cf4, cf6, cfx] = self.frames.conf.map(|cf| format!("({cf})"));
-        numbers.extend([("@CF1@", cf1), ("@CF4@", cf4), ("@CF6@", cf6), ("@CFX@", cfx)]);
+        let mut numbers = vec![("@CF1@", cf1), ("@CF4@", cf4), ("@CF6@", cf6), ("@CFX@", cfx)];
         numbers.extend([
             ("@HELD@", tool.clone()),
             ("@ON@", wobj.clone()),
@@ -185,15 +206,31 @@ impl Touch {
         ]);
         let [q1, q2, q3, q4, q5, q6] = self.q_rad.map(|q| format!("({})", num(deg_from_rad(q))));
         numbers.extend([("@Q1@", q1), ("@Q2@", q2), ("@Q3@", q3), ("@Q4@", q4), ("@Q5@", q5), ("@Q6@", q6)]);
-        match &self.by {
-            TouchBy::Search { signal, radius_m, margin_m } => numbers.extend([
+        numbers
+    }
+}
+
+impl TouchBy {
+    fn numbers(&self) -> Vec<(&'static str, String)> {
+        match self {
+            Self::Search { signal, radius_m, margin_m } => vec![
                 ("@SIGNAL@", signal.clone()),
                 ("@RADIUS@", num(mm_from_m(*radius_m))),
                 ("@FAR@", num(mm_from_m(radius_m + margin_m))),
                 ("@NEAR@", num(mm_from_m(radius_m - margin_m))),
-            ]),
-            TouchBy::Routine(name) => numbers.push(("@ROUTINE@", name.clone())),
+            ],
+            Self::Routine(name) => vec![("@ROUTINE@", name.clone())],
         }
-        numbers
     }
+}
+
+/// The variance of what a touch sees as an expression: its row of the observation on both sides of the covariance; `seen` is the
+/// number of the row.
+fn variance_seen(seen: f64) -> String {
+    let seen_row = |k: usize| format!("tcTo{{{seen},{k}}}");
+    let of_known = |k: usize| {
+        (1..=5).map(|j| format!("{}*tcKnown{{{k},{j}}}", seen_row(j))).collect::<Vec<_>>().join("+")
+    };
+    let sum: Vec<String> = (1..=5).map(|k| format!("{}*({})", seen_row(k), of_known(k))).collect();
+    sum.join("\n      +")
 }

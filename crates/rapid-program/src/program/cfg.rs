@@ -121,10 +121,8 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
         let skipped = fails && self.recovery.next;
         match &stmt.kind {
-            StmtKind::Data(decl) => {
-                if decl.kind != DataKind::Const
-                    && let Some(value) = &decl.init
-                {
+            StmtKind::Data(decl) if decl.kind != DataKind::Const => {
+                if let Some(value) = &decl.init {
                     self.assign(decl.name, Vec::new(), value, at, out);
                 }
             }
@@ -136,20 +134,16 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
             StmtKind::Call(call) => self.call(stmt, call, at, out),
             StmtKind::If(tested) => {
-                let otherwise = &tested.otherwise;
-                let mut bodies: Vec<_> = tested.arms.iter().map(|(_, body)| self.body(body)).collect();
-                bodies.extend(otherwise.as_ref().map(|body| self.body(body)));
-                branch(bodies, otherwise.is_none() || skipped, out);
+                let arms = tested.arms.iter().map(|(_, body)| body.as_slice());
+                self.branches(arms, tested.otherwise.as_deref(), skipped, out);
             }
             StmtKind::CompactIf(tested) => {
                 let body = self.body(std::slice::from_ref(&tested.then));
                 branch(vec![body], true, out);
             }
             StmtKind::Test(tested) => {
-                let default = &tested.default;
-                let mut bodies: Vec<_> = tested.cases.iter().map(|(_, body)| self.body(body)).collect();
-                bodies.extend(default.as_ref().map(|body| self.body(body)));
-                branch(bodies, default.is_none() || skipped, out);
+                let cases = tested.cases.iter().map(|(_, body)| body.as_slice());
+                self.branches(cases, tested.default.as_deref(), skipped, out);
             }
             StmtKind::For(looped) => {
                 let at_least_once = self.runs(&looped.from, &looped.to, looped.step.as_ref());
@@ -167,14 +161,33 @@ impl<'a> CfgBuilder<'_, 'a> {
             StmtKind::Return(_) => out.push(Node::Return),
             StmtKind::Raise(_) if self.recovery.next => {}
             StmtKind::Raise(_) | StmtKind::Retry | StmtKind::TryNext | StmtKind::Exit => out.push(Node::Stop),
-            StmtKind::Opaque => {
-                if let Some(first) = self.sites.motion_at(at.file, stmt) {
-                    out.push(Node::Step(FlowStep::Motions { first, count: 1 }));
-                }
-                self.opaque(stmt.range, out);
-            }
-            StmtKind::Connect(_) | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
+            StmtKind::Opaque => self.opaque_statement(stmt, at, out),
+            StmtKind::Data(_)
+            | StmtKind::Connect(_)
+            | StmtKind::Empty
+            | StmtKind::Placeholder
+            | StmtKind::Comment => {}
         }
+    }
+
+    fn opaque_statement(&mut self, stmt: &Stmt, at: Span, out: &mut Vec<Node<'a>>) {
+        if let Some(first) = self.sites.motion_at(at.file, stmt) {
+            out.push(Node::Step(FlowStep::Motions { first, count: 1 }));
+        }
+        self.opaque(stmt.range, out);
+    }
+
+    /// The bodies of an IF or a TEST; `skipped`: an error in its condition may lead past all of them.
+    fn branches(
+        &mut self,
+        arms: impl Iterator<Item = &'a [Stmt]>,
+        otherwise: Option<&'a [Stmt]>,
+        skipped: bool,
+        out: &mut Vec<Node<'a>>,
+    ) {
+        let mut bodies: Vec<_> = arms.map(|body| self.body(body)).collect();
+        bodies.extend(otherwise.map(|body| self.body(body)));
+        branch(bodies, otherwise.is_none() || skipped, out);
     }
 
     fn fail(&self, out: &mut Vec<Node<'a>>) {

@@ -62,16 +62,7 @@ pub(super) fn apply(name: &str, args: &[Value], options: &[(String, Value)]) -> 
             let [z, y, x] = [number(z)?, number(y)?, number(x)?].map(rad_from_deg);
             Ok(orient(&UnitQuaternion::from_euler_angles(x, y, z)))
         }
-        ("eulerzyx", [rotation]) => {
-            let (x, y, z) = converted(convert::orient(rotation))?.euler_angles();
-            let angle = match options.first().map(|(n, _)| n.as_str()) {
-                Some("x") => x,
-                Some("y") => y,
-                Some("z") => z,
-                _ => return Err(wrong_type()),
-            };
-            finite(deg_from_rad(angle))
-        }
+        ("eulerzyx", [rotation]) => euler_zyx(rotation, options.first().map(|(axis, _)| axis.as_str())),
         ("posemult", [a, b]) => Ok(pose(&(converted(convert::pose(a))? * converted(convert::pose(b))?))),
         ("poseinv", [a]) => Ok(pose(&converted(convert::pose(a))?.inverse())),
         ("posevect", [a, v]) => {
@@ -79,14 +70,7 @@ pub(super) fn apply(name: &str, args: &[Value], options: &[(String, Value)]) -> 
             let moved = converted(convert::pose(a))? * nalgebra::Point3::new(x, y, z);
             Ok(position(&moved.coords))
         }
-        ("norient", [rotation]) => {
-            let [w, x, y, z] = converted(convert::numbers::<4>(rotation, "orient"))?;
-            let length = (w * w + x * x + y * y + z * z).sqrt();
-            if length < 1e-6 {
-                return Err(why("keep::bad-orientation", "an orientation of length 0 is no rotation".into()));
-            }
-            Ok(Value::numbers(&[w / length, x / length, y / length, z / length]))
-        }
+        ("norient", [rotation]) => normalised(rotation),
         ("vectmagn", [v]) => finite(vector(v)?.norm()),
         ("distance", [a, b]) => finite((vector(a)? - vector(b)?).norm()),
         ("dotprod", [a, b]) => finite(vector(a)?.dot(&vector(b)?)),
@@ -97,24 +81,48 @@ pub(super) fn apply(name: &str, args: &[Value], options: &[(String, Value)]) -> 
         }
         ("pow", [a, b]) => finite(number(a)?.powf(number(b)?)),
         ("atan2", [y, x]) => finite(deg_from_rad(number(y)?.atan2(number(x)?))),
-        (_, [n]) => {
-            let n = number(n)?;
-            finite(match name {
-                "abs" => n.abs(),
-                "sqrt" => n.sqrt(),
-                "exp" => n.exp(),
-                "sin" => rad_from_deg(n).sin(),
-                "cos" => rad_from_deg(n).cos(),
-                "tan" => rad_from_deg(n).tan(),
-                "asin" => deg_from_rad(n.asin()),
-                "acos" => deg_from_rad(n.acos()),
-                "atan" => deg_from_rad(n.atan()),
-                "numtodnum" | "dnumtonum" => n,
-                _ => return Err(wrong_type()),
-            })
-        }
+        (_, [n]) => of_one_number(name, number(n)?),
         _ => Err(wrong_type()),
     }
+}
+
+/// The functions of one number; angles in degrees, as RAPID has them.
+fn of_one_number(name: &str, n: f64) -> Result<Value, Why> {
+    finite(match name {
+        "abs" => n.abs(),
+        "sqrt" => n.sqrt(),
+        "exp" => n.exp(),
+        "sin" => rad_from_deg(n).sin(),
+        "cos" => rad_from_deg(n).cos(),
+        "tan" => rad_from_deg(n).tan(),
+        "asin" => deg_from_rad(n.asin()),
+        "acos" => deg_from_rad(n.acos()),
+        "atan" => deg_from_rad(n.atan()),
+        "numtodnum" | "dnumtonum" => n,
+        _ => return Err(wrong_type()),
+    })
+}
+
+/// The angle of a rotation about one of its axes, degrees: `EulerZYX(\X, rotation)`.
+fn euler_zyx(rotation: &Value, axis: Option<&str>) -> Result<Value, Why> {
+    let (x, y, z) = converted(convert::orient(rotation))?.euler_angles();
+    let angle = match axis {
+        Some("x") => x,
+        Some("y") => y,
+        Some("z") => z,
+        _ => return Err(wrong_type()),
+    };
+    finite(deg_from_rad(angle))
+}
+
+/// The quaternion of length 1 of one of another length: `NOrient`.
+fn normalised(rotation: &Value) -> Result<Value, Why> {
+    let [w, x, y, z] = converted(convert::numbers::<4>(rotation, "orient"))?;
+    let length = (w * w + x * x + y * y + z * z).sqrt();
+    if length < 1e-6 {
+        return Err(why("keep::bad-orientation", "an orientation of length 0 is no rotation".into()));
+    }
+    Ok(Value::numbers(&[w / length, x / length, y / length, z / length]))
 }
 
 /// The result of an operator.

@@ -11,17 +11,19 @@ use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::finite_set::{FiniteSet, FiniteSets};
 use super::ids::{DatumId, IdSet, Slot, Table};
-use super::index::Index;
+use super::index::{Ctx, Index};
 use super::module_facts::facts;
 use super::motion::{Motion, MotionId, MotionSetup, Path, PersTarget, SkipReason, Target, WobjArgument};
-use super::motion_site::{MotionSite, MotionSites};
+use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{ByNumber, as_text};
 use super::order::{Before, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
 use super::speed_override::speed_override;
-use super::state::{LeftBehind, StatesAtMotions, TargetsOnWays, View, states_at_motions, targets_on_ways};
+use super::state::{
+    LeftBehind, State, StatesAtMotions, TargetsOnWays, View, states_at_motions, targets_on_ways,
+};
 use super::tracked::TrackedData;
 use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
@@ -34,6 +36,7 @@ use rapid_syntax::tree::Expr;
 use runtime_target::is_asked_once;
 use skip_reasons::SkipReasons;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::rc::Rc;
 use std::sync::Arc;
 
 impl Program {
@@ -73,52 +76,14 @@ impl Program {
         let not_given = std::mem::take(&mut control_flow.not_given);
         drop(control_flow); // of many motions it is as much again
         let MotionSites { motions: sites, loops, nests, routines } = sites;
-        let mut finish = MotionReader {
-            evaluator,
-            tracked: &tracked,
-            left: &left,
-            own_positions: OwnPositions::new(&index),
-            read_as_data: ReadAsData::new(&index),
-            finite_sets: FiniteSets::new(&index),
-            on_ways: on_ways.values,
-            from_search: on_ways.found,
-            base_fixed: overrides.base_fixed,
-            nests,
-            last: None,
-            recent_setups: VecDeque::new(),
-            last_skip: None,
-            kept_over: BTreeMap::new(),
-            settable: IdSet::default(),
-            guesses: BTreeMap::new(),
-            read_elsewhere: BTreeMap::new(),
-            made_of_pers: Vec::new(),
-        };
-        let mut motions: Vec<Motion> = Vec::with_capacity(sites.len());
-        let (mut junctions, mut also_anywhere) = (BTreeMap::new(), BTreeSet::new());
-        for ((site, (first, any)), before) in sites.into_iter().zip(first.into_iter().zip(any)).zip(order) {
-            let (previous, from_start) = match before {
-                Before::Motion(previous) => (Some(previous), false),
-                Before::Start => (None, true),
-                Before::OneOf { start, anywhere, motions: before } => {
-                    if anywhere {
-                        also_anywhere.insert(MotionId::new(motions.len()));
-                    }
-                    junctions.insert(MotionId::new(motions.len()), before);
-                    (None, start)
-                }
-                Before::Unknown => (None, false),
-            };
-            let seen = Seen { first: first.as_deref(), any: any.as_deref() };
-            let motion = finish.motion(&site, MotionId::new(motions.len()), &seen);
-            motions.push(Motion { previous, from_start, ..motion });
-        }
-        let made_of_pers = std::mem::take(&mut finish.made_of_pers);
-        let settable: Vec<String> =
-            finish.settable.iter().map(|datum| finish.evaluator.name_of(datum)).collect();
-        diagnostics.extend(finish.evaluator.elsewhere_warnings());
-        diagnostics.extend(finish.kept_over.into_values());
-        diagnostics.extend(finish.guesses.into_values());
-        diagnostics.extend(finish.read_elsewhere.into_values());
+        let mut reader =
+            MotionReader::new(evaluator, (&tracked, &left), on_ways, nests, overrides.base_fixed);
+        let seen = first.into_iter().zip(any);
+        let MotionsInOrder { motions, junctions, also_anywhere } =
+            reader.motions(sites.into_iter().zip(seen).zip(order));
+        let made_of_pers = std::mem::take(&mut reader.made_of_pers);
+        let settable = reader.settable_names();
+        diagnostics.extend(reader.into_warnings());
         diagnostics.extend(other_tasks::not_given(&index, &overrides.other_tasks));
         diagnostics.extend(super::loads::warnings(&index));
         diagnostics.extend(not_given.iter().map(|(name, at)| not_among_the_files(name, *at, &settable)));
@@ -164,6 +129,18 @@ fn not_among_the_files(name: &str, at: Span, settable: &[String]) -> Diagnostic 
     Diagnostic::warning("resolve::routine-not-given", text).at(at).help(help)
 }
 
+/// Whether the controller watches the configuration on a path in this state; `None` where that is not known.
+fn conf_monitored(state: &State, path: Path) -> Option<bool> {
+    match path {
+        Path::Linear | Path::Circular => state.conf_l,
+        Path::Joint => state.conf_j,
+        Path::AbsJoint => Some(false),
+    }
+}
+
+/// What is in force at a motion; `None` where no way leads to it.
+type StateSeen = Option<Rc<State>>;
+
 struct MotionReader<'f, 'a> {
     evaluator: ConstEvaluator<'a>,
     tracked: &'f TrackedData,
@@ -202,12 +179,93 @@ struct MotionReader<'f, 'a> {
 /// A program goes to and fro between so many setups, as a rule.
 const RECENT_SETUPS: usize = 16;
 
-impl<'a> MotionReader<'_, 'a> {
+/// All motions in file order, and what runs before those that several others, or others unknown, may run before.
+#[derive(Default)]
+struct MotionsInOrder {
+    motions: Vec<Motion>,
+    junctions: BTreeMap<MotionId, Vec<MotionId>>,
+    also_anywhere: BTreeSet<MotionId>,
+}
+
+impl MotionsInOrder {
+    fn push(&mut self, motion: Motion, before: Before) {
+        let id = MotionId::new(self.motions.len());
+        let (previous, from_start) = match before {
+            Before::Motion(previous) => (Some(previous), false),
+            Before::Start => (None, true),
+            Before::OneOf { start, anywhere, motions: before } => {
+                if anywhere {
+                    self.also_anywhere.insert(id);
+                }
+                self.junctions.insert(id, before);
+                (None, start)
+            }
+            Before::Unknown => (None, false),
+        };
+        self.motions.push(Motion { previous, from_start, ..motion });
+    }
+}
+
+impl<'f, 'a> MotionReader<'f, 'a> {
+    fn new(
+        evaluator: ConstEvaluator<'a>,
+        (tracked, left): (&'f TrackedData, &'f Table<Slot, LeftBehind>),
+        on_ways: TargetsOnWays,
+        nests: Vec<Vec<usize>>,
+        base_fixed: [bool; 6],
+    ) -> Self {
+        let index = evaluator.index;
+        Self {
+            evaluator,
+            tracked,
+            left,
+            own_positions: OwnPositions::new(index),
+            read_as_data: ReadAsData::new(index),
+            finite_sets: FiniteSets::new(index),
+            on_ways: on_ways.values,
+            from_search: on_ways.found,
+            base_fixed,
+            nests,
+            last: None,
+            recent_setups: VecDeque::new(),
+            last_skip: None,
+            kept_over: BTreeMap::new(),
+            settable: IdSet::default(),
+            guesses: BTreeMap::new(),
+            read_elsewhere: BTreeMap::new(),
+            made_of_pers: Vec::new(),
+        }
+    }
+
+    /// The motions at their sites, each with what it sees in the first pass and in any, and with what runs before it.
+    fn motions(
+        &mut self,
+        sites: impl ExactSizeIterator<Item = ((MotionSite<'a>, (StateSeen, StateSeen)), Before)>,
+    ) -> MotionsInOrder {
+        let mut out =
+            MotionsInOrder { motions: Vec::with_capacity(sites.len()), ..MotionsInOrder::default() };
+        for ((site, (first, any)), before) in sites {
+            let seen = Seen { first: first.as_deref(), any: any.as_deref() };
+            let motion = self.motion(&site, MotionId::new(out.motions.len()), &seen);
+            out.push(motion, before);
+        }
+        out
+    }
+
+    /// Names of the tools and work objects of motions that other modules can set.
+    fn settable_names(&self) -> Vec<String> {
+        self.settable.iter().map(|datum| self.evaluator.name_of(datum)).collect()
+    }
+
+    fn into_warnings(self) -> impl Iterator<Item = Diagnostic> {
+        let warnings = self.evaluator.elsewhere_warnings().into_iter().chain(self.kept_over.into_values());
+        warnings.chain(self.guesses.into_values()).chain(self.read_elsewhere.into_values())
+    }
+
     fn motion(&mut self, site: &MotionSite<'a>, at: MotionId, seen: &Seen<'_>) -> Motion {
         if let Some(motion) = self.like_the_last(site, at, seen) {
             return motion;
         }
-        let state = seen.first;
         let index = self.evaluator.index;
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
@@ -216,7 +274,7 @@ impl<'a> MotionReader<'_, 'a> {
         reasons.add_state(seen.any, &args);
         let MotionTargets { targets, reached, read_elsewhere } =
             self.targets(&args, (ctx, form.path, at), &mut reasons);
-        let known: &dyn TrackedValues = match state {
+        let known: &dyn TrackedValues = match seen.first {
             Some(state) => &View { state, tracked: self.tracked },
             None => &Constant,
         };
@@ -228,59 +286,79 @@ impl<'a> MotionReader<'_, 'a> {
         if !self.same_frames(&args, ctx, &reached) {
             reasons.add_other_frames();
         }
-        let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
-        let handed_on = args.conditional("wobj").map(|parameter| index.text(ctx.file, parameter));
-        let given = text(args.wobj).map(|wobj| WobjArgument::Given(wobj.into()));
-        let wobj_argument = given.or_else(|| handed_on.map(|wobj| WobjArgument::IfPresent(wobj.into())));
         let setup = MotionSetup {
-            routine: site.info,
-            loops: self.nests.get(site.nest as usize).cloned().unwrap_or_default(),
-            kind: form.name,
-            path: form.path,
-            tool_name: text(args.tool).map(as_text),
             tool,
-            wobj_name: text(args.wobj).map(as_text),
             wobj,
             later_frames,
-            tool_argument: text(args.tool).map(Into::into),
-            wobj_argument,
             speed,
             time_s,
             zone,
-            conf_monitored: seen.any.and_then(|state| match form.path {
-                Path::Linear | Path::Circular => state.conf_l,
-                Path::Joint => state.conf_j,
-                Path::AbsJoint => Some(false),
-            }),
+            conf_monitored: seen.any.and_then(|state| conf_monitored(state, form.path)),
             grip,
+            ..self.setup_as_written(site, &args, ctx)
         };
         let (skip_reason, known_at_run_time) = reasons.told();
         self.note_frames((seen, skip_reason.is_none()), &args, ctx, Span { file: ctx.file, range });
         let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
-            for (datum, warning) in read_elsewhere {
-                self.read_elsewhere.entry(datum).or_insert(warning);
-            }
-            self.made_of_pers.extend(self.first_pers(at, &args, ctx));
+            self.note_targets((at, &args, ctx), read_elsewhere);
         }
-        let has_later = !setup.later_frames.is_empty();
+        // Where a function asks at run time, tool and work object are named in the question and in the motion.
+        let mut asked_twice = [args.tool, args.wobj].into_iter().flatten();
         let motion = Motion {
             file: ctx.file,
             line: index.file(ctx.file).line(range),
             range,
-            setup: self.shared_setup(setup),
             targets: targets.into_iter().collect(),
             previous: None,
             from_start: false,
-            run_time: (known_at_run_time || one_of || has_later)
+            run_time: (known_at_run_time || one_of || !setup.later_frames.is_empty())
                 && args.tool.is_some()
-                // Tool and work object are named twice then: in the question and in the motion.
-                && ![args.tool, args.wobj].into_iter().flatten().any(|expr| is_asked_once(index, ctx, expr)),
+                && !asked_twice.any(|expr| is_asked_once(index, ctx, expr)),
+            setup: self.shared_setup(setup),
             skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
             from_search: self.from_search.contains(&at),
         };
         self.keep_as_last(site, &args, seen, &motion);
         motion
+    }
+
+    /// Keeps what is to be said of the targets of a motion that may be corrected.
+    fn note_targets(
+        &mut self,
+        (motion, args, ctx): (MotionId, &MoveArgs<'a>, Ctx),
+        read_elsewhere: Vec<(DatumId, Diagnostic)>,
+    ) {
+        for (datum, warning) in read_elsewhere {
+            self.read_elsewhere.entry(datum).or_insert(warning);
+        }
+        self.made_of_pers.extend(self.first_pers(motion, args, ctx));
+    }
+
+    /// What the text of a motion says of its setup: which kind it is, in which loops it stands, and the names of its frames.
+    fn setup_as_written(&self, site: &MotionSite<'a>, args: &MoveArgs<'a>, ctx: Ctx) -> MotionSetup {
+        let index = self.evaluator.index;
+        let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
+        let handed_on = args.conditional("wobj").map(|parameter| index.text(ctx.file, parameter));
+        let given = text(args.wobj).map(|wobj| WobjArgument::Given(wobj.into()));
+        MotionSetup {
+            routine: site.info,
+            loops: self.nests.get(site.nest as usize).cloned().unwrap_or_default(),
+            kind: site.form.name,
+            path: site.form.path,
+            tool_name: text(args.tool).map(as_text),
+            tool: None,
+            wobj_name: text(args.wobj).map(as_text),
+            wobj: None,
+            later_frames: Vec::new(),
+            tool_argument: text(args.tool).map(Into::into),
+            wobj_argument: given.or_else(|| handed_on.map(|wobj| WobjArgument::IfPresent(wobj.into()))),
+            speed: None,
+            time_s: None,
+            zone: None,
+            conf_monitored: None,
+            grip: None,
+        }
     }
 
     /// A setup that is one of the last ones stands once.

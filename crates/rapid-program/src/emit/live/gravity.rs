@@ -6,7 +6,7 @@
 //! on the weights, so joints that give in other ways cost a sum more each, not a walk through the arm.
 
 use super::deformation::LiveModel;
-use super::frames::rows;
+use super::frames::{FixedFrame, rows};
 use super::text::{Body, Summand, Triple, is_nothing};
 use nalgebra::Vector3;
 use robot_model::deform::gravity::GRAVITY_M_S2;
@@ -49,31 +49,60 @@ pub(super) fn body(model: &LiveModel, body: &mut Body) {
     let counts = |i: usize| i >= first && groups.iter().any(|group| !is_nothing(weight(group, i)));
     let turns = |i: usize| groups.iter().flat_map(|g| &g.joints).any(|(j, _)| *j == i);
     body.line("! Places, mm, and axes of the joints that give, as x and y of the base see them");
-    // The base's x and y in the axes of the frame reached, and where its origin is, mm.
-    let mut seen = SEEN.map(|(_, axis)| Triple::zero(&format!("tcU{axis}")));
-    let first_step = &model.steps[0];
-    // An arm that stands upright: its first joint turns the base's x and y themselves.
-    let stands = match first_step.axis {
-        Some((2, sign)) if first_step.rotation.is_identity(0.0) => Some(sign),
-        _ => None,
-    };
-    for ((k, _), of) in SEEN.into_iter().zip(&mut seen).filter(|_| stands.is_none()) {
-        body.increase(of, k, &[(1.0, String::new())]);
-    }
-    let mut at = [false; 2];
+    let mut reached = Reached::base(model, body);
     // Joints whose axis is upright wherever the arm stands: gravity does not turn them.
     let mut upright = [false; 6];
     for (i, step) in model.steps.iter().enumerate() {
+        reached.step(i, step, body);
+        if let (Some((about, _)), Some(upright)) = (step.axis, upright.get_mut(i)) {
+            *upright = reached.seen.iter().all(|of| of.get(about).is_none());
+        }
+        let com = links.get(i).map(|(_, com_m)| mm(com_m)).filter(|_| counts(i));
+        reached.name_places(i, com, step.axis.filter(|_| turns(i)), body);
+    }
+    load(&reached.seen, reached.at, body);
+    for group in &groups {
+        sums(group, (&|i| weight(group, i), &upright), body);
+    }
+}
+
+/// The frame that the statements have reached, from the base outward.
+struct Reached {
+    /// The base's x and y in the axes of this frame.
+    seen: [Triple; 2],
+    /// Whether its origin is away from 0 in the base's x and y, so that it has a name.
+    at: [bool; 2],
+    /// Of an arm that stands upright: its first joint turns the base's x and y themselves, with this sign.
+    stands: Option<f64>,
+}
+
+impl Reached {
+    /// The base itself.
+    fn base(model: &LiveModel, body: &mut Body) -> Self {
+        let mut seen = SEEN.map(|(_, axis)| Triple::zero(&format!("tcU{axis}")));
+        let first_step = &model.steps[0];
+        let stands = match first_step.axis {
+            Some((2, sign)) if first_step.rotation.is_identity(0.0) => Some(sign),
+            _ => None,
+        };
+        for ((k, _), of) in SEEN.into_iter().zip(&mut seen).filter(|_| stands.is_none()) {
+            body.increase(of, k, &[(1.0, String::new())]);
+        }
+        Self { seen, at: [false; 2], stands }
+    }
+
+    /// One step further: to the place of the next frame, and about its axis.
+    fn step(&mut self, i: usize, step: &FixedFrame, body: &mut Body) {
         let place = mm(&step.place_m);
-        let turned_base = stands.filter(|_| i == 0);
-        for ((k, axis), (of, is)) in SEEN.into_iter().zip(seen.iter().zip(&mut at)) {
+        let turned_base = self.stands.filter(|_| i == 0);
+        for ((k, axis), (of, is)) in SEEN.into_iter().zip(self.seen.iter().zip(&mut self.at)) {
             let summands: Vec<Summand> = match turned_base {
                 Some(_) => vec![(place[k], String::new())],
                 None => (0..3).filter_map(|k| of.times(k, place[k])).collect(),
             };
             *is = body.add(&format!("tcO{axis}"), *is, &summands);
         }
-        for ((k, _), of) in SEEN.into_iter().zip(&mut seen) {
+        for ((k, _), of) in SEEN.into_iter().zip(&mut self.seen) {
             if let Some(sign) = turned_base {
                 let across = if k == 0 { -sign } else { sign };
                 body.increase(of, k, &[(1.0, cosine(0))]);
@@ -85,29 +114,24 @@ pub(super) fn body(model: &LiveModel, body: &mut Body) {
                 body.turn(of, axis, -sign, [&sine(i), &cosine(i)]);
             }
         }
-        if let (Some((about, _)), Some(upright)) = (step.axis, upright.get_mut(i)) {
-            *upright = seen.iter().all(|of| of.get(about).is_none());
-        }
-        let com = links.get(i).map(|(_, com_m)| mm(com_m)).filter(|_| counts(i));
-        for ((_, axis), (of, is)) in SEEN.into_iter().zip(seen.iter().zip(at)) {
-            let origin = is.then(|| (1.0, format!("tcO{axis}")));
+    }
+
+    /// Names what torques are made of: the link's centre of mass `com`, mm, and the origin and axis of a joint that gives, which is
+    /// one of the frame's with a sign.
+    fn name_places(&self, i: usize, com: Option<[f64; 3]>, axis: Option<(usize, f64)>, body: &mut Body) {
+        for ((_, seen_as), (of, is)) in SEEN.into_iter().zip(self.seen.iter().zip(self.at)) {
+            let origin = is.then(|| (1.0, format!("tcO{seen_as}")));
             if let Some(com) = com {
                 let own = (0..3).filter_map(|k| of.times(k, com[k]));
-                body.set_always(
-                    &format!("tcP{axis}{}", i + 1),
-                    &own.chain(origin.clone()).collect::<Vec<_>>(),
-                );
+                let place: Vec<Summand> = own.chain(origin.clone()).collect();
+                body.set_always(&format!("tcP{seen_as}{}", i + 1), &place);
             }
-            if let Some((about, sign)) = step.axis.filter(|_| turns(i)) {
-                body.set_always(&format!("tcO{axis}{}", i + 1), &origin.into_iter().collect::<Vec<_>>());
+            if let Some((about, sign)) = axis {
+                body.set_always(&format!("tcO{seen_as}{}", i + 1), &origin.into_iter().collect::<Vec<_>>());
                 let along = of.times(about, sign);
-                body.set_always(&format!("tcA{axis}{}", i + 1), &along.into_iter().collect::<Vec<_>>());
+                body.set_always(&format!("tcA{seen_as}{}", i + 1), &along.into_iter().collect::<Vec<_>>());
             }
         }
-    }
-    load(&seen, at, body);
-    for group in &groups {
-        sums(group, (&|i| weight(group, i), &upright), body);
     }
 }
 

@@ -38,15 +38,9 @@ impl<'a> CfgBuilder<'_, 'a> {
     ) {
         let written = as_text(self.text(name));
         let lower = lower_case(self.text(name));
-        let has = |option: &str| {
-            call.args.iter().any(|arg| match &arg.kind {
-                ArgKind::Named { name, .. } => lower_case(self.text(*name)) == option,
-                _ => false,
-            })
-        };
         let conditional = call.args.iter().any(|a| matches!(a.kind, ArgKind::Conditional { .. }));
-        let on = if conditional { None } else { Some(!has("off")) };
-        let locks = conditional || has("lockaxis4");
+        let on = if conditional { None } else { Some(!self.has_option(call, "off")) };
+        let locks = conditional || self.has_option(call, "lockaxis4");
         let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
         let offsets_nothing = lower == "eoffsset" && self.offsets_nothing(call);
         let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
@@ -76,11 +70,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
             "syncmoveoff" | "syncmoveundo" => FlowStep::Blocker(Blocker::MultiMove, None),
             "callbyvar" => {
-                // CallByVar "proc", n calls procn.
-                if let Some(ArgKind::Positional(expr)) = call.args.first().map(|a| &a.kind) {
-                    let start = lower_case(&self.literal(expr, true));
-                    self.by_number(&start, out);
-                }
+                self.call_by_number(call, out);
                 FlowStep::UnknownPosition
             }
             "exitcycle" => FlowStep::ExitCycle,
@@ -94,6 +84,21 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
         };
         out.push(Node::Step(step));
+    }
+
+    fn has_option(&self, call: &CallStmt, option: &str) -> bool {
+        call.args.iter().any(|arg| match &arg.kind {
+            ArgKind::Named { name, .. } => lower_case(self.text(*name)) == option,
+            _ => false,
+        })
+    }
+
+    /// `CallByVar "proc", n` calls `procn`.
+    fn call_by_number(&mut self, call: &'a CallStmt, out: &mut Vec<Node<'a>>) {
+        if let Some(ArgKind::Positional(expr)) = call.args.first().map(|arg| &arg.kind) {
+            let start = lower_case(&self.literal(expr, true));
+            self.by_number(&start, out);
+        }
     }
 
     /// Whether the pose given to PDispSet is a constant that displaces nothing.

@@ -6,11 +6,12 @@ use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::errors::Recovery;
 use crate::program::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
-use crate::program::ids::RoutineIndex;
+use crate::program::ids::{RoutineIndex, Slot};
 use crate::program::index::{Ctx, DatumKind};
 use crate::program::motion::{MotionId, SkipReason};
 use crate::program::names::Sym;
 use crate::program::value::Value;
+use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::Expr;
 use std::rc::Rc;
 
@@ -58,16 +59,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                     .for_each(|motion| self.record(MotionId::new(motion), &state, &mut shared));
             }
             FlowStep::Assign { slot, path, value, ctx, at } => {
-                let new = self.value(value, *ctx, &state);
-                let found = self.reads_found(value, *ctx, &state);
-                let type_name =
-                    self.tracked.data.get(*slot).map(|&datum| self.evaluator.index.data[datum].type_name);
-                if let (Some(old), Some(type_name)) = (state.slots.get_mut(*slot), type_name) {
-                    let value = self.with_component(&old.value, type_name, path, new);
-                    let found = found || !path.is_empty() && old.found;
-                    *old = SlotState { value: value.clone(), at_entry: false, found, set_at: Some(*at) };
-                    self.leave_behind(*slot, value, *at);
-                }
+                self.assign((*slot, path), (value, *ctx), *at, &mut state);
             }
             FlowStep::Invalidate { slot, why, at } => {
                 if let Some(old) = state.slots.get_mut(*slot) {
@@ -126,6 +118,25 @@ impl State {
 }
 
 impl Walker<'_, '_> {
+    /// A datum, or the component of it that `path` names, is given the value of an expression.
+    fn assign(
+        &mut self,
+        (slot, path): (Slot, &[Sym]),
+        (value, ctx): (&Expr, Ctx),
+        at: Span,
+        state: &mut State,
+    ) {
+        let new = self.value(value, ctx, state);
+        let found = self.reads_found(value, ctx, state);
+        let type_name = self.tracked.data.get(slot).map(|&datum| self.evaluator.index.data[datum].type_name);
+        if let (Some(old), Some(type_name)) = (state.slots.get_mut(slot), type_name) {
+            let value = self.with_component(&old.value, type_name, path, new);
+            let found = found || !path.is_empty() && old.found;
+            *old = SlotState { value: value.clone(), at_entry: false, found, set_at: Some(at) };
+            self.leave_behind(slot, value, at);
+        }
+    }
+
     fn call_any(
         &mut self,
         routines: &[RoutineIndex],
