@@ -58,6 +58,44 @@ struct SteeringPair {
     regression: Regression,
 }
 
+/// The pairs of an exchange side by side, so that a row of signatures is read once for all.
+struct Steering<'a> {
+    pairs: &'a [SteeringPair],
+    /// Coefficients of the nuisance columns: of the first column for each pair, then of the second.
+    nuisance: Vec<[f64; STEERING]>,
+}
+
+impl<'a> Steering<'a> {
+    fn of(pairs: &'a [SteeringPair]) -> Self {
+        let columns = pairs.first().map_or(0, |pair| pair.regression.nuisance.len());
+        let mut nuisance = vec![[0.0; STEERING]; columns];
+        for (k, pair) in pairs.iter().enumerate() {
+            for (of_all, of_pair) in nuisance.iter_mut().zip(pair.regression.nuisance.iter()) {
+                of_all[k] = *of_pair;
+            }
+        }
+        Self { pairs, nuisance }
+    }
+
+    /// What a measurement, its rows given one after the other, would save of the cost to first order.
+    fn saved(&self, rows: &[f64], width: usize) -> f64 {
+        let mut gains = [0.0; STEERING];
+        for row in rows.chunks_exact(width) {
+            let mut taken = [0.0; STEERING];
+            for (of_all, value) in self.nuisance.iter().zip(row) {
+                for (taken, coefficient) in taken.iter_mut().zip(of_all) {
+                    *taken += coefficient * value;
+                }
+            }
+            for ((gain, taken), pair) in gains.iter_mut().zip(taken).zip(self.pairs) {
+                let left = pair.regression.left(row, taken);
+                *gain += left * left;
+            }
+        }
+        self.pairs.iter().zip(gains).map(|(pair, gain)| pair.saves * gain).sum()
+    }
+}
+
 /// Effects that are compared with each other.
 struct Compared {
     effects: Vec<ComparedEffect>,
@@ -87,19 +125,12 @@ pub(super) fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds
             let mut without = now.clone();
             without.add(rows[chosen[place]], -weight);
             let Some(reduced) = without.reduced(signatures) else { continue };
-            let steering = compared.steering(&reduced);
+            let pairs = compared.steering(&reduced);
+            let steering = Steering::of(&pairs);
             let mut gains: Vec<(f64, usize)> = (0..rows.len())
                 .into_par_iter()
                 .filter(|i| !chosen.contains(i))
-                .map(|i| {
-                    (
-                        steering
-                            .iter()
-                            .map(|pair| pair.saves * pair.regression.gain(rows[i], width))
-                            .sum::<f64>(),
-                        i,
-                    )
-                })
+                .map(|i| (steering.saved(rows[i], width), i))
                 .collect();
             gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
             let best = gains

@@ -33,8 +33,9 @@ pub(super) struct Reduced<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct Regression {
     column: usize,
-    /// Coefficients of nuisance columns, then of the rival's.
-    nuisance: DVector<f64>,
+    /// Coefficients of the nuisance columns.
+    pub(super) nuisance: DVector<f64>,
+    /// The rival's first column, and its coefficients.
     rival: Option<(usize, DVector<f64>)>,
 }
 
@@ -133,18 +134,11 @@ impl Reduced<'_> {
 }
 
 impl Regression {
-    /// Squares that rows of all columns would add, to first order.
+    /// What is left of a row of all columns when the nuisance columns take `taken` of it, and the rival its part.
     #[must_use]
-    pub(super) fn gain(&self, rows: &[f64], width: usize) -> f64 {
-        rows.chunks_exact(width)
-            .map(|row| {
-                let mut left = row[self.column];
-                left -= self.nuisance.iter().zip(row).map(|(b, x)| b * x).sum::<f64>();
-                if let Some((first, beta)) = &self.rival {
-                    left -= beta.iter().zip(&row[*first..]).map(|(b, x)| b * x).sum::<f64>();
-                }
-                left * left
-            })
-            .sum()
+    pub(super) fn left(&self, row: &[f64], taken: f64) -> f64 {
+        let left = row[self.column] - taken;
+        let Some((first, beta)) = &self.rival else { return left };
+        left - beta.iter().zip(&row[*first..]).map(|(b, x)| b * x).sum::<f64>()
     }
 }
