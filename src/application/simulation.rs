@@ -3,9 +3,11 @@
 use super::made_with::MadeWith;
 use super::program_files::{ProgramFiles, check_names};
 use crate::report::simulation;
+use rapid_program::compensate::CompensateError;
 use rapid_program::emit::renamed;
 use rapid_program::program::{Overrides, task_of};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::identified::Identified;
 use robot_model::units::m_from_mm;
 use std::io;
 use virtual_controller::session::{ProgramFile, SessionOptions};
@@ -74,6 +76,28 @@ impl Simulation {
             set: Vec::new(),
             tolerance_mm: 0.006,
         }
+    }
+
+    /// The same on a robot that stands as `model` says beside its deformation; terms in temperature see `joint_temperature_c`.
+    ///
+    /// # Errors
+    /// `model::joints` for a model of another arm than one of six joints that turn, `model::temperature` where its terms need one.
+    pub fn with_model(
+        mut self,
+        model: &Identified,
+        joint_temperature_c: Option<[f64; 6]>,
+    ) -> Result<Self, SimulationError> {
+        if !model.is_six_axis() {
+            let why = CompensateError::ModelJoints { joints: model.joint_kinds.len() };
+            return Err(SimulationError::Program(why.into()));
+        }
+        if model.needs_temperature() && joint_temperature_c.is_none() {
+            let why = Diagnostic::error("model::temperature", "the model has terms in joint temperature");
+            let help = "say how warm the joints are, --temperature-c T or six values";
+            return Err(SimulationError::Program(why.help(help)));
+        }
+        self.robot = self.robot.with_model(model, joint_temperature_c);
+        Ok(self)
     }
 
     /// Executes `program`, and finds where the robot stands against what `original` meant; without it, against what the program
@@ -230,7 +254,7 @@ impl Simulated {
 /// Why a program is not executed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
-    /// Modules that no controller loads together, or a task that is not there.
+    /// Modules that no controller loads together, a task that is not there, a model of another arm.
     #[error(transparent)]
     Program(#[from] Diagnostic),
     /// A name from outside could change nothing.

@@ -8,10 +8,10 @@ use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
 use super::{Console, Outcome, made_with, model, simulate_hints as hints};
-use driftpost::application::{Course, MadeWith, ProgramFiles, Simulation};
-use rapid_program::compensate::CompensateError;
+use driftpost::application::{Course, MadeWith, Named, ProgramFiles, Simulation};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::robot::Robot;
+use robot_model::deform::Deformation;
+use robot_model::deform::identified::Identified;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
@@ -190,7 +190,13 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
     if let Some(joints) = args.settings.start_joints {
         joints.check(&robot)?;
     }
-    let mut job = Simulation::new(true_robot(args, robot, &made_with)?);
+    let (deformation, identified) = truth(args, &made_with)?;
+    let mut job = Simulation::new(TrueRobot::new(robot, deformation));
+    if let Some(identified) = identified {
+        job = job
+            .with_model(&identified.model, joint_temperature_c(args, &made_with))
+            .map_err(Diagnostic::from)?;
+    }
     job.options = SessionOptions {
         entry: args.entry.clone(),
         passes: args.passes,
@@ -229,29 +235,19 @@ fn course(args: &Args) -> Result<Course, Diagnostic> {
         .map_err(|error| model::in_file(&path.display().to_string(), hints::of_scenario(&error)))
 }
 
-/// The robot as it is: as the options say, else as the emitted modules do.
-fn true_robot(args: &Args, robot: Robot, made_with: &MadeWith) -> Result<TrueRobot, Diagnostic> {
+/// How the robot really stands, as the options say, else as the emitted modules do: its deformation, and the identified model of it.
+fn truth(args: &Args, made_with: &MadeWith) -> Result<(Deformation, Option<Named<Identified>>), Diagnostic> {
     let (table, growth) = (args.deformation.as_deref(), args.growth.as_deref());
     let by_options = table.is_some() || args.model.is_some();
-    let of_modules = if by_options { None } else { made_with::deformed(made_with, growth)? };
-    let (deformation, identified) = match (of_modules, &args.model) {
-        (Some(found), _) => found,
-        (None, Some(path)) => {
-            let identified = model::identified(path)?;
-            (model::deformation_beside(&identified, table, growth)?.model, Some(identified))
-        }
-        (None, None) => (model::deformation(table, growth)?, None),
-    };
-    let truth = TrueRobot::new(robot, deformation);
-    let Some(identified) = identified else { return Ok(truth) };
-    let of_modules = || made_with.joint_temperature_c().ok().flatten();
-    let temperature_c = args.temperature_c.map(|t| t.0).or_else(of_modules);
-    if !identified.model.is_six_axis() {
-        return Err(CompensateError::ModelJoints { joints: identified.model.joint_kinds.len() }.into());
+    if let Some(of_modules) = if by_options { None } else { made_with::deformed(made_with, growth)? } {
+        return Ok(of_modules);
     }
-    if identified.model.needs_temperature() && temperature_c.is_none() {
-        return Err(Diagnostic::error("model::temperature", "the model has terms in joint temperature")
-            .help("say how warm the joints are, --temperature-c T or six values"));
-    }
-    Ok(truth.with_model(&identified.model, temperature_c))
+    let Some(path) = &args.model else { return Ok((model::deformation(table, growth)?, None)) };
+    let identified = model::identified(path)?;
+    Ok((model::deformation_beside(&identified, table, growth)?.model, Some(identified)))
+}
+
+/// How warm the joints are, as the options say, else as the emitted modules do.
+fn joint_temperature_c(args: &Args, made_with: &MadeWith) -> Option<[f64; 6]> {
+    args.temperature_c.map(|t| t.0).or_else(|| made_with.joint_temperature_c().ok().flatten())
 }
