@@ -2,12 +2,14 @@
 //!
 //! The answers are those of one at a time, to the bit; a machine without wide vectors takes one at a time.
 
-use super::chain::{self, Chain, Pose, Step, Walk};
+use super::chain::Chain;
 use super::dispatch::{self, Kernel, on_widest};
 use super::lanes::{self, LANES, Lanes, Wide};
+use super::matrix::{self, Vec3};
 use super::solve::{SolveError, Solved, solve};
 use super::solve_eight::{Found, SolveEight};
-use nalgebra::Isometry3;
+use super::steps::{self, Pose, Step, Walk};
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 /// Arms with constant frames, side by side: one robot at many moments.
 #[derive(Clone, Debug)]
@@ -82,7 +84,7 @@ impl Chain {
         for some in q_rad.chunks(LANES) {
             if worth_it(some.len()) {
                 let there = forward_eight(self, some);
-                (0..some.len()).for_each(|k| visit(there.lane(k).isometry()));
+                (0..some.len()).for_each(|k| visit(there.lane(k)));
             } else {
                 some.iter().for_each(|q_rad| visit(self.forward(q_rad)));
             }
@@ -115,7 +117,7 @@ fn solve_poses_from(chain: &Chain, some: &[(Isometry3<f64>, [f64; 6])]) -> Found
 
 /// One arm at up to eight joints.
 #[inline(never)]
-fn forward_eight(chain: &Chain, some: &[[f64; 6]]) -> Pose<Lanes> {
+fn forward_eight(chain: &Chain, some: &[[f64; 6]]) -> EightFlanges {
     let joints = std::array::from_fn(|j| lanes::gather(some, |q_rad| q_rad[j]));
     on_widest(ForwardEight { chain, q_rad: &joints })
 }
@@ -146,13 +148,20 @@ pub(super) fn eight_poses(base_from_flange: &[Isometry3<f64>]) -> Pose<Lanes> {
     }
 }
 
-impl Pose<Lanes> {
+/// Where eight flanges stand.
+struct EightFlanges {
+    /// w first.
+    quaternions: [Lanes; 4],
+    positions_m: Vec3<Lanes>,
+}
+
+impl EightFlanges {
     #[inline]
-    pub(super) fn lane(&self, k: usize) -> Pose {
-        Pose {
-            rotation: self.rotation.map(|row| row.map(|value| value.0[k])),
-            position_m: self.position_m.map(|value| value.0[k]),
-        }
+    fn lane(&self, k: usize) -> Isometry3<f64> {
+        let [w, i, j, l] = self.quaternions.each_ref().map(|of| of.0[k]);
+        let rotation = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, l));
+        let [x_m, y_m, z_m] = self.positions_m.each_ref().map(|of| of.0[k]);
+        Isometry3::from_parts(Translation3::new(x_m, y_m, z_m), rotation)
     }
 }
 
@@ -163,12 +172,20 @@ struct ForwardEight<'a> {
 }
 
 impl Kernel for ForwardEight<'_> {
-    type Output = Pose<Lanes>;
+    type Output = EightFlanges;
 
     #[inline(always)]
-    fn run<V: Wide>(self) -> Pose<Lanes> {
-        let there = Walk::to_flange(self.chain, &chain::sin_cos(&lanes::load6::<V>(self.q_rad)));
-        Pose { rotation: lanes::store_rows(&there.rotation), position_m: lanes::store3(&there.position_m) }
+    fn run<V: Wide>(self) -> EightFlanges {
+        let q_rad = lanes::load6::<V>(self.q_rad);
+        let there = match &self.chain.right_angled {
+            Some(arm) => arm.pose(&q_rad),
+            None => Walk::to_flange(self.chain, &steps::sin_cos(&q_rad)),
+        };
+        let [w, i, j, k] = matrix::quaternion(&there.rotation);
+        EightFlanges {
+            quaternions: [w.store(), i.store(), j.store(), k.store()],
+            positions_m: lanes::store3(&there.position_m),
+        }
     }
 }
 
@@ -317,7 +334,7 @@ mod tests {
             let q_rad = std::array::from_fn(|j| lanes::gather(&joints[..8], |q_rad| q_rad[j]));
             let there = dispatch::on(width, ForwardEight { chain: &chain, q_rad: &q_rad });
             for (k, q_rad) in joints[..8].iter().enumerate() {
-                assert_eq!(there.lane(k), chain.pose(q_rad), "{width:?}");
+                assert_eq!(there.lane(k), chain.pose(q_rad).isometry(), "{width:?}");
             }
         }
     }

@@ -3,13 +3,14 @@
 //! Brandstötter, Angerer, Hofbaur 2014. Every answer is proved by forward kinematics. The formulas stand in
 //! `eight_branches`.
 
-use super::chain::{Chain, Pose};
+use super::chain::Chain;
 use super::chains::{eight_poses, worth_it};
 use super::configuration::{Configuration, Posture};
 use super::dispatch::on_widest;
 use super::eight_branches::{Branch, BranchOfEach, EightBranches};
 use super::lanes::LANES;
 use super::sparse_chain::SparseChain;
+use super::steps::Pose;
 use super::structure::{Structure, StructureError};
 use crate::robot::Robot;
 use nalgebra::Isometry3;

@@ -10,7 +10,7 @@
 
 #![allow(unsafe_code, reason = "intrinsics need it; the argument stands above")]
 
-use super::lanes::{Column, Lanes, Wide};
+use super::lanes::{Column, Lanes, Register, Wide};
 
 /// Work on eight numbers at a time.
 pub(crate) trait Kernel {
@@ -102,7 +102,7 @@ pub(crate) fn on<K: Kernel>(width: Width, kernel: K) -> K::Output {
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     use super::super::real::Real;
-    use super::{Column, Kernel, Lanes, Wide};
+    use super::{Column, Kernel, Lanes, Register, Wide};
     use std::arch::x86_64::*;
     use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -241,11 +241,12 @@ mod x86 {
         }
 
         #[inline(always)]
-        fn load(values: &[f64; 4]) -> Self {
-            let [a, b, c, d] = *values;
-            Self(unsafe { _mm256_setr_pd(a, b, c, d) })
+        fn load(&[x, y, z]: &[f64; 3]) -> Self {
+            Self(unsafe { _mm256_setr_pd(x, y, z, 0.0) })
         }
+    }
 
+    impl Register for OneFour {
         #[inline(always)]
         fn store(self) -> [f64; 4] {
             let mut values = [0.0; 4];

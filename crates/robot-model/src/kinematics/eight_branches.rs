@@ -3,12 +3,12 @@
 //! Brandstötter, Angerer, Hofbaur 2014, written so that sines and cosines come from lengths instead of angles wherever
 //! possible: an answer near a singularity is then as good as any other.
 
-use super::chain::Pose;
 use super::dispatch::Kernel;
 use super::lanes::{self, LANES, Lanes, Wide};
 use super::matrix::{self, Mat3, add, apply, dot, mul, small_rotation, sub, transpose};
 use super::solve::{RESIDUAL_M, RESIDUAL_RAD};
 use super::sparse_chain::SparseChain;
+use super::steps::Pose;
 use super::structure::Structure;
 use std::f64::consts::{PI, TAU};
 

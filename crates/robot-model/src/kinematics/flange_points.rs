@@ -2,12 +2,13 @@
 //!
 //! The answers are those of one at a time, to the bit; a machine without wide vectors takes one at a time.
 
-use super::chain::{self, Chain, Pose, Step, Walk};
+use super::chain::Chain;
 use super::chains::{Chains, worth_it};
 use super::dispatch::{Kernel, on_widest};
 use super::lanes::{self, LANES, Lanes, Wide};
 use super::matrix::Vec3;
 use super::real::Real;
+use super::steps::{self, Pose, Step, Walk};
 use super::wide_frames::{InLanes, WideFrames};
 use nalgebra::Vector3;
 
@@ -167,7 +168,7 @@ impl Kernel for SinCosEight {
 
     #[inline(always)]
     fn run<V: Wide>(self) -> SinCos {
-        let [a, b, c, d, e, f] = chain::sin_cos(&lanes::load6::<V>(&self.0));
+        let [a, b, c, d, e, f] = steps::sin_cos(&lanes::load6::<V>(&self.0));
         [stored(a), stored(b), stored(c), stored(d), stored(e), stored(f)]
     }
 }

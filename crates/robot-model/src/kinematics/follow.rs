@@ -4,8 +4,9 @@
 //! Newton's homotopy: the twist `e(q)` that is missing is held at `(1 - s) e(q0)` while `s` goes from 0 to 1 (Allgower and Georg,
 //! Introduction to Numerical Continuation Methods, 2003, chapter 1), each stage by Newton's steps.
 
-use super::chain::{ArmKinematics, Pose};
+use super::chain::ArmKinematics;
 use super::linear::{self, Vec6};
+use super::steps::Pose;
 
 /// Part of the way that the first stage takes.
 const FIRST_STRIDE: f64 = 0.125;

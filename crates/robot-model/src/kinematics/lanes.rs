@@ -7,14 +7,18 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// How many numbers lie side by side.
 pub(crate) const LANES: usize = 8;
 
-/// A vector of space, and a fourth number beside it that nothing is asked of.
+/// A vector of space.
 pub(crate) trait Column: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     fn splat(value: f64) -> Self;
-    fn load(values: &[f64; 4]) -> Self;
+    fn load(values: &Vec3) -> Self;
+}
+
+/// A [`Column`] with a fourth number beside it that nothing is asked of.
+pub(crate) trait Register: Column {
     fn store(self) -> [f64; 4];
 }
 
-/// A [`Column`] on any machine.
+/// A [`Register`] on any machine.
 #[derive(Clone, Copy)]
 pub(crate) struct Four([f64; 4]);
 
@@ -25,19 +29,38 @@ impl Column for Four {
     }
 
     #[inline(always)]
-    fn load(values: &[f64; 4]) -> Self {
-        Self(*values)
+    fn load(&[x, y, z]: &Vec3) -> Self {
+        Self([x, y, z, 0.0])
     }
+}
 
+impl Register for Four {
     #[inline(always)]
     fn store(self) -> [f64; 4] {
         self.0
     }
 }
 
+/// A [`Column`] of numbers that are computed with one by one, each perhaps eight side by side.
+#[derive(Clone, Copy)]
+pub(crate) struct Three<T>(pub(crate) Vec3<T>);
+
+impl<T: Real> Column for Three<T> {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        let value = T::splat(value);
+        Self([value, value, value])
+    }
+
+    #[inline(always)]
+    fn load(&[x, y, z]: &Vec3) -> Self {
+        Self([T::splat(x), T::splat(y), T::splat(z)])
+    }
+}
+
 /// Eight numbers that the kernels take for one.
 pub(crate) trait Wide: Real {
-    type Column: Column;
+    type Column: Register;
     fn load(values: &Lanes) -> Self;
     fn store(self) -> Lanes;
     /// Whether any of them is more than one half.
@@ -87,6 +110,22 @@ elementwise!(Lanes, Div, div, /);
 elementwise!(Four, Add, add, +);
 elementwise!(Four, Sub, sub, -);
 elementwise!(Four, Mul, mul, *);
+
+macro_rules! one_by_one {
+    ($trait:ident, $method:ident, $op:tt) => {
+        impl<T: Real> $trait for Three<T> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, Self([x, y, z]): Self) -> Self {
+                Self([self.0[0] $op x, self.0[1] $op y, self.0[2] $op z])
+            }
+        }
+    };
+}
+
+one_by_one!(Add, add, +);
+one_by_one!(Sub, sub, -);
+one_by_one!(Mul, mul, *);
 
 impl Neg for Lanes {
     type Output = Self;

@@ -159,14 +159,43 @@ pub(crate) const SMALL_RAD: f64 = 1e-2;
 /// The rotation by nothing.
 pub(crate) const IDENTITY: Mat3 = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-pub(crate) fn isometry(rotation: &Mat3, position: &Vec3) -> Isometry3<f64> {
-    isometry_of(Matrix3::from_fn(|i, j| rotation[i][j]), *position)
+pub(crate) fn isometry(rotation: &Mat3, position_m: &Vec3) -> Isometry3<f64> {
+    isometry_of(Matrix3::from_fn(|i, j| rotation[i][j]), *position_m)
 }
 
 #[inline]
-pub(crate) fn isometry_of(m: Matrix3<f64>, position: Vec3) -> Isometry3<f64> {
+pub(crate) fn isometry_of(m: Matrix3<f64>, position_m: Vec3) -> Isometry3<f64> {
     let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m));
-    Isometry3::from_parts(Translation3::from(position), rotation)
+    Isometry3::from_parts(Translation3::from(position_m), rotation)
+}
+
+/// A rotation's quaternion, w first, from the largest of its components (Shepperd, Quaternion from rotation matrix, 1978): the bits of nalgebra's
+/// `UnitQuaternion::from_rotation_matrix`, without a branch, for lanes: one alone is quicker with the branches, which a processor foresees.
+#[inline(always)]
+pub(crate) fn quaternion<T: Real>(rotation: &Mat3<T>) -> [T; 4] {
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = *rotation;
+    let (zero, one) = (T::splat(0.0), T::splat(1.0));
+    let trace = xx + yy + zz;
+    let w_is_large = one - trace.at_most(zero);
+    let i_is_large = (one - xx.at_most(yy)) * (one - xx.at_most(zz));
+    let j_is_large = one - yy.at_most(zz);
+    let of_ijk =
+        i_is_large.choose(one + xx - yy - zz, j_is_large.choose(one + yy - xx - zz, one + zz - xx - yy));
+    let four_times = w_is_large.choose(trace + one, of_ijk).square_root() * T::splat(2.0);
+    let largest = T::splat(0.25) * four_times;
+    // What the three others are products of with the largest, in their order.
+    let (wi, wj, wk) = (zy - yz, xz - zx, yx - xy);
+    let (ij, ik, jk) = (xy + yx, xz + zx, yz + zy);
+    let first = w_is_large.choose(wi, i_is_large.choose(wi, j_is_large.choose(wj, wk)));
+    let second = w_is_large.choose(wj, i_is_large.choose(ij, j_is_large.choose(ij, ik)));
+    let third = w_is_large.choose(wk, i_is_large.choose(ik, jk));
+    let (first, second, third) = (first / four_times, second / four_times, third / four_times);
+    [
+        w_is_large.choose(largest, first),
+        w_is_large.choose(first, i_is_large.choose(largest, second)),
+        w_is_large.choose(second, i_is_large.choose(second, j_is_large.choose(largest, third))),
+        w_is_large.choose(third, i_is_large.choose(third, j_is_large.choose(third, largest))),
+    ]
 }
 
 #[cfg(test)]
@@ -205,5 +234,37 @@ mod tests {
     fn a_quarter_turn_is_exact() {
         let quarter = UnitQuaternion::from_euler_angles(0.0, std::f64::consts::FRAC_PI_2, 0.0);
         assert_eq!(rows(&quarter), [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]);
+    }
+
+    #[test]
+    fn a_quaternion_has_the_bits_of_nalgebras() {
+        let number = |n: u32, k: u32| f64::from(n * 4 + k).sin() * 43758.5453 % 1.0;
+        let mut largest = [0; 4];
+        for n in 0..4000 {
+            // Any, turns about the axes, half turns and quarter turns; some matrices that are no rotations to the last digits.
+            let scale = if n % 3 == 0 { 1.0 } else { 4.0 };
+            let mut vector = Vector3::from_fn(|k, _| scale * number(n, k as u32));
+            if n % 5 == 1 {
+                vector = Vector3::ith(n as usize % 3, vector.x);
+            }
+            if n % 7 == 1 {
+                vector *= std::f64::consts::FRAC_PI_2 * f64::from(n % 3) / vector.norm();
+            }
+            let mut m = *Rotation3::from_scaled_axis(vector).matrix();
+            if n % 11 == 1 {
+                m = m.map(f64::round);
+            } else if n % 2 == 0 {
+                m *= 1.0 + 1e-12 * number(n, 3);
+            }
+            let expected = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(m));
+            let expected = [expected.w, expected.i, expected.j, expected.k];
+            let found = quaternion(&std::array::from_fn(|i| std::array::from_fn(|j| m[(i, j)])));
+            assert_eq!(found.map(f64::to_bits), expected.map(f64::to_bits), "{m}");
+            let of = |k: &usize| expected[*k].abs();
+            largest[(0..4).max_by(|a, b| of(a).total_cmp(&of(b))).unwrap()] += 1;
+        }
+        assert!(largest.iter().all(|count| *count > 300), "{largest:?}");
+        let no_rotation = quaternion(&<Mat3>::from(Matrix3::from_element(f64::NAN)));
+        assert!(no_rotation.iter().all(|component| component.is_nan()));
     }
 }

@@ -14,15 +14,18 @@ mod eight_branches;
 mod flange_points;
 mod follow;
 mod forward;
+mod frame_columns;
 mod lanes;
 mod linear;
 mod matrix;
 mod offset_columns;
 mod real;
+mod right_angled;
 mod serial_chain;
 mod solve;
 mod solve_eight;
 mod sparse_chain;
+mod steps;
 mod structure;
 mod wide_frames;
 

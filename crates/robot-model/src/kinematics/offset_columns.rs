@@ -1,10 +1,11 @@
 //! What the offsets of an arm's frames do to its flange, for eight measured poses side by side, and the sums of products of it that the
 //! normal equations of a calibration are made of.
 
-use super::chain::{Chain, FrameOffsets, Frames, Pose, Walk, sin_cos};
+use super::chain::{Chain, FrameOffsets};
 use super::dispatch::Kernel;
 use super::lanes::{self, LANES, Lanes, Wide};
 use super::matrix::{self, Mat3, Vec3, apply, cross, dot, mul, sub, transpose};
+use super::steps::{Frames, Pose, Walk, sin_cos};
 
 /// Six for each of six joints.
 pub(super) const UNKNOWNS: usize = 36;

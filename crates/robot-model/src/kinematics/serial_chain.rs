@@ -3,9 +3,10 @@
 //! The same chain as [`Chain`](super::Chain)'s, step for step: of six turning joints both give the same bits. There is no inverse
 //! here: what is measured needs none.
 
-use super::chain::{Step, Walk, turned_to_z};
+use super::chain::turned_to_z;
 use super::matrix::{self, Mat3, Vec3, add, cross, mul, scale, sub, transpose};
 use super::real::Real;
+use super::steps::{Step, Walk};
 use crate::robot::{JointKind, Joints, MOST_JOINTS, SerialArm};
 use nalgebra::Isometry3;
 

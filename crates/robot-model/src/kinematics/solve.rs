@@ -1,10 +1,11 @@
 //! Numeric inverse kinematics of a deformed arm: Newton from the nominal closed form, damped where Newton fails, along the
 //! branch where that fails too; every answer proved and on the branch it started from.
 
-use super::chain::{ArmKinematics, Pose};
+use super::chain::ArmKinematics;
 use super::follow::follow;
 use super::linear::{self, Vec6, regular_newton_step as newton_step};
 use super::matrix::{dot, norm};
+use super::steps::Pose;
 use crate::robot::Axis;
 use crate::units::{deg_from_rad, mm_from_m};
 use nalgebra::Isometry3;

@@ -4,13 +4,14 @@
 //! Newton alone goes (a long step, a singularity, another branch, a large angle), it is not solved here but left to
 //! `solve`, which starts anew: the answers are `solve`'s whatever the machine.
 
-use super::chain::{self, Lines, Pose};
+use super::chain::Lines;
 use super::dispatch::Kernel;
 use super::lanes::{self, Lanes, Wide};
 use super::linear::{self, SINGULAR};
 use super::matrix::{SMALL_RAD, dot, small_rotation, sub};
 use super::real::Real;
 use super::solve::{BRANCH_RAD, NEWTON_STEP_RAD, NEWTON_STEPS, RESIDUAL_M, RESIDUAL_RAD, SHORT_RAD, Solved};
+use super::steps::{self, Pose};
 use super::wide_frames::{InLanes, WideFrames};
 
 /// So many steps of such a length leave no branch.
@@ -44,7 +45,7 @@ impl Start for [Lanes; 6] {
     #[inline(always)]
     fn joints<V: Wide>(&self) -> ([V; 6], [(V, V); 6]) {
         let q_rad = lanes::load6(self);
-        (q_rad, chain::sin_cos(&q_rad))
+        (q_rad, steps::sin_cos(&q_rad))
     }
 }
 
@@ -129,7 +130,7 @@ impl<F: WideFrames, S: Start> Kernel for SolveEight<'_, F, S> {
             if !active.any() {
                 break;
             }
-            sin_cos = chain::sin_cos(&found.q_rad);
+            sin_cos = steps::sin_cos(&found.q_rad);
         }
         Found {
             q_rad: lanes::store6(&found.q_rad),

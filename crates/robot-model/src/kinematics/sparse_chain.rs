@@ -3,9 +3,10 @@
 //! Each frame is `Trans(p) Rz(a) Rx(tilt) Rz(b)` in the one before, and what turns about z joins the joints on both sides. A nominal
 //! arm's axes are parallel or perpendicular: then a tilt costs nothing, and most of `p` is zero.
 
-use super::chain::{Chain, Pose, Walk};
+use super::chain::Chain;
 use super::matrix::Mat3;
 use super::real::Real;
+use super::steps::{Pose, Walk};
 
 /// An arm of six joints with constant frames, as [`Chain`] to rounding.
 #[derive(Clone, Debug, PartialEq)]

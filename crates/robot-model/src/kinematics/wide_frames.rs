@@ -1,7 +1,8 @@
 //! The frames of eight arms as the kernels read them.
 
-use super::chain::{Chain, Frames, Step};
+use super::chain::Chain;
 use super::lanes::{self, Lanes, Wide};
+use super::steps::{Frames, Step};
 
 /// Where the frames of eight arms are kept.
 pub(super) trait WideFrames {
