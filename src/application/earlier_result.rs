@@ -15,12 +15,18 @@ pub(crate) enum EarlierResult {
 impl EarlierResult {
     /// `None` where the bytes hold no module that was emitted.
     pub(crate) fn of(bytes: &[u8]) -> Option<Self> {
-        memchr::memmem::find(bytes, EMITTED_MARK.as_bytes())?;
+        if !is_emitted(bytes) {
+            return None;
+        }
         Some(if is_as_written(bytes) == Some(true) { Self::AsWritten } else { Self::Altered })
     }
 
     /// Whether the bytes hold an emitted module with a clock of its own.
     pub(crate) fn has_clock(bytes: &[u8]) -> bool {
-        Self::of(bytes).is_some() && memchr::memmem::find(bytes, b"PROC tcUpdate").is_some()
+        is_emitted(bytes) && memchr::memmem::find(bytes, b"PROC tcUpdate").is_some()
     }
+}
+
+fn is_emitted(bytes: &[u8]) -> bool {
+    memchr::memmem::find(bytes, EMITTED_MARK.as_bytes()).is_some()
 }
