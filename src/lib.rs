@@ -41,8 +41,8 @@
 //!
 //! # What to know of it
 //!
-//! Numbers are SI (metres, radians) and say so in their names (`_m`, `_rad`); mm and degrees stand where RAPID, CSV and JSON are read and
-//! written. No job of [`application`] prints. What cannot be done is an error with a stable code, listed in `docs/MESSAGES.md`, which becomes a
+//! Every number says its unit in its name: SI inside (`_m`, `_rad`), mm and degrees where RAPID, CSV and JSON are read and written, and in limits
+//! that a job has as the command line gives them (`_mm`, `_deg`). No job of [`application`] prints. What cannot be done is an error with a stable code, listed in `docs/MESSAGES.md`, which becomes a
 //! [`Diagnostic`]; or a [`Refusal`] that holds several.
 //!
 //! Every job has a `new`, options that are its fields, and a `run` that gives a result of its own, most of them with a
@@ -56,7 +56,7 @@
 //! Without the default ones the library brings no terminal and no network.
 //!
 //! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
-//! [`virtual_controller`], [`metrology`] and [`exam`].
+//! [`virtual_controller`], [`metrology`] and [`exam`]. What jobs take and give of them is reached through [`parts`].
 
 // The command line names what is public as who calls it from outside does.
 #[cfg(feature = "cli")]
@@ -66,6 +66,30 @@ pub mod application;
 #[cfg(feature = "cli")]
 mod cli;
 mod report;
+
+/// The crates whose types jobs take as options and give in results, so that `driftpost` alone is enough of a dependency.
+///
+/// ```
+/// use driftpost::parts::rapid_program::compensate::FormChoice;
+/// use driftpost::parts::virtual_controller::Scenario;
+/// use driftpost::{Compensation, Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};
+///
+/// let robot = Robot::built_in("irb140").expect("it is one of the library's");
+/// let cube = ProgramFiles::one("Cube45.mod", *include_bytes!("../fixtures/robodk/irc5/Cube45.mod"));
+/// let made = Compensation::new(robot.clone(), Deformation::paper()).in_form(FormChoice::Ramp).run(&cube)?;
+/// let corrected = ProgramFiles::one("Cube45.mod", made.text().expect("one module"));
+///
+/// let morning = Scenario::from_toml("steps = [\"call tcColdStart\", \"run 60\", \"stand 45\", \"run 30\"]")?;
+/// let found = Simulation::new(TrueRobot::new(robot, Deformation::paper()))
+///     .run(&corrected, Some(&cube), &Course::Scenario(morning))?;
+/// assert!(found.is_within());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub mod parts {
+    #[cfg(feature = "link")]
+    pub use robot_link;
+    pub use {exam, metrology, nalgebra, rapid_program, rapid_syntax, robot_model, virtual_controller};
+}
 
 /// The `driftpost` program, for whoever brings it under a name of its own.
 #[cfg(feature = "cli")]

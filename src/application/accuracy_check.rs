@@ -49,7 +49,7 @@ impl AccuracyCheck {
     /// [`AccuracyError`]
     pub fn run(&self, measurements: &Measurements) -> Result<AccuracyChecked, AccuracyError> {
         let performance = performance(measurements, &self.robot, self.frame)?;
-        let worst = report::worst(&performance);
+        let worst = performance.worst();
         let limits = [
             ("--limit-ap-mm", self.limit_ap_mm, worst.ap_m),
             ("--limit-rp-mm", self.limit_rp_mm, worst.rp_m),

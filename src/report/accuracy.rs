@@ -2,34 +2,11 @@
 
 use super::counted;
 use super::table::{Align, Table};
-use metrology::measure::{Performance, PosePerformance, Repeatability};
+use metrology::measure::{Performance, Repeatability};
 use robot_model::robot::SerialArm;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
-
-/// The worst of all poses, metres.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Worst {
-    /// Positioning accuracy AP_p of ISO 9283, metres.
-    pub ap_m: Option<f64>,
-    /// Repeatability RP_l of ISO 9283, metres.
-    pub rp_m: Option<f64>,
-    /// Drift of the accuracy, dAP_p of ISO 9283, metres.
-    pub drift_m: Option<f64>,
-}
-
-/// The worst of all poses.
-#[must_use]
-pub fn worst(found: &Performance) -> Worst {
-    let most =
-        |of: &dyn Fn(&PosePerformance) -> Option<f64>| found.poses.iter().filter_map(of).reduce(f64::max);
-    Worst {
-        ap_m: most(&|p| p.accuracy.map(|a| a.ap_m)),
-        rp_m: most(&|p| p.repeatability.map(|r| r.rp_m)),
-        drift_m: most(&|p| p.drift_of_accuracy_m()),
-    }
-}
 
 /// For people.
 ///
@@ -68,7 +45,7 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
         ]);
     }
     table.write(out, "")?;
-    let all = worst(found);
+    let all = found.worst();
     writeln!(
         out,
         "worst of {}: accuracy AP {}, repeatability RP {}, drift of accuracy dAP {}",
@@ -118,7 +95,7 @@ pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
             })
         })
         .collect();
-    let all = worst(found);
+    let all = found.worst();
     json!({
         "poses": poses, "within": within,
         "worst": { "ap_mm": all.ap_m.map(mm_from_m), "rp_mm": all.rp_m.map(mm_from_m), "drift_ap_mm": all.drift_m.map(mm_from_m) },

@@ -115,6 +115,13 @@ pub fn min_from_days(days: f64) -> f64 {
     days * 1440.0
 }
 
+/// Seconds of a day, as calendars without leap seconds count them.
+pub const DAY_S: i64 = 86_400;
+/// Seconds of an hour.
+pub const HOUR_S: i64 = 3_600;
+/// Seconds of a minute.
+pub const MINUTE_S: i64 = 60;
+
 /// A ratio from parts per million.
 #[inline]
 #[must_use]

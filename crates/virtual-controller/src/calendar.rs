@@ -1,6 +1,6 @@
 //! Date, time of day and a steady clock; all advance only when told to.
 
-use robot_model::units::{min_from_h, seconds_from_min};
+use robot_model::units::{DAY_S, HOUR_S, MINUTE_S, min_from_h, seconds_from_min};
 
 /// Date, time of day and steady clock of a controller.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Calendar {
 impl Default for Calendar {
     /// 2026-06-15 (a Monday) 08:00:00; operations take no time.
     fn default() -> Self {
-        let zero_s = days_from_civil(2026, 6, 15) as f64 * 86_400.0 + 8.0 * 3600.0;
+        let zero_s = (days_from_civil(2026, 6, 15) * DAY_S + 8 * HOUR_S) as f64;
         Self { steady_s: 0.0, shown_s: 0.0, zero_s, step_s: 0.0, held: false }
     }
 }
@@ -51,9 +51,9 @@ fn civil_from_days(days: i64) -> (i64, u32, u32) {
 impl Calendar {
     /// Set date and time; the steady clock goes on.
     pub fn set(&mut self, date: (i64, u32, u32), time: (u32, u32, f64)) {
-        let days = days_from_civil(date.0, date.1.clamp(1, 12), date.2.clamp(1, 31)) as f64;
+        let day_s = days_from_civil(date.0, date.1.clamp(1, 12), date.2.clamp(1, 31)) * DAY_S;
         let seconds = seconds_from_min(min_from_h(f64::from(time.0)) + f64::from(time.1)) + time.2;
-        self.zero_s = days * 86_400.0 + seconds - self.shown_s;
+        self.zero_s = day_s as f64 + seconds - self.shown_s;
     }
 
     /// Move date and time by minutes (back where negative); the steady clock goes on.
@@ -93,20 +93,20 @@ impl Calendar {
     /// The date shown: year, month, day.
     #[must_use]
     pub fn date(&self) -> (i64, u32, u32) {
-        civil_from_days(self.whole_s().div_euclid(86_400))
+        civil_from_days(self.whole_s().div_euclid(DAY_S))
     }
 
     /// The time of day shown: hour, minute, second.
     #[must_use]
     pub fn time(&self) -> (u32, u32, u32) {
-        let s = self.whole_s().rem_euclid(86_400) as u32;
-        (s / 3600, s / 60 % 60, s % 60)
+        let s = self.whole_s().rem_euclid(DAY_S);
+        ((s / HOUR_S) as u32, (s % HOUR_S / MINUTE_S) as u32, (s % MINUTE_S) as u32)
     }
 
     /// 1 Monday ... 7 Sunday.
     #[must_use]
     pub fn weekday(&self) -> u32 {
-        (self.whole_s().div_euclid(86_400) + 3).rem_euclid(7) as u32 + 1
+        (self.whole_s().div_euclid(DAY_S) + 3).rem_euclid(7) as u32 + 1
     }
 }
 

@@ -4,7 +4,7 @@
 //! It reads programs from their bytes alone and shares nothing with what emits them: it must not know how the
 //! text was made. `num` is single precision; every move goes through the controller's own nominal kinematics.
 //!
-//! Three parts, each with its owner: the loaded program (`loaded`, constant while it runs), the state of the
+//! Three parts, each with its owner: the loaded program (`loaded`, which changes only where the program loads and unloads modules), the state of the
 //! machine (`machine`: data, stack, signals, clock) and the plant (`plant`, `truth`: the deformed robot and how it
 //! warms). An `interpreter` executes the first on the second; `builtin` is the table of what every controller has.
 //! A [`Session`] runs a program beside its original and compares where the true robot's TCP goes.

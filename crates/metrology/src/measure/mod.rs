@@ -38,7 +38,8 @@ pub use iso9283::{
 };
 pub use join::{Joined, MatchBy, join};
 pub use performance::{
-    ComparisonFrame, Performance, PerformanceAtTime, PerformanceError, PosePerformance, performance,
+    ComparisonFrame, Performance, PerformanceAtTime, PerformanceError, PosePerformance, WorstPerformance,
+    performance,
 };
 pub use reading::{Coordinates, Reading};
 pub use refine::FreeParameters;

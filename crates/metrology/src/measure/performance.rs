@@ -128,6 +128,31 @@ pub struct Performance {
     pub registration: Option<Registration>,
 }
 
+/// The worst of all poses, metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WorstPerformance {
+    /// Positioning accuracy AP_p of ISO 9283, metres.
+    pub ap_m: Option<f64>,
+    /// Repeatability RP_l of ISO 9283, metres.
+    pub rp_m: Option<f64>,
+    /// Drift of the accuracy, dAP_p of ISO 9283, metres.
+    pub drift_m: Option<f64>,
+}
+
+impl Performance {
+    /// The worst of all poses; `None` for what no pose tells.
+    #[must_use]
+    pub fn worst(&self) -> WorstPerformance {
+        let most =
+            |of: &dyn Fn(&PosePerformance) -> Option<f64>| self.poses.iter().filter_map(of).reduce(f64::max);
+        WorstPerformance {
+            ap_m: most(&|p| p.accuracy.map(|a| a.ap_m)),
+            rp_m: most(&|p| p.repeatability.map(|r| r.rp_m)),
+            drift_m: most(&|p| p.drift_of_accuracy_m()),
+        }
+    }
+}
+
 /// The performance of `robot` in `measurements`, its nominal arm being what was commanded.
 ///
 /// # Errors

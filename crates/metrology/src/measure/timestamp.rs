@@ -1,6 +1,6 @@
 //! Dates and times of day as instruments write them.
 
-use robot_model::units::min_from_s;
+use robot_model::units::{min_from_days, min_from_h, min_from_s};
 
 /// How a date and time is written: YYYY, MM, DD, hh, mm, ss stand for numbers, all else for itself.
 #[derive(Clone, Debug)]
@@ -87,7 +87,8 @@ impl TimestampFormat {
             && hour < 24
             && minute < 60
             && second_s < 61.0;
-        let at_min = || (days(year, month, day) * 1440 + hour * 60 + minute) as f64 + min_from_s(second_s);
+        let whole_min = |days: i64| min_from_days(days as f64) + min_from_h(hour as f64) + minute as f64;
+        let at_min = || whole_min(days(year, month, day)) + min_from_s(second_s);
         exists.then(at_min).ok_or(NoTime::DoesNotExist)
     }
 
