@@ -6,7 +6,7 @@ use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, Wa
 use metrology::measure::Touches;
 use nalgebra::Vector3;
 use rapid_program::compensate::tabulate::{TabulateError, tabulate};
-use rapid_program::compensate::targets::Target;
+use rapid_program::compensate::targets::NamedPose;
 use rapid_program::compensate::{self, CompensateError};
 use rapid_program::program::{Overrides, Program};
 use robot_model::deform::identified::Identified;
@@ -74,7 +74,7 @@ impl Fitted {
     ///
     /// # Errors
     /// A pose that the arm cannot take.
-    pub fn at_poses(self, poses: &[Target]) -> Result<Self, TabulateError> {
+    pub fn at_poses(self, poses: &[NamedPose]) -> Result<Self, TabulateError> {
         let table = tabulate(&self.robot, &self.warm_up.deformation(), poses, None, &[0.0])?;
         let targets = poses.iter().zip(&table.nominal).map(|(pose, nominal)| WorkTarget {
             name: pose.name.clone(),

@@ -2,7 +2,7 @@
 
 use crate::report::tabulation as report;
 use rapid_program::compensate::tabulate::{MinuteMiss, MinuteTable, TabulateError, tabulate};
-use rapid_program::compensate::targets::Target;
+use rapid_program::compensate::targets::NamedPose;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::Configuration;
 use robot_model::robot::Robot;
@@ -33,7 +33,7 @@ impl Tabulation {
     ///
     /// # Errors
     /// A target that the arm cannot stand on, nominal or deformed.
-    pub fn run(&self, targets: Vec<Target>) -> Result<Tabulated, TabulateError> {
+    pub fn run(&self, targets: Vec<NamedPose>) -> Result<Tabulated, TabulateError> {
         let Self { robot, deformation, configuration, minutes } = self;
         let table = tabulate(robot, deformation, &targets, configuration.as_ref(), minutes)?;
         let misses = table.misses();
@@ -45,7 +45,7 @@ impl Tabulation {
 #[derive(Clone, Debug)]
 pub struct Tabulated {
     /// The targets, in their order.
-    pub targets: Vec<Target>,
+    pub targets: Vec<NamedPose>,
     /// The joints with which the arm stands on them, minute by minute.
     pub table: MinuteTable,
     /// How far they are missed before and after, minute by minute.

@@ -3,7 +3,7 @@
 use super::counted;
 use super::joints::{JointRow, JointTable};
 use rapid_program::compensate::tabulate::{MinuteMiss, MinuteTable, Miss};
-use rapid_program::compensate::targets::Target;
+use rapid_program::compensate::targets::NamedPose;
 use robot_model::kinematics::Solution;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
@@ -16,7 +16,7 @@ use std::io::{self, Write};
 pub fn write_joints(
     out: &mut dyn Write,
     file: &str,
-    targets: &[Target],
+    targets: &[NamedPose],
     table: &MinuteTable,
 ) -> io::Result<()> {
     let mut written = JointTable::new(out)?;
@@ -37,7 +37,7 @@ pub fn write_joints(
 
 /// How much there is, and the worst of all minutes, for people.
 #[must_use]
-pub fn text(targets: &[Target], table: &MinuteTable, misses: &[MinuteMiss]) -> String {
+pub fn text(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -> String {
     let [targets, minutes, rows] =
         [(targets.len(), "target"), (misses.len(), "minute"), (table.rows.len(), "row")]
             .map(|(n, noun)| counted(n, noun));
@@ -64,14 +64,14 @@ pub fn text(targets: &[Target], table: &MinuteTable, misses: &[MinuteMiss]) -> S
 
 /// The result as the contract's JSON.
 #[must_use]
-pub fn json(targets: &[Target], table: &MinuteTable, misses: &[MinuteMiss]) -> Value {
+pub fn json(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -> Value {
     let miss = |miss: &Miss| json!({ "max_mm": mm_from_m(miss.max_m), "rms_mm": mm_from_m(miss.rms_m), "max_deg": deg_from_rad(miss.max_rad) });
     let minute = |minute: &MinuteMiss| {
         json!({
             "t_min": minute.t_min, "n": targets.len(), "before": miss(&minute.before), "after": miss(&minute.after),
         })
     };
-    let target = |(target, nominal): (&Target, &Solution)| {
+    let target = |(target, nominal): (&NamedPose, &Solution)| {
         let c = nominal.configuration;
         json!({
             "target": target.name, "line": target.line, "q_deg": nominal.q_rad.map(deg_from_rad),

@@ -35,19 +35,19 @@ pub(super) fn of_loop<'t>(body: &'t [Stmt], label: &impl Fn(&Stmt) -> Option<Str
         StmtKind::Goto(_) => label(stmt).is_some_and(|to| !inside.contains(&to)),
         _ => false,
     };
-    let mut found = Found { jumps_out, way: Vec::new(), out: BodyExits::default() };
+    let mut found = ExitSearch { jumps_out, way: Vec::new(), out: BodyExits::default() };
     found.block(body);
     found.out
 }
 
 /// How a routine's body leaves what calls it: by EXIT or RAISE.
 pub(super) fn of_routine(body: &[Stmt]) -> BodyExits<'_> {
-    let mut found = Found { jumps_out: |_: &Stmt| false, way: Vec::new(), out: BodyExits::default() };
+    let mut found = ExitSearch { jumps_out: |_: &Stmt| false, way: Vec::new(), out: BodyExits::default() };
     found.block(body);
     found.out
 }
 
-struct Found<'t, J> {
+struct ExitSearch<'t, J> {
     /// Whether a RETURN or GOTO leaves.
     jumps_out: J,
     /// What has decided on the way to the present statement.
@@ -55,7 +55,7 @@ struct Found<'t, J> {
     out: BodyExits<'t>,
 }
 
-impl<'t, J: Fn(&Stmt) -> bool> Found<'t, J> {
+impl<'t, J: Fn(&Stmt) -> bool> ExitSearch<'t, J> {
     fn block(&mut self, body: &'t [Stmt]) {
         for stmt in body {
             self.statement(stmt);

@@ -6,7 +6,7 @@ use super::plant::Plant;
 use super::scenario::{Scenario, ScenarioStep, date_time, mark_words};
 use super::session::{ScenarioMark, Session};
 use super::warming::{GAP_MIN, WarmthHistory};
-use robot_model::deform::Index;
+use robot_model::deform::TableIndex;
 use robot_model::units::{min_from_s, seconds_from_min, seconds_from_ms};
 
 impl Scenario {
@@ -36,7 +36,7 @@ impl Scenario {
         }
         let warming = session.options().warming.or(self.warming).unwrap_or_default();
         let now_s = session.program.calendar().steady_s();
-        let goes_by_temperature = session.truth.deformation().index() == Index::Temperature;
+        let goes_by_temperature = session.truth.deformation().index() == TableIndex::Temperature;
         let history = WarmthHistory::new(warmth, warming, gap_min, now_s);
         let plant = Plant::new(history, goes_by_temperature);
         let mut player = Player { plant, backup: session.program.backup(), session };

@@ -4,7 +4,7 @@
 //! by the growth law's own two lags. A program that keeps a clock of its own can be compared with it.
 
 use robot_model::deform::identified::{Identified, ThermalState};
-use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, Index, Warmth};
+use robot_model::deform::{Deformation, DeformedArm, GrowthLaw, TableIndex, Warmth};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::{Joints, Robot};
 use std::sync::Arc;
@@ -78,7 +78,7 @@ impl TrueRobot {
     fn deformed(&self, offsets: &FrameOffsets, t_min: f64) -> DeformedArm {
         match &self.model {
             None => DeformedArm::of_table(&self.robot, offsets),
-            Some(model) if self.deformation.index() == Index::Temperature => {
+            Some(model) if self.deformation.index() == TableIndex::Temperature => {
                 let joint_temperature_c = self.joint_temperature_c.or(Some([t_min; 6])).map(Joints::from);
                 let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c };
                 DeformedArm::of_model(&self.robot, offsets, model, when)

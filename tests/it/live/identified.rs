@@ -3,7 +3,7 @@
 use super::cell::{Cell, Off, at, cap, table};
 use super::{TOOL, WOBJ, paper, turned};
 use rapid_program::emit::live::{Function, LiveModel};
-use robot_model::deform::identified::{Growth, Identified, Term, ThermalState, Value};
+use robot_model::deform::identified::{Estimate, Growth, Identified, Term, ThermalState};
 use robot_model::deform::{Conditions, DeformedArm, Payload};
 use robot_model::deform::{EffectKind, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
@@ -11,7 +11,7 @@ use robot_model::robot::{Axis, Robot};
 use std::sync::Arc;
 
 fn term(kind: EffectKind, joint: Option<usize>, values: &[f64]) -> Term {
-    let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
+    let values = values.iter().map(|&value| Estimate { value, sigma: None }).collect();
     Term::plain(kind, joint.map(Axis::at), values)
 }
 

@@ -7,7 +7,7 @@ use driftpost::application::Named;
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use rapid_program::compensate::FormChoice;
-use robot_model::deform::identified::{Growth, Identified, Term, ThermalState, Value};
+use robot_model::deform::identified::{Estimate, Growth, Identified, Term, ThermalState};
 use robot_model::deform::{Conditions, DeformedArm, EffectKind, GrowthLaw};
 use robot_model::kinematics::{ClosedForm, FrameOffsets};
 use robot_model::robot::Axis;
@@ -17,7 +17,7 @@ use virtual_controller::TrueRobot;
 const LAW: GrowthLaw = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };
 
 fn term(kind: EffectKind, joint: Option<usize>, growth: Growth, values: &[f64]) -> Term {
-    let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
+    let values = values.iter().map(|&value| Estimate { value, sigma: None }).collect();
     Term { growth, ..Term::plain(kind, joint.map(Axis::at), values) }
 }
 

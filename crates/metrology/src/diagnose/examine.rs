@@ -14,7 +14,7 @@ use crate::measure::{
     gather, register,
 };
 use nalgebra::{Isometry3, Point3};
-use robot_model::deform::identified::Identified;
+use robot_model::deform::identified::{FoundBy, Identified};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
 use robot_model::units::{m_from_mm, mm_from_m};
@@ -41,7 +41,7 @@ pub fn diagnose_and_identify(
     let Evaluation { diagnosis, identified } = examine(measurements, robot, options, true);
     let region = diagnosis.shrink.region_block.as_ref();
     let identified = identified.map(|model| Identified {
-        verdict: diagnosis.verdict.name().to_owned(),
+        found_by: Some(FoundBy::Diagnosis(diagnosis.verdict)),
         region_held_out_m: region.map(|r| [r.before_rms_mm, r.after_rms_mm].map(m_from_mm)),
         ..model
     });

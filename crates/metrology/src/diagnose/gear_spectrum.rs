@@ -3,7 +3,7 @@
 use super::outcome::{Cause, RowResidual};
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{Identified, Term, Value};
+use robot_model::deform::identified::{Estimate, Identified, Term};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, JointKind, SerialArm};
 use robot_model::units::{m_from_mm, rad_from_deg};
@@ -64,7 +64,7 @@ fn is_named(term: &Term, causes: &[Cause]) -> bool {
 }
 
 fn lines_of(term: &Term, is_named: bool) -> Vec<GearLine> {
-    let pair = |n: u32, values: &[Value]| {
+    let pair = |n: u32, values: &[Estimate]| {
         let [sin, cos] = [0, 1].map(|i| values.get(i).copied().unwrap_or_default());
         let size_rad = sin.value.hypot(cos.value);
         let sigma_rad = sin.sigma.zip(cos.sigma).map(|(of_sin, of_cos)| match size_rad > 0.0 {
@@ -115,7 +115,7 @@ mod tests {
     use robot_model::robot::{Joints, Robot};
 
     fn term(kind: EffectKind, n: Option<u32>, values: &[(f64, f64)]) -> Term {
-        let values = values.iter().map(|&(value, sigma)| Value { value, sigma: Some(sigma) });
+        let values = values.iter().map(|&(value, sigma)| Estimate { value, sigma: Some(sigma) });
         Term { n, ..Term::plain(kind, Some(Axis::at(0)), values.collect()) }
     }
 

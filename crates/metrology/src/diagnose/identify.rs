@@ -19,7 +19,7 @@ use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{
-    Growth, Identified, MeasuredRange, Mounting, Term, ThermalState, Value,
+    Estimate, Growth, Identified, MeasuredRange, Mounting, Term, ThermalState,
 };
 use robot_model::deform::{DeformedSerialArm, Payload};
 use robot_model::robot::{Joints, SerialArm};
@@ -191,7 +191,7 @@ fn plausible(identified: &Identified, left: &[Twist], fitted: &FittedModel<'_>) 
         if gear && term.size() > FURTHEST_TURN_RAD {
             return Err(NoModel::Beyond { term: name(term), times: term.size() / USUAL_TURN_RAD });
         }
-        let known = |value: &Value| value.value != 0.0 && value.sigma == Some(0.0);
+        let known = |value: &Estimate| value.value != 0.0 && value.sigma == Some(0.0);
         if term.values.first().is_some_and(known) {
             return Err(NoModel::NoSigma { term: name(term) });
         }

@@ -6,50 +6,9 @@ use super::time_course::TimeCourse;
 use crate::measure::{Fault, FaultKind};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
+pub use robot_model::deform::identified::Verdict;
 use robot_model::robot::{Axis, Joints};
 use serde::Serialize;
-
-/// The answer in one word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// One cause, told apart from its alternatives.
-    Explained,
-    /// A cause is there; `causes` is the set that these data cannot tell apart.
-    Ambiguous,
-    /// Two or more causes, each needed.
-    Several,
-    /// Small errors of all joints' geometry take the gap.
-    Geometry,
-    /// Structure that no effect of the library takes.
-    UnexplainedStructure,
-    /// More scatter than the repeats allow.
-    UnexplainedScatter,
-    /// No effect above the alarm.
-    NothingAboveNoise,
-    /// Too few or too alike poses.
-    InsufficientData,
-    /// The file contradicts itself or the robot.
-    DataFault,
-}
-
-impl Verdict {
-    /// The word in every file.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Explained => "explained",
-            Self::Ambiguous => "ambiguous",
-            Self::Several => "several",
-            Self::Geometry => "geometry",
-            Self::UnexplainedStructure => "unexplained_structure",
-            Self::UnexplainedScatter => "unexplained_scatter",
-            Self::NothingAboveNoise => "nothing_above_noise",
-            Self::InsufficientData => "insufficient_data",
-            Self::DataFault => "data_fault",
-        }
-    }
-}
 
 /// One cause, or candidate.
 #[derive(Clone, Debug, PartialEq, Serialize)]

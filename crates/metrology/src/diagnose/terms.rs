@@ -7,7 +7,7 @@ use super::normal_equations::{JointLines, LINE_RAD, ModelColumns};
 use super::search::ChosenCause;
 use nalgebra::{DVector, Vector3};
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{PayloadScaling, Term, Value, compliance_of_link};
+use robot_model::deform::identified::{Estimate, PayloadScaling, Term, compliance_of_link};
 use robot_model::robot::Axis;
 
 /// What was solved for as terms: causes, the lines that were `named`, geometry, and the rest of the spectra.
@@ -19,7 +19,7 @@ pub(super) fn terms(
     solved: &DVector<f64>,
     sigmas: Option<&[f64]>,
 ) -> Vec<Term> {
-    let value = |column: usize, unit: f64| Value {
+    let value = |column: usize, unit: f64| Estimate {
         value: solved[column] * unit,
         sigma: sigmas.and_then(|s| s.get(column)).map(|s| s * unit),
     };
@@ -31,11 +31,11 @@ pub(super) fn terms(
             .collect();
         terms.extend(terms_of(columns.dataset, candidate, values));
     }
-    let mut spectra: Vec<Vec<Value>> = Vec::new();
+    let mut spectra: Vec<Vec<Estimate>> = Vec::new();
     let mut lines = Vec::new();
     for (JointLines { joint, periods }, range) in columns.lines.iter().zip(columns.of_lines()) {
         let last = periods.iter().max().map_or(0, |n| *n as usize);
-        let none = Value { value: 0.0, sigma: sigmas.map(|_| 0.0) };
+        let none = Estimate { value: 0.0, sigma: sigmas.map(|_| 0.0) };
         let mut spectrum = vec![none; 2 * last];
         for (n, column) in periods.iter().zip(range.step_by(2)) {
             let pair = [value(column, LINE_RAD), value(column + 1, LINE_RAD)];
@@ -73,8 +73,8 @@ pub(super) fn terms(
 const LEAST_TOLERANCES: f64 = 1e-9;
 
 /// The first `plain` values, then those of the links from `first` on, in a list of `all`.
-fn by_link(values: Vec<Value>, plain: usize, first: usize, all: usize) -> Vec<Value> {
-    let mut out = vec![Value::default(); all];
+fn by_link(values: Vec<Estimate>, plain: usize, first: usize, all: usize) -> Vec<Estimate> {
+    let mut out = vec![Estimate::default(); all];
     for (k, value) in values.into_iter().enumerate() {
         if let Some(to) = out.get_mut(if k < plain { k } else { first + k }) {
             *to = value;
@@ -123,9 +123,9 @@ pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f
 }
 
 /// Values of a compliance in the model's order: plain, of links, hardening and softening.
-fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> Option<Vec<Value>> {
+fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Estimate]) -> Option<Vec<Estimate>> {
     let joint = variant.joint?.index();
-    let mut out = vec![Value::default(); 10];
+    let mut out = vec![Estimate::default(); 10];
     out[0] = values.first().copied()?;
     for link in joint..dataset.joints() {
         *out.get_mut(compliance_of_link(link))? = values.get(1 + link - joint).copied().unwrap_or_default();
@@ -136,7 +136,7 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> O
         // Both were as large as the linear one at the largest torque.
         for (k, unit) in [1.0 / largest, largest.sqrt()].into_iter().enumerate() {
             let value = values.get(first + k)?;
-            out[7 + k] = Value { value: value.value * unit, sigma: value.sigma.map(|sigma| sigma * unit) };
+            out[7 + k] = Estimate { value: value.value * unit, sigma: value.sigma.map(|sigma| sigma * unit) };
         }
     }
     Some(out)
@@ -144,7 +144,7 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Value]) -> O
 
 /// A candidate's parameters as terms: its own, and the double frequency of a gear or the constant of a gain, which are no causes of
 /// their own.
-fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Value>) -> Vec<Term> {
+fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> Vec<Term> {
     if candidate.kind == EffectKind::JointOffset && candidate.variant.joint.is_none() {
         let of_joint = |(j, value)| Term::plain(candidate.kind, Some(Axis::at(j)), vec![value]);
         return values.into_iter().enumerate().map(of_joint).collect();
@@ -164,7 +164,7 @@ fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Value>) ->
 }
 
 /// A candidate's parameters, in the order of its motions, as a term.
-fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<Term> {
+fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Estimate>) -> Option<Term> {
     let kind = candidate.kind;
     let variant = &candidate.variant;
     let payload_scaling = variant.payload_scaling;
@@ -175,7 +175,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
             let mut all = by_link(values, 2, variant.joint?.index() + 2, 10);
             if variant.refined {
                 // By the moment alone: without the end force's part.
-                all[2] = Value { value: -all[0].value, ..all[0] };
+                all[2] = Estimate { value: -all[0].value, ..all[0] };
             }
             all
         }
@@ -186,12 +186,13 @@ fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Value>) -> Option<
                 1.0
             };
             let kg = values.first().copied()?;
-            let mut all = vec![Value { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
+            let mut all =
+                vec![Estimate { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
             let soft = soft(dataset.joints());
             for (j, give) in usual_compliance(&dataset.slides).iter().enumerate() {
                 let extra = soft.iter().position(|&x| x == j).and_then(|k| values.get(k + 1));
                 let value = share * give * (kg.value + extra.map_or(0.0, |e| e.value));
-                all.push(Value { value, sigma: None });
+                all.push(Estimate { value, sigma: None });
             }
             all
         }
@@ -336,7 +337,7 @@ mod tests {
                 let step = candidate.prior_sigma[k];
                 let at = |sign: f64| {
                     let value =
-                        |i: usize| Value { value: if i == k { sign * step } else { 0.0 }, sigma: None };
+                        |i: usize| Estimate { value: if i == k { sign * step } else { 0.0 }, sigma: None };
                     let values = (0..candidate.prior_sigma.len()).map(value).collect();
                     let terms = terms_of(&dataset, &candidate, values);
                     model_of(&robot, &stations, &registration, terms)

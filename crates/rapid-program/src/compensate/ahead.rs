@@ -3,7 +3,7 @@
 //! Nearly every target of a program stands where its confdata say, on the branch that the arm comes along. Where that is so
 //! nothing else need be known of it; where it is not, all branches are looked at.
 
-use super::branch::{Branch, ComesFrom, branch_as_written};
+use super::branch::{Branch, StartPosture, branch_as_written};
 use super::model::Model;
 use super::placement::Placement;
 use crate::program::motion::{Motion, MotionSetup, TargetValue};
@@ -80,7 +80,7 @@ impl PlacedTarget {
     pub(super) fn as_written(
         &self,
         motion: &Motion,
-        from: &[ComesFrom],
+        from: &[StartPosture],
         model: &Model<'_>,
     ) -> Option<Branch> {
         let [target] = &*motion.targets else { return None };

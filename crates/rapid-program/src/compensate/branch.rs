@@ -27,7 +27,7 @@ const APART: f64 = 1e-3;
 
 /// Where the arm stands before a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum ComesFrom {
+pub(super) enum StartPosture {
     /// With these joints, radians.
     Joints([f64; 6]),
     /// At a target that the text does not tell the branch of.
@@ -36,7 +36,7 @@ pub(super) enum ComesFrom {
     Anywhere,
 }
 
-impl ComesFrom {
+impl StartPosture {
     pub(super) fn joints(&self) -> Option<&[f64; 6]> {
         match self {
             Self::Joints(q_rad) => Some(q_rad),
@@ -68,8 +68,8 @@ impl Branch {
     }
 
     /// Where it leaves the arm.
-    pub(super) fn exit(&self) -> ComesFrom {
-        if self.others.is_empty() { ComesFrom::Joints(self.q_rad) } else { ComesFrom::UnknownBranch }
+    pub(super) fn exit(&self) -> StartPosture {
+        if self.others.is_empty() { StartPosture::Joints(self.q_rad) } else { StartPosture::UnknownBranch }
     }
 }
 
@@ -103,7 +103,7 @@ pub(super) fn branch_of(
     motion: &Motion,
     base_from_flange: &Isometry3<f64>,
     conf: &ConfData,
-    from: &[ComesFrom],
+    from: &[StartPosture],
     model: &Model,
 ) -> Result<Branch, SkipReason> {
     let solutions = model.closed.solutions(base_from_flange);
@@ -117,12 +117,12 @@ pub(super) fn branch_of(
     }
     let candidates = Candidates { solutions: &solutions, conf, model };
     let checked = motion.setup.conf_monitored;
-    let one = |from: &ComesFrom| match motion.setup.path {
+    let one = |from: &StartPosture| match motion.setup.path {
         Path::Joint | Path::AbsJoint => candidates.of_joint_move(checked, from.joints()),
         Path::Linear | Path::Circular => candidates.of_line(checked, from),
     };
     let mut all = from.iter().map(one);
-    let mut branch = all.next().unwrap_or_else(|| one(&ComesFrom::Anywhere))?;
+    let mut branch = all.next().unwrap_or_else(|| one(&StartPosture::Anywhere))?;
     for other in all {
         let other = other?;
         let same_branch = candidates.cfx(&other.q_rad) == candidates.cfx(&branch.q_rad);
@@ -140,7 +140,7 @@ pub(super) fn branch_as_written(
     motion: &Motion,
     q_rad: &[f64; 6],
     conf: &ConfData,
-    from: &[ComesFrom],
+    from: &[StartPosture],
     model: &Model,
 ) -> Option<Branch> {
     let [from] = from else { return None };
@@ -199,7 +199,7 @@ impl Candidates<'_> {
         }
     }
 
-    fn of_line(&self, conf_monitored: Option<bool>, from: &ComesFrom) -> Result<Branch, SkipReason> {
+    fn of_line(&self, conf_monitored: Option<bool>, from: &StartPosture) -> Result<Branch, SkipReason> {
         let along = from.joints().and_then(|from| self.along(from));
         let exact = self.as_written();
         let checked = conf_monitored == Some(true);
@@ -207,8 +207,8 @@ impl Candidates<'_> {
         match (exact, along, from) {
             (Some(written), Some(along), _) if same(&written, &along) => Ok(Branch::known(along)),
             (_, Some(along), _) => with(along, Note::Disagrees),
-            (Some(written), None, ComesFrom::Joints(_)) => with(written, Note::BranchChange),
-            (_, None, ComesFrom::UnknownBranch) if !checked => Ok(self.any()),
+            (Some(written), None, StartPosture::Joints(_)) => with(written, Note::BranchChange),
+            (_, None, StartPosture::UnknownBranch) if !checked => Ok(self.any()),
             (Some(written), None, _) if self.is_unset() => with(written, Note::Unset),
             (Some(written), None, _) if checked => Ok(Branch::known(written)),
             (Some(written), None, _) => with(written, Note::Unchecked),

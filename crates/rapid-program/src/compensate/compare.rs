@@ -218,15 +218,15 @@ fn motion(
 }
 
 /// A target as a pose in its work object and as the flange's pose.
-pub(super) struct Pose {
+pub(super) struct ComparedPose {
     object_from_tcp: Isometry3<f64>,
     pub(super) base_from_flange: Isometry3<f64>,
     pub(super) q_rad: Option<[f64; 6]>,
 }
 
-pub(super) fn pose(value: &TargetValue, placement: Placement, model: &Model) -> Option<Pose> {
+pub(super) fn pose(value: &TargetValue, placement: Placement, model: &Model) -> Option<ComparedPose> {
     Some(match value {
-        TargetValue::Rob(RobTarget { object_from_tcp, .. }) => Pose {
+        TargetValue::Rob(RobTarget { object_from_tcp, .. }) => ComparedPose {
             object_from_tcp: *object_from_tcp,
             base_from_flange: placement.base_from_flange(object_from_tcp),
             q_rad: None,
@@ -238,7 +238,7 @@ pub(super) fn pose(value: &TargetValue, placement: Placement, model: &Model) -> 
             }
             let base_from_flange = model.nominal.forward(&q_rad);
             let object_from_tcp = placement.object_from_tcp(&base_from_flange);
-            Pose { object_from_tcp, base_from_flange, q_rad: Some(q_rad) }
+            ComparedPose { object_from_tcp, base_from_flange, q_rad: Some(q_rad) }
         }
     })
 }
@@ -284,7 +284,7 @@ fn step(
 }
 
 /// Joints that confdata names, where nothing better is known.
-pub(super) fn as_configured(value: &TargetValue, pose: &Pose, model: &Model) -> Option<[f64; 6]> {
+pub(super) fn as_configured(value: &TargetValue, pose: &ComparedPose, model: &Model) -> Option<[f64; 6]> {
     let TargetValue::Rob(RobTarget { conf, .. }) = value else { return None };
     let written = Configuration::from(*conf);
     let solutions = model.closed.solutions(&pose.base_from_flange);

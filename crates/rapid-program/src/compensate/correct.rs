@@ -64,8 +64,8 @@ pub(super) fn correct(
         let of_buckets = || warm.iter().filter_map(|of_bucket| of_bucket.get(i));
         let joints = match joints_per_bucket(point, of_buckets(), model) {
             Ok(joints) => joints,
-            Err(NoJoints::Skip(why)) => return kept(Arc::new(why)),
-            Err(NoJoints::Refuse(why)) => {
+            Err(CorrectionFailure::Skip(why)) => return kept(Arc::new(why)),
+            Err(CorrectionFailure::Refuse(why)) => {
                 refusal.get_or_insert(why);
                 continue;
             }
@@ -193,7 +193,7 @@ fn pose_of(point: &Point, joints: &JointTarget, model: &Model) -> RobTarget {
 }
 
 /// Why a target has no corrected joints.
-enum NoJoints {
+enum CorrectionFailure {
     /// The motion stays as it is.
     Skip(SkipReason),
     /// The program is refused.
@@ -205,12 +205,12 @@ fn joints_per_bucket<'j>(
     point: &Point,
     warm: impl Iterator<Item = &'j CommandedOrKept>,
     model: &Model,
-) -> Result<Vec<[f64; 6]>, NoJoints> {
+) -> Result<Vec<[f64; 6]>, CorrectionFailure> {
     let own = model.closed.configuration(&point.q_rad);
     let mut joints: Vec<[f64; 6]> = Vec::new();
     let mut refusal = None;
     for sent in warm {
-        let q_rad = sent.as_ref().map_err(|why| NoJoints::Skip(why.clone()))?.q_rad;
+        let q_rad = sent.as_ref().map_err(|why| CorrectionFailure::Skip(why.clone()))?.q_rad;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
@@ -223,7 +223,7 @@ fn joints_per_bucket<'j>(
         }
         joints.push(q_rad);
     }
-    refusal.map_or(Ok(joints), |why| Err(NoJoints::Refuse(why)))
+    refusal.map_or(Ok(joints), |why| Err(CorrectionFailure::Refuse(why)))
 }
 
 fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<SkipReason> {

@@ -1,6 +1,6 @@
 //! The branch of a motion whose joints somebody outside knows, and what contradicts them.
 
-use super::branch::{Branch, Candidates, ComesFrom, Note};
+use super::branch::{Branch, Candidates, Note, StartPosture};
 use super::joints_hint::Hinted;
 use super::messages::span_of;
 use super::model::Model;
@@ -23,7 +23,7 @@ const APART_DEG: f64 = 0.05;
 /// `hint::pose` or `hint::branch`: what the hint contradicts.
 pub(super) fn hinted_branch(
     (motion, base_from_flange, conf): (&Motion, &Isometry3<f64>, &ConfData),
-    from: &[ComesFrom],
+    from: &[StartPosture],
     model: &Model,
     hinted: Hinted,
 ) -> Result<Branch, Diagnostic> {
@@ -53,7 +53,8 @@ pub(super) fn hinted_branch(
         }
         Path::Joint | Path::AbsJoint => Ok(Branch::known(q_rad)),
         Path::Linear | Path::Circular => {
-            let arrives = from.iter().filter_map(ComesFrom::joints).filter_map(|from| candidates.along(from));
+            let arrives =
+                from.iter().filter_map(StartPosture::joints).filter_map(|from| candidates.along(from));
             let elsewhere = arrives.map(|along| candidates.cfx(&along)).any(|along| along != cfx);
             let is_written = candidates.as_written().is_some_and(|written| candidates.cfx(&written) == cfx);
             let note = match (elsewhere, is_written) {

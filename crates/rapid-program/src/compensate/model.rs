@@ -4,7 +4,7 @@ use super::error::CompensateError;
 use super::options::Options;
 use crate::schedule::{Bucket, Moment, Schedule};
 use robot_model::deform::identified::{Identified, ThermalState};
-use robot_model::deform::{Deformation, DeformedArm, DeformedArms, GrowthLaw, Index};
+use robot_model::deform::{Deformation, DeformedArm, DeformedArms, GrowthLaw, TableIndex};
 use robot_model::kinematics::{Chain, ClosedForm, FrameOffsets, NominalFrames};
 use robot_model::robot::{Joints, Robot};
 use std::borrow::Cow;
@@ -35,7 +35,7 @@ impl<'a> Model<'a> {
         options: &Options,
         from_c: Option<f64>,
     ) -> Result<Self, CompensateError> {
-        if deformation.index() == Index::Temperature {
+        if deformation.index() == TableIndex::Temperature {
             return Err(CompensateError::Temperature);
         }
         let (identified, left_out) = match options.model.as_deref().map(Identified::for_programs) {

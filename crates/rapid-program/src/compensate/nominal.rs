@@ -1,7 +1,7 @@
 //! Where each motion is meant to go, and with which joints: one after the other, each after those that run before it.
 
 use super::ahead::{self, Ahead, PlacedTarget};
-use super::branch::{Branch, ComesFrom, WRIST_DEG, branch_of};
+use super::branch::{Branch, StartPosture, WRIST_DEG, branch_of};
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
 use super::messages::Messages;
@@ -60,17 +60,17 @@ impl Resolver<'_> {
     }
 
     /// From where the arm may come to a motion; of those before it that are not resolved yet nothing is said.
-    fn comes_from<'d>(&self, i: usize, done: impl Fn(usize) -> Option<&'d Resolved>) -> Vec<ComesFrom> {
+    fn comes_from<'d>(&self, i: usize, done: impl Fn(usize) -> Option<&'d Resolved>) -> Vec<StartPosture> {
         if self.apart.contains(&i) {
-            return vec![ComesFrom::UnknownBranch];
+            return vec![StartPosture::UnknownBranch];
         }
         let before = before(self.program, i);
-        let mut from: Vec<ComesFrom> = before.filter_map(|p| done(p).map(Resolved::exit)).collect();
+        let mut from: Vec<StartPosture> = before.filter_map(|p| done(p).map(Resolved::exit)).collect();
         if self.program.motions[i].from_start {
-            from.push(self.start_rad.map_or(ComesFrom::Anywhere, ComesFrom::Joints));
+            from.push(self.start_rad.map_or(StartPosture::Anywhere, StartPosture::Joints));
         }
         if from.is_empty() || self.program.also_anywhere.contains(&MotionId::new(i)) {
-            from.push(ComesFrom::Anywhere);
+            from.push(StartPosture::Anywhere);
         }
         from
     }
@@ -149,7 +149,7 @@ impl Resolver<'_> {
 
 fn resolve_motion(
     (motion, hinted, ahead): (&Motion, &[Hinted], Option<&PlacedTarget>),
-    from: &[ComesFrom],
+    from: &[StartPosture],
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
@@ -206,7 +206,7 @@ fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<Skip
 
 fn place_targets(
     (motion, hinted, ahead): (&Motion, &[Hinted], Option<&PlacedTarget>),
-    mut from: Vec<ComesFrom>,
+    mut from: Vec<StartPosture>,
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
@@ -280,7 +280,7 @@ impl PlacedPose<'_> {
     /// the arm comes from.
     fn branch(
         &self,
-        from: &[ComesFrom],
+        from: &[StartPosture],
         hinted: Option<Hinted>,
         model: &Model,
         report: &mut impl FnMut(Diagnostic),

@@ -117,7 +117,7 @@ pub(super) fn deviations_m(
 }
 
 /// The way between a motion's ends as the nominal controller goes it.
-struct Way {
+struct MotionPath {
     ends: Ends,
     /// `None` where it goes by joints.
     track: Option<Track>,
@@ -132,7 +132,10 @@ struct TrackPoses {
 }
 
 /// The ways of some legs.
-fn ways<'l>(legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>, model: &Model<'_>) -> Vec<Option<Way>> {
+fn ways<'l>(
+    legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>,
+    model: &Model<'_>,
+) -> Vec<Option<MotionPath>> {
     // Neighbours share an end: each is stood at once.
     let mut stands: Vec<([f64; 6], &Placement)> = Vec::new();
     let mut stand = |q_rad: &[f64; 6], placement: &'l Placement| {
@@ -161,7 +164,7 @@ fn ways<'l>(legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>, model: &Mod
     let way = |(ends, on_track): (Ends, Option<TrackPoses>)| {
         let track = on_track
             .map(|of: TrackPoses| Track::new(poses[of.start], of.via.map(|via| poses[via]), poses[of.end]));
-        Way { ends, track }
+        MotionPath { ends, track }
     };
     numbered.into_iter().map(|one| one.map(way)).collect()
 }
@@ -169,8 +172,8 @@ fn ways<'l>(legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>, model: &Mod
 /// A share of a leg at which its corrected way is compared with the programmed one.
 struct WaySample<'a> {
     leg: &'a Leg<'a>,
-    programmed: &'a Way,
-    way: &'a Way,
+    programmed: &'a MotionPath,
+    way: &'a MotionPath,
     arm: &'a DeformedArm,
     /// From 0 at the start to 1 at the end.
     share: f64,

@@ -6,7 +6,7 @@ use super::model::Model;
 use super::plan::Summary;
 use crate::schedule::Moment;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::identified::Identified;
+use robot_model::deform::identified::{FoundBy, Identified, Verdict};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
@@ -33,7 +33,9 @@ pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> R
     let mut warn = |code, text: String, help: &'static str| {
         messages.add(None, Diagnostic::warning(code, text).help(help));
     };
-    if identified.is_some_and(|identified| identified.verdict == "data_fault") {
+    if identified
+        .is_some_and(|identified| identified.found_by == Some(FoundBy::Diagnosis(Verdict::DataFault)))
+    {
         let text = "the model was written of measurements that contradict themselves (verdict data_fault)"
             .to_owned();
         warn("model::data-fault", text, "measure again before a robot is corrected with it");

@@ -72,10 +72,10 @@ impl Ramp {
                 Means::ByModel => {
                     let nominal = model.nominal.forward(&point.q_rad);
                     let deformed = arm.under(&point.conditions).forward(&point.q_rad);
-                    (*point, Commanded::Pose(nominal * deformed.inverse() * nominal))
+                    (*point, SentTo::Pose(nominal * deformed.inverse() * nominal))
                 }
             });
-            let sent: Vec<(&Point<'_>, Commanded)> = sent.collect();
+            let sent: Vec<(&Point<'_>, SentTo)> = sent.collect();
             let q_rad = joints(&sent, model);
             let corrected = targets.iter().zip(&q_rad);
             let corrected = corrected
@@ -120,7 +120,7 @@ impl Ramp {
                 };
                 Some((point, commanded(point, &meant, &corrections, &values)))
             });
-            let corrected: Vec<(&Point<'_>, Commanded)> = corrected.collect();
+            let corrected: Vec<(&Point<'_>, SentTo)> = corrected.collect();
             let reached: Option<Vec<[f64; 6]>> = joints(&corrected, model).into_iter().collect();
             let Some(reached) = reached else { return f64::INFINITY };
             let conditions: Vec<Conditions> = corrected.iter().map(|(point, _)| point.conditions).collect();
@@ -138,7 +138,7 @@ impl Ramp {
 }
 
 /// Where a motion sends the controller.
-enum Commanded {
+enum SentTo {
     /// Joint angles of a motion to joints, radians.
     Joints([f64; 6]),
     /// To a pose of the flange in the base.
@@ -146,18 +146,18 @@ enum Commanded {
 }
 
 /// The joints to which the nominal controller goes, radians; `None` where it cannot. The points' own are where it starts from.
-fn joints(sent: &[(&Point<'_>, Commanded)], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
+fn joints(sent: &[(&Point<'_>, SentTo)], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
     let poses = sent.iter().filter_map(|(point, commanded)| match commanded {
-        Commanded::Pose(pose) => Some((*pose, point.q_rad)),
-        Commanded::Joints(_) => None,
+        SentTo::Pose(pose) => Some((*pose, point.q_rad)),
+        SentTo::Joints(_) => None,
     });
     let poses: Vec<(Isometry3<f64>, [f64; 6])> = poses.collect();
     let mut solved = Vec::with_capacity(poses.len());
     model.nominal.solve_each_from(&poses, |one| solved.push(one.ok().map(|one| one.q_rad)));
     let mut solved = solved.into_iter();
     let joints = sent.iter().map(|(_, commanded)| match commanded {
-        Commanded::Joints(q_rad) => Some(*q_rad),
-        Commanded::Pose(_) => solved.next().flatten(),
+        SentTo::Joints(q_rad) => Some(*q_rad),
+        SentTo::Pose(_) => solved.next().flatten(),
     });
     joints.collect()
 }
@@ -168,7 +168,7 @@ fn commanded(
     meant: &Isometry3<f64>,
     corrections: &[Correction],
     values: &[f64],
-) -> Commanded {
+) -> SentTo {
     let (mut q_rad, mut by_joints) = (point.q_rad, false);
     let (mut shift_m, mut turn) = (Vector3::zeros(), Vector3::zeros());
     for (correction, value) in corrections.iter().zip(values) {
@@ -184,10 +184,10 @@ fn commanded(
         }
     }
     if by_joints {
-        return Commanded::Joints(q_rad);
+        return SentTo::Joints(q_rad);
     }
     let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(1.0, turn));
     let commanded =
         Isometry3::from_parts(Translation3::from(meant.translation.vector + shift_m), turn * meant.rotation);
-    Commanded::Pose(point.placement.base_from_flange(&commanded))
+    SentTo::Pose(point.placement.base_from_flange(&commanded))
 }

@@ -1,6 +1,6 @@
 //! What a motion comes to on the nominal arm: where its targets are, with which joints, under which load, or why it stays as it is.
 
-use super::branch::ComesFrom;
+use super::branch::StartPosture;
 use super::model::Model;
 use super::placement::Placement;
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
@@ -153,11 +153,11 @@ impl Resolved {
     }
 
     /// Where it leaves the arm.
-    pub(super) fn exit(&self) -> ComesFrom {
+    pub(super) fn exit(&self) -> StartPosture {
         match self.exit_q_rad() {
-            Some(q_rad) => ComesFrom::Joints(q_rad),
-            None if self.may_be.is_some() => ComesFrom::UnknownBranch,
-            None => ComesFrom::Anywhere,
+            Some(q_rad) => StartPosture::Joints(q_rad),
+            None if self.may_be.is_some() => StartPosture::UnknownBranch,
+            None => StartPosture::Anywhere,
         }
     }
 

@@ -1,9 +1,9 @@
 //! The reference paper's offline method: the joints of every target at every minute of warm-up.
 
-use super::targets::Target;
+use super::targets::NamedPose;
 use crate::parallel;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::{Deformation, Index};
+use robot_model::deform::{Deformation, TableIndex};
 use robot_model::kinematics::{
     Chain, Chains, ClosedForm, Configuration, NominalFrames, Solution, SolveError, Solved, StructureError,
 };
@@ -22,7 +22,7 @@ pub struct MinuteTable {
 /// A target at a minute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MinuteTableRow {
-    /// Index of the target.
+    /// TableIndex of the target.
     pub target: usize,
     /// The warm-up minute, from 0.
     pub t_min: f64,
@@ -170,12 +170,12 @@ impl From<TabulateError> for Diagnostic {
 pub fn tabulate(
     robot: &Robot,
     deformation: &Deformation,
-    targets: &[Target],
+    targets: &[NamedPose],
     configuration: Option<&Configuration>,
     minutes: &[f64],
 ) -> Result<MinuteTable, TabulateError> {
     let closed = ClosedForm::new(robot)?;
-    if deformation.index() != Index::WarmUpTime {
+    if deformation.index() != TableIndex::WarmUpTime {
         return Err(TabulateError::Temperature);
     }
     let nominal = nominal_solutions(&closed, targets, configuration)?;
@@ -227,7 +227,7 @@ pub fn tabulate(
 /// For each target the nominal joints, nearest to those of the target before.
 fn nominal_solutions(
     closed: &ClosedForm,
-    targets: &[Target],
+    targets: &[NamedPose],
     configuration: Option<&Configuration>,
 ) -> Result<Vec<Solution>, TabulateError> {
     let mut nominal: Vec<Solution> = Vec::with_capacity(targets.len());
@@ -243,7 +243,7 @@ fn nominal_solutions(
 
 fn choose(
     closed: &ClosedForm,
-    target: &Target,
+    target: &NamedPose,
     configuration: Option<&Configuration>,
     previous_rad: &[f64; 6],
 ) -> Result<Solution, NoJoints> {
@@ -278,7 +278,7 @@ mod tests {
         Robot::built_in("irb140").unwrap()
     }
 
-    fn cube() -> Vec<Target> {
+    fn cube() -> Vec<NamedPose> {
         targets::read(include_bytes!("../../../../fixtures/paper/targets45.csv"), None).unwrap()
     }
 

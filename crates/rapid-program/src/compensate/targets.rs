@@ -11,7 +11,7 @@ use thiserror::Error;
 
 /// A named flange pose.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Target {
+pub struct NamedPose {
     /// As in the file.
     pub name: String,
     /// Line of the file, from 1.
@@ -86,7 +86,7 @@ const PAPERS: [&str; 7] = ["no.point", "x[mm]", "y[mm]", "z[mm]", "ox[deg]", "oy
 ///
 /// # Errors
 /// [`TargetsError`] with line and column.
-pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<Vec<Target>, TargetsError> {
+pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<Vec<NamedPose>, TargetsError> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let lines = LineIndex::new(bytes);
@@ -114,7 +114,7 @@ pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<V
         } else {
             *orientation.ok_or(TargetsError::NoOrientation)?
         };
-        targets.push(Target {
+        targets.push(NamedPose {
             name: row.get(0).unwrap_or_default().to_owned(),
             line,
             base_from_flange: Isometry3::from_parts(position, rotation),

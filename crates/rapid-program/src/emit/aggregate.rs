@@ -52,11 +52,11 @@ pub fn is_plain(text: &[u8]) -> bool {
     let mut previous = b'[';
     for &byte in text {
         let fits = match PLAIN[usize::from(byte)] {
-            Plain::Part => true,
-            Plain::White => continue,
-            Plain::Sign => matches!(previous, b'[' | b',' | b'e' | b'E'),
-            Plain::Exponent => previous.is_ascii_digit() || previous == b'.',
-            Plain::Other => false,
+            ByteClass::Part => true,
+            ByteClass::White => continue,
+            ByteClass::Sign => matches!(previous, b'[' | b',' | b'e' | b'E'),
+            ByteClass::Exponent => previous.is_ascii_digit() || previous == b'.',
+            ByteClass::Other => false,
         };
         if !fits {
             return false;
@@ -68,7 +68,7 @@ pub fn is_plain(text: &[u8]) -> bool {
 
 /// What a byte may be in an aggregate of numbers.
 #[derive(Clone, Copy)]
-enum Plain {
+enum ByteClass {
     Part,
     White,
     Sign,
@@ -77,16 +77,16 @@ enum Plain {
 }
 
 /// Each byte's class in [`is_plain`]: a table, as this looks at every byte that is emitted or restored.
-const PLAIN: [Plain; 256] = {
-    let mut all = [Plain::Other; 256];
+const PLAIN: [ByteClass; 256] = {
+    let mut all = [ByteClass::Other; 256];
     let mut byte = 0;
     while byte < all.len() {
         all[byte] = match byte as u8 {
-            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => Plain::Part,
-            b'+' | b'-' => Plain::Sign,
-            b'e' | b'E' => Plain::Exponent,
-            other if white(other) => Plain::White,
-            _ => Plain::Other,
+            b'0'..=b'9' | b'.' | b'[' | b']' | b',' => ByteClass::Part,
+            b'+' | b'-' => ByteClass::Sign,
+            b'e' | b'E' => ByteClass::Exponent,
+            other if white(other) => ByteClass::White,
+            _ => ByteClass::Other,
         };
         byte += 1;
     }

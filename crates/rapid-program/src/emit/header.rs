@@ -219,14 +219,14 @@ pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize)
 }
 
 /// An entry of the block: what stands before the colon, and what behind it, with that of the lines that go on with it.
-struct Entry {
+struct BlockEntry {
     key: Vec<u8>,
     text: Vec<u8>,
 }
 
 /// The entries of a block, and the number of lines up to and including the last.
-fn entries<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Vec<Entry>, usize), String> {
-    let mut entries: Vec<Entry> = Vec::new();
+fn entries<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Vec<BlockEntry>, usize), String> {
+    let mut entries: Vec<BlockEntry> = Vec::new();
     let mut count = 0;
     for line in lines {
         let Some(comment) = line.trim_ascii().strip_prefix(b"!") else { break };
@@ -242,7 +242,7 @@ fn entries<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Vec<Entry>, usi
                 last.text.extend_from_slice(rest);
             }
         } else {
-            entries.push(Entry { key: key.to_vec(), text: rest.to_vec() });
+            entries.push(BlockEntry { key: key.to_vec(), text: rest.to_vec() });
         }
     }
     Err("the comment block after MODULE has no end".to_owned())
@@ -250,7 +250,7 @@ fn entries<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Vec<Entry>, usi
 
 impl Record {
     /// Takes over what an entry says; `None` where it is damaged.
-    fn accept(&mut self, Entry { key, text }: Entry) -> Option<()> {
+    fn accept(&mut self, BlockEntry { key, text }: BlockEntry) -> Option<()> {
         let utf8 = std::str::from_utf8(&text).ok()?;
         match key.as_slice() {
             b"core" => self.is_core = true,

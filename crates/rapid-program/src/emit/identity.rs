@@ -49,8 +49,8 @@ pub fn differences(
     overrides: &Overrides,
 ) -> Vec<Difference> {
     let mut found = Vec::new();
-    let before = Plain::of(before, overrides, &mut found);
-    let after = Plain::of(after, overrides, &mut found);
+    let before = WithoutAdded::of(before, overrides, &mut found);
+    let after = WithoutAdded::of(after, overrides, &mut found);
     for (a, b) in &pairs.pairs {
         match (before.file(*a), after.file(*b)) {
             (Some(a), Some(b)) => found.extend(text_difference((&before.program, a), (&after.program, b))),
@@ -76,13 +76,13 @@ fn text_difference((before, a): (&Program, FileId), (after, b): (&Program, FileI
 }
 
 /// A program without what was added to it.
-struct Plain {
+struct WithoutAdded {
     program: Program,
     /// For each of its files the one that it was made of.
     origin: Vec<FileId>,
 }
 
-impl Plain {
+impl WithoutAdded {
     fn of(program: &Program, overrides: &Overrides, found: &mut Vec<Difference>) -> Self {
         let compensated = |file: &SourceFile| {
             program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())

@@ -126,7 +126,7 @@ pub(super) fn walk<'a, C: ForwardAnalysis<'a>>(
     body: &[Node<'a>],
     entry: &C::State,
 ) -> Option<C::State> {
-    let mut walk = Walk { analysis, labels: ByNumber::default(), again: false, end: None };
+    let mut walk = FlowWalk { analysis, labels: ByNumber::default(), again: false, end: None };
     loop {
         walk.again = false;
         walk.labels.values_mut().for_each(|label| label.seen = false);
@@ -138,7 +138,7 @@ pub(super) fn walk<'a, C: ForwardAnalysis<'a>>(
     }
 }
 
-struct Walk<'c, 'a, C: ForwardAnalysis<'a>> {
+struct FlowWalk<'c, 'a, C: ForwardAnalysis<'a>> {
     analysis: &'c mut C,
     labels: ByNumber<Sym, LabelState<C::State>>,
     again: bool,
@@ -153,7 +153,7 @@ struct LabelState<S> {
     seen: bool,
 }
 
-impl<'a, C: ForwardAnalysis<'a>> Walk<'_, 'a, C> {
+impl<'a, C: ForwardAnalysis<'a>> FlowWalk<'_, 'a, C> {
     fn block(&mut self, nodes: &[Node<'a>], mut state: Option<C::State>) -> Option<C::State> {
         for node in nodes {
             state = self.node(node, state);

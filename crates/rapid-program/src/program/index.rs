@@ -9,7 +9,7 @@ mod declare;
 use declare::task_of;
 
 use super::ids::{DatumId, ModuleId, RoutineIndex, Table};
-use super::names::{ByNumber, Names, Sym};
+use super::names::{ByNumber, Interner, Sym};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{DataKind, Expr, FileItem, Module, ParamMode, RecordDecl, Routine};
@@ -99,7 +99,7 @@ struct ScopedName<I> {
 #[derive(Debug)]
 pub(super) struct Index<'a> {
     pub(super) files: &'a [SourceFile],
-    pub(super) names: Names,
+    pub(super) names: Interner,
     pub(super) modules: Table<ModuleId, ModuleEntry<'a>>,
     pub(super) routines: Table<RoutineIndex, RoutineEntry<'a>>,
     pub(super) data: Table<DatumId, Datum<'a>>,
@@ -116,7 +116,7 @@ impl<'a> Index<'a> {
     pub(super) fn new(files: &'a [SourceFile]) -> Self {
         let mut index = Self {
             files,
-            names: Names::default(),
+            names: Interner::default(),
             modules: Table::default(),
             routines: Table::default(),
             data: Table::default(),
@@ -192,7 +192,7 @@ impl<'a> Index<'a> {
         format!("line {} of {}", file.line(span.range), file.path)
     }
 
-    /// Names and types of a record's components.
+    /// Interner and types of a record's components.
     pub(super) fn components(&self, type_name: Sym) -> Option<Vec<(Sym, Sym)>> {
         let type_name = self.plain_type(type_name);
         if let Some((file, record)) = self.records.get(&type_name) {

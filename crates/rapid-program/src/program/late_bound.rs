@@ -41,16 +41,16 @@ fn is_of_type(index: &Index<'_>, ctx: Ctx, value: &Expr, routine: &RoutineEntry<
 }
 
 /// What a sum of strings begins or ends with.
-struct Written {
+struct NamePart {
     text: String,
     /// It is all of it.
     whole: bool,
 }
 
-fn written(index: &Index<'_>, ctx: Ctx, expr: &Expr, first: bool) -> Written {
+fn written(index: &Index<'_>, ctx: Ctx, expr: &Expr, first: bool) -> NamePart {
     match &expr.kind {
         ExprKind::String => {
-            Written { text: lower_case(&value::string(index.text(ctx.file, expr.range))), whole: true }
+            NamePart { text: lower_case(&value::string(index.text(ctx.file, expr.range))), whole: true }
         }
         ExprKind::Paren(inner) => written(index, ctx, inner, first),
         ExprKind::Name => match index.datum(expr.range, ctx) {
@@ -59,11 +59,11 @@ fn written(index: &Index<'_>, ctx: Ctx, expr: &Expr, first: bool) -> Written {
                     Some(init) if !matches!(init.kind, ExprKind::Name) => {
                         written(index, entry.ctx, init, first)
                     }
-                    _ => Written { text: String::new(), whole: false },
+                    _ => NamePart { text: String::new(), whole: false },
                 },
-                _ => Written { text: String::new(), whole: false },
+                _ => NamePart { text: String::new(), whole: false },
             },
-            _ => Written { text: String::new(), whole: false },
+            _ => NamePart { text: String::new(), whole: false },
         },
         ExprKind::Binary(sum) if sum.op == BinaryOp::Add => {
             let [near, far] = if first { [&sum.lhs, &sum.rhs] } else { [&sum.rhs, &sum.lhs] };
@@ -73,8 +73,8 @@ fn written(index: &Index<'_>, ctx: Ctx, expr: &Expr, first: bool) -> Written {
             }
             let far = written(index, ctx, far, first);
             let text = if first { near.text + &far.text } else { far.text + &near.text };
-            Written { text, whole: far.whole }
+            NamePart { text, whole: far.whole }
         }
-        _ => Written { text: String::new(), whole: false },
+        _ => NamePart { text: String::new(), whole: false },
     }
 }

@@ -120,7 +120,7 @@ impl<'a> MotionSites<'a> {
             }
             let gotos = gotos(routine.tree);
             let (sites, open) = (&mut sites, Vec::new());
-            let mut walk = Walk { sites, evaluator: &mut *evaluator, id, gotos, open, info: None };
+            let mut walk = SiteCollector { sites, evaluator: &mut *evaluator, id, gotos, open, info: None };
             walk.body(&routine.tree.body);
             for handler in &routine.tree.handlers {
                 walk.open.clear();
@@ -138,7 +138,7 @@ struct Open {
     counted: Option<usize>,
 }
 
-struct Walk<'d, 'a> {
+struct SiteCollector<'d, 'a> {
     sites: &'d mut MotionSites<'a>,
     evaluator: &'d mut ConstEvaluator<'a>,
     id: RoutineIndex,
@@ -147,7 +147,7 @@ struct Walk<'d, 'a> {
     info: Option<motion::RoutineId>,
 }
 
-impl<'a> Walk<'_, 'a> {
+impl<'a> SiteCollector<'_, 'a> {
     fn ctx(&self) -> Ctx {
         self.evaluator.index.routines[self.id].ctx
     }

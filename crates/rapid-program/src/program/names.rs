@@ -1,4 +1,4 @@
-//! Names without regard to case, each known by a small number.
+//! Interner without regard to case, each known by a small number.
 //!
 //! RAPID's letters are those of ISO 8859-1; newer controllers write UTF-8. A name is read as UTF-8 where
 //! it is that, else as Latin-1, so `ÄRM` and `ärm` are one name in either.
@@ -12,7 +12,7 @@ pub(super) struct Sym(u32);
 
 /// All names of a program.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Names {
+pub(super) struct Interner {
     /// By the name in lower case.
     by_text: HashMap<Box<[u8]>, Sym, NameSeed>,
     texts: Vec<Box<str>>,
@@ -124,7 +124,7 @@ pub(super) fn as_text(name: &[u8]) -> String {
     }
 }
 
-impl Names {
+impl Interner {
     /// The number of a name, new where it was not seen before.
     pub(super) fn intern(&mut self, name: &[u8]) -> Sym {
         if let Some(sym) = self.find(name) {
@@ -162,7 +162,7 @@ mod tests {
 
     #[test]
     fn case_does_not_count_in_ascii_latin_1_and_utf_8() {
-        let mut names = Names::default();
+        let mut names = Interner::default();
         let p = names.intern(b"pHome");
         assert_eq!(names.intern(b"PHOME"), p);
         let latin = names.intern(b"\xC4rm"); // Ä

@@ -16,7 +16,7 @@ const MOST_MOTIONS: usize = 8;
 
 /// Where the arm comes from.
 #[derive(Clone, Debug, PartialEq)]
-enum ComesFrom {
+enum Predecessor {
     /// From where the routine's caller left it.
     Entry,
     /// From where a motion ends.
@@ -67,7 +67,7 @@ pub(super) fn order(
     sites: &MotionSites<'_>,
     control_flow: &ControlFlow<'_>,
 ) -> Vec<Before> {
-    let mut walker = Walker {
+    let mut walker = OrderAnalysis {
         sites,
         control_flow,
         at_motions: vec![None; sites.motions.len()],
@@ -85,16 +85,17 @@ pub(super) fn order(
         walker.exit(id);
     }
     let entries = walker.entries(index);
-    let previous = |(at, site): (&Option<ComesFrom>, &super::motion_site::MotionSite<'_>)| {
+    let previous = |(at, site): (&Option<Predecessor>, &super::motion_site::MotionSite<'_>)| {
         let entry = site.ctx(index).routine.and_then(|r| entries.get(r)?.as_ref());
-        match resolve(at.as_ref().unwrap_or(&ComesFrom::Anywhere), entry.unwrap_or(&ComesFrom::Anywhere)) {
-            ComesFrom::Motion(previous) => Before::Motion(previous),
-            ComesFrom::Start => Before::Start,
-            ComesFrom::OneOf(origins) if !origins.entry => {
+        match resolve(at.as_ref().unwrap_or(&Predecessor::Anywhere), entry.unwrap_or(&Predecessor::Anywhere))
+        {
+            Predecessor::Motion(previous) => Before::Motion(previous),
+            Predecessor::Start => Before::Start,
+            Predecessor::OneOf(origins) if !origins.entry => {
                 let motions = origins.motions.iter().copied().collect();
                 Before::OneOf { start: origins.start, anywhere: origins.anywhere, motions }
             }
-            ComesFrom::OneOf(_) | ComesFrom::Entry | ComesFrom::Anywhere | ComesFrom::ManyPlaces => {
+            Predecessor::OneOf(_) | Predecessor::Entry | Predecessor::Anywhere | Predecessor::ManyPlaces => {
                 Before::Unknown
             }
         }
@@ -107,14 +108,14 @@ struct Call {
     caller: RoutineIndex,
     callee: RoutineIndex,
     /// Where the arm comes from then, in terms of the caller's entry.
-    comes_from: ComesFrom,
+    comes_from: Predecessor,
 }
 
-struct Walker<'w, 'a> {
+struct OrderAnalysis<'w, 'a> {
     sites: &'w MotionSites<'a>,
     control_flow: &'w ControlFlow<'a>,
-    at_motions: Vec<Option<ComesFrom>>,
-    exits: Table<RoutineIndex, Option<Option<ComesFrom>>>,
+    at_motions: Vec<Option<Predecessor>>,
+    exits: Table<RoutineIndex, Option<Option<Predecessor>>>,
     calls: Vec<Call>,
     busy: Vec<RoutineIndex>,
     /// For each routine whether its handlers may move the arm.
@@ -123,23 +124,23 @@ struct Walker<'w, 'a> {
     exits_cycle: bool,
 }
 
-impl Walker<'_, '_> {
+impl OrderAnalysis<'_, '_> {
     /// Where the arm comes from after a routine, in terms of its entry; `None`: it never comes back.
-    fn exit(&mut self, routine: RoutineIndex) -> Option<ComesFrom> {
+    fn exit(&mut self, routine: RoutineIndex) -> Option<Predecessor> {
         if let Some(known) = self.exits.get(routine).cloned().flatten() {
             return known;
         }
         if self.busy.contains(&routine) || self.busy.len() > 100 {
-            return Some(ComesFrom::Anywhere);
+            return Some(Predecessor::Anywhere);
         }
         self.busy.push(routine);
         let control_flow = self.control_flow;
         let mut exit = None;
         if let Some(cfg) = control_flow.routines.get(routine) {
-            exit = walk(self, &cfg.body, &ComesFrom::Entry);
+            exit = walk(self, &cfg.body, &Predecessor::Entry);
             for handler in &cfg.handlers {
-                if walk(self, handler, &ComesFrom::Anywhere).is_some() {
-                    exit = Some(exit.map_or(ComesFrom::Anywhere, |exit| or_anywhere(&exit)));
+                if walk(self, handler, &Predecessor::Anywhere).is_some() {
+                    exit = Some(exit.map_or(Predecessor::Anywhere, |exit| or_anywhere(&exit)));
                 }
             }
         }
@@ -151,20 +152,20 @@ impl Walker<'_, '_> {
     }
 
     /// Where the arm comes from when each routine is entered: what all its calls have in common.
-    fn entries(&mut self, index: &Index<'_>) -> Table<RoutineIndex, Option<ComesFrom>> {
+    fn entries(&mut self, index: &Index<'_>) -> Table<RoutineIndex, Option<Predecessor>> {
         let calls = std::mem::take(&mut self.calls);
         let called: IdSet<RoutineIndex> = calls.iter().map(|call| call.callee).collect();
         let is_main =
             |r: &RoutineEntry<'_>| r.tree.kind == RoutineKind::Proc && index.names.text(r.name) == "main";
         let has_main = index.routines.iter().any(is_main);
         let first = |(id, r): (RoutineIndex, &RoutineEntry<'_>)| match r.tree.kind {
-            RoutineKind::Trap => Some(ComesFrom::Anywhere),
+            RoutineKind::Trap => Some(Predecessor::Anywhere),
             _ if is_main(r) => Some(self.begins(id)),
             _ if called.contains(id) => None,
-            RoutineKind::Proc if !has_main => Some(ComesFrom::Start),
-            RoutineKind::Proc | RoutineKind::Func { .. } => Some(ComesFrom::Anywhere),
+            RoutineKind::Proc if !has_main => Some(Predecessor::Start),
+            RoutineKind::Proc | RoutineKind::Func { .. } => Some(Predecessor::Anywhere),
         };
-        let mut entries: Table<RoutineIndex, Option<ComesFrom>> =
+        let mut entries: Table<RoutineIndex, Option<Predecessor>> =
             index.routines.numbered().map(first).collect();
         loop {
             let mut changed = false;
@@ -186,31 +187,31 @@ impl Walker<'_, '_> {
     }
 }
 
-impl Walker<'_, '_> {
+impl OrderAnalysis<'_, '_> {
     /// Where the arm comes from when main begins: the first time from where it stands, then from where it ended, as a
     /// controller begins a program anew that has come to its end.
-    fn begins(&self, main: RoutineIndex) -> ComesFrom {
+    fn begins(&self, main: RoutineIndex) -> Predecessor {
         if self.exits_cycle {
-            return ComesFrom::Anywhere;
+            return Predecessor::Anywhere;
         }
         match self.exits.get(main) {
-            Some(Some(Some(exit))) => either(&ComesFrom::Start, &resolve(exit, &ComesFrom::Start)),
-            _ => ComesFrom::Start,
+            Some(Some(Some(exit))) => either(&Predecessor::Start, &resolve(exit, &Predecessor::Start)),
+            _ => Predecessor::Start,
         }
     }
 }
 
-impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
-    type State = ComesFrom;
+impl<'a> ForwardAnalysis<'a> for OrderAnalysis<'_, 'a> {
+    type State = Predecessor;
 
-    fn join(&mut self, into: &mut ComesFrom, other: &ComesFrom) -> bool {
+    fn join(&mut self, into: &mut Predecessor, other: &Predecessor) -> bool {
         let joined = either(into, other);
         let changed = joined != *into;
         *into = joined;
         changed
     }
 
-    fn step(&mut self, step: &FlowStep<'a>, state: ComesFrom) -> Option<ComesFrom> {
+    fn step(&mut self, step: &FlowStep<'a>, state: Predecessor) -> Option<Predecessor> {
         match step {
             FlowStep::Motions { first, count } => {
                 let mut from = state;
@@ -219,9 +220,9 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                         *at = Some(at.as_ref().map_or_else(|| from.clone(), |seen| either(seen, &from)));
                     }
                     from = match self.sites.motions.get(motion.index()).map(|site| site.form.special) {
-                        Some(Special::Plain | Special::Unsupported) => ComesFrom::Motion(motion),
+                        Some(Special::Plain | Special::Unsupported) => Predecessor::Motion(motion),
                         Some(Special::External) => from,
-                        Some(Special::Search) | None => ComesFrom::Anywhere, // it stops somewhere on its way
+                        Some(Special::Search) | None => Predecessor::Anywhere, // it stops somewhere on its way
                     };
                 }
                 Some(from)
@@ -230,7 +231,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 let caller = self.busy.last().copied();
                 let mut out = maybe.then(|| state.clone());
                 if recovery.next {
-                    out = Some(ComesFrom::Anywhere); // the call may end anywhere, too
+                    out = Some(Predecessor::Anywhere); // the call may end anywhere, too
                 }
                 let state = if recovery.again { or_anywhere(&state) } else { state };
                 for &callee in routines {
@@ -252,7 +253,7 @@ impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
                 let away = recovery.resumes() && moved.copied().unwrap_or(false);
                 Some(if away { or_anywhere(&state) } else { state })
             }
-            FlowStep::UnknownPosition => Some(ComesFrom::Anywhere),
+            FlowStep::UnknownPosition => Some(Predecessor::Anywhere),
             FlowStep::ExitCycle => {
                 self.exits_cycle = true;
                 None
@@ -276,38 +277,38 @@ fn moves(nodes: &[Node<'_>]) -> bool {
 }
 
 /// What is said in terms of a routine's entry, with the entry known.
-fn resolve(from: &ComesFrom, entry: &ComesFrom) -> ComesFrom {
+fn resolve(from: &Predecessor, entry: &Predecessor) -> Predecessor {
     match from {
-        ComesFrom::Entry => entry.clone(),
-        ComesFrom::OneOf(origins) if origins.entry => {
+        Predecessor::Entry => entry.clone(),
+        Predecessor::OneOf(origins) if origins.entry => {
             let own = Origins { entry: false, ..(**origins).clone() };
-            either(&ComesFrom::OneOf(Rc::new(own)), entry)
+            either(&Predecessor::OneOf(Rc::new(own)), entry)
         }
         other => other.clone(),
     }
 }
 
 /// The same, or from a place that is not known.
-fn or_anywhere(from: &ComesFrom) -> ComesFrom {
-    either(from, &ComesFrom::Anywhere)
+fn or_anywhere(from: &Predecessor) -> Predecessor {
+    either(from, &Predecessor::Anywhere)
 }
 
 /// Where the arm may come from by two ways.
-fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
+fn either(a: &Predecessor, b: &Predecessor) -> Predecessor {
     if a == b {
         return a.clone();
     }
     let mut all = Origins::default();
     for from in [a, b] {
         match from {
-            ComesFrom::ManyPlaces => return ComesFrom::ManyPlaces,
-            ComesFrom::Anywhere => all.anywhere = true,
-            ComesFrom::Entry => all.entry = true,
-            ComesFrom::Start => all.start = true,
-            ComesFrom::Motion(motion) => {
+            Predecessor::ManyPlaces => return Predecessor::ManyPlaces,
+            Predecessor::Anywhere => all.anywhere = true,
+            Predecessor::Entry => all.entry = true,
+            Predecessor::Start => all.start = true,
+            Predecessor::Motion(motion) => {
                 all.motions.insert(*motion);
             }
-            ComesFrom::OneOf(origins) => {
+            Predecessor::OneOf(origins) => {
                 all.entry |= origins.entry;
                 all.start |= origins.start;
                 all.anywhere |= origins.anywhere;
@@ -315,5 +316,5 @@ fn either(a: &ComesFrom, b: &ComesFrom) -> ComesFrom {
             }
         }
     }
-    if all.motions.len() > MOST_MOTIONS { ComesFrom::ManyPlaces } else { ComesFrom::OneOf(Rc::new(all)) }
+    if all.motions.len() > MOST_MOTIONS { Predecessor::ManyPlaces } else { Predecessor::OneOf(Rc::new(all)) }
 }

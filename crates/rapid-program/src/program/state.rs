@@ -72,7 +72,7 @@ pub(super) fn states_at_motions<'a>(
     control_flow: &ControlFlow<'a>,
     tracked: &TrackedData,
 ) -> StatesAtMotions {
-    let mut walker = Walker::new(evaluator, motions, control_flow, tracked);
+    let mut walker = StateAnalysis::new(evaluator, motions, control_flow, tracked);
     walker.run();
     let first = walker.at_motions.clone();
     while walker.widen_entry() {
@@ -81,7 +81,7 @@ pub(super) fn states_at_motions<'a>(
     StatesAtMotions { first, any: walker.at_motions, left: walker.left }
 }
 
-struct Walker<'w, 'a> {
+struct StateAnalysis<'w, 'a> {
     evaluator: &'w mut ConstEvaluator<'a>,
     control_flow: &'w ControlFlow<'a>,
     tracked: &'w TrackedData,
@@ -146,7 +146,7 @@ struct Busy {
     recursive: bool,
 }
 
-impl<'w, 'a> Walker<'w, 'a> {
+impl<'w, 'a> StateAnalysis<'w, 'a> {
     fn new(
         evaluator: &'w mut ConstEvaluator<'a>,
         motions: usize,
@@ -176,7 +176,7 @@ impl<'w, 'a> Walker<'w, 'a> {
     }
 }
 
-impl Walker<'_, '_> {
+impl StateAnalysis<'_, '_> {
     fn run(&mut self) {
         self.in_handlers = self.control_flow.routines.iter().map(|cfg| self.in_handlers_of(cfg)).collect();
         let index = self.evaluator.index;

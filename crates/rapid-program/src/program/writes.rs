@@ -3,7 +3,7 @@
 
 mod scan;
 
-use scan::Changes;
+use scan::ScannedWrites;
 
 use super::ids::{DatumId, Table};
 use super::index::{DatumKind, Index};
@@ -58,7 +58,7 @@ pub(super) struct PassedDatum {
 impl Writes {
     /// Every change in the given files.
     pub(super) fn new(index: &Index<'_>) -> Self {
-        let Changes { mut writes, passed, by_name } = Changes::of(index);
+        let ScannedWrites { mut writes, passed, by_name } = ScannedWrites::of(index);
         writes.by_reference = passed;
         writes.add_named(index, &by_name);
         writes.add_other_tasks(index);

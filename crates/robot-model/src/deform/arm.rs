@@ -239,7 +239,7 @@ impl ArmKinematics for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Growth, Value};
+    use crate::deform::identified::{Estimate, Growth};
     use crate::deform::{EffectKind, GrowthLaw};
     use crate::kinematics::solve;
     use crate::robot::Axis;
@@ -248,7 +248,7 @@ mod tests {
         Term::plain(
             kind,
             joint.map(Axis::at),
-            values.iter().map(|&value| Value { value, sigma: None }).collect(),
+            values.iter().map(|&value| Estimate { value, sigma: None }).collect(),
         )
     }
 

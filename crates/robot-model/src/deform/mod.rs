@@ -28,7 +28,7 @@ use crate::kinematics::FrameOffsets;
 
 /// What a deformation depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Index {
+pub enum TableIndex {
     /// Minutes of warm-up since cold.
     WarmUpTime,
     /// A temperature in degrees Celsius.
@@ -44,7 +44,7 @@ enum Tabulation {
     /// One table that grows with warm-up time.
     Static { offsets: FrameOffsets, growth: GrowthLaw },
     /// For each row of [`FrameOffsets`] its knots, index ascending; linear between, held outside.
-    Scheduled { index: Index, knots: [Vec<Knot>; 7] },
+    Scheduled { index: TableIndex, knots: [Vec<Knot>; 7] },
 }
 
 /// A row of offsets at one minute or temperature.
@@ -85,9 +85,9 @@ impl Deformation {
 
     /// What [`offsets_at`](Self::offsets_at) takes: minutes or degrees Celsius.
     #[must_use]
-    pub fn index(&self) -> Index {
+    pub fn index(&self) -> TableIndex {
         match &self.0 {
-            Tabulation::Static { .. } => Index::WarmUpTime,
+            Tabulation::Static { .. } => TableIndex::WarmUpTime,
             Tabulation::Scheduled { index, .. } => *index,
         }
     }
@@ -96,13 +96,13 @@ impl Deformation {
     /// above the lowest, in place of minutes.
     #[must_use]
     pub fn above_lowest(&self) -> Option<([f64; 2], Self)> {
-        let Tabulation::Scheduled { index: Index::Temperature, knots } = &self.0 else { return None };
+        let Tabulation::Scheduled { index: TableIndex::Temperature, knots } = &self.0 else { return None };
         let all = self.knots();
         let (low, high) = (*all.first()?, *all.last()?);
         let knots = knots.each_ref().map(|row| {
             row.iter().map(|knot| Knot { at: knot.at - low, offsets: knot.offsets }).collect::<Vec<_>>()
         });
-        Some(([low, high], Self(Tabulation::Scheduled { index: Index::WarmUpTime, knots })))
+        Some(([low, high], Self(Tabulation::Scheduled { index: TableIndex::WarmUpTime, knots })))
     }
 
     /// The offsets at a warm-up minute, or at a temperature in degrees Celsius where that is the

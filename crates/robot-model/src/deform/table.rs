@@ -1,6 +1,6 @@
 //! Deformation tables from CSV: the static layout of the reference paper and the scheduled long form.
 
-use super::{DeformError, Deformation, GrowthLaw, Index, Knot, Tabulation};
+use super::{DeformError, Deformation, GrowthLaw, Knot, TableIndex, Tabulation};
 use crate::kinematics::FrameOffsets;
 use crate::units::{m_from_mm, rad_from_deg};
 use csv::{ReaderBuilder, StringRecord, Trim};
@@ -60,7 +60,7 @@ enum Layout {
     Static,
     /// `columns`: where the index and the seven of [`SCHEDULED`] stand.
     Scheduled {
-        index: Index,
+        index: TableIndex,
         columns: [usize; 8],
     },
 }
@@ -78,8 +78,8 @@ impl Layout {
         let find = |wanted: &str| plain.iter().position(|name| name == wanted);
         let index = match (find("t_min"), find("temp_c")) {
             (Some(_), Some(_)) => return Err(error("it has both `t_min` and `temp_c`".to_owned())),
-            (Some(column), None) => Some((Index::WarmUpTime, column)),
-            (None, Some(column)) => Some((Index::Temperature, column)),
+            (Some(column), None) => Some((TableIndex::WarmUpTime, column)),
+            (None, Some(column)) => Some((TableIndex::Temperature, column)),
             (None, None) => None,
         };
         if let Some((index, column)) = index {
@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn a_schedule_is_linear_between_its_rows_and_held_after_the_last() {
         let deformation = Deformation::from_csv(SCHEDULED.as_bytes(), None).unwrap();
-        assert_eq!(deformation.index(), Index::WarmUpTime);
+        assert_eq!(deformation.index(), TableIndex::WarmUpTime);
         assert_eq!(deformation.knots(), [0.0, 10.0, 30.0, 60.0]);
         let at = |t_min: f64| deformation.offsets_at(t_min);
         assert!((at(20.0).0[1][0] - 0.2e-3).abs() < 1e-18);
@@ -265,7 +265,7 @@ mod tests {
         let text =
             "joint,temp_c,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n1,20,0,0,0,0,0,0\n1,40,2,0,0,0,0,0\n";
         let deformation = Deformation::from_csv(text.as_bytes(), None).unwrap();
-        assert_eq!(deformation.index(), Index::Temperature);
+        assert_eq!(deformation.index(), TableIndex::Temperature);
         assert!((deformation.offsets_at(25.0).0[0][0] - 0.5e-3).abs() < 1e-18);
     }
 

@@ -2,13 +2,13 @@
 //!
 //! Weighted least squares with a prior for the size of each offset, because no measurement tells all 36 apart: a shift along a joint's
 //! axis and one of the frame behind it along the same line move the flange alike (Mooring, Roth and Driels, Fundamentals of Manipulator
-//! Calibration, 1991, chapter 2). Gauss and Newton's steps, halved until the cost falls. Eight poses side by side.
+//! Calibration, 1991, chapter 2). Gauss and Newton's steps, halved until the cost falls. EightPoses poses side by side.
 
 use super::chain::{Chain, FrameOffsets};
 use super::chains::eight_poses;
 use super::dispatch::on_widest;
 use super::lanes::{self, LANES, Lanes};
-use super::offset_columns::{AllColumns, AllProducts, Axes, Columns, Eight, LaneSums, UNKNOWNS};
+use super::offset_columns::{AllColumns, AllProducts, Axes, Columns, EightPoses, LaneSums, UNKNOWNS};
 use crate::robot::Robot;
 use nalgebra::{DMatrix, DVector, Isometry3};
 
@@ -124,7 +124,7 @@ pub fn calibrate(
     if let Some(row) = measured.iter().position(|pose| !is_finite(pose)) {
         return Err(CalibrateError::NotFinite(row));
     }
-    let eights: Vec<Eight> = measured.chunks(LANES).map(eight_of).collect();
+    let eights: Vec<EightPoses> = measured.chunks(LANES).map(eight_of).collect();
     let residuals = |offsets: &FrameOffsets| Residuals::of(robot, offsets, &eights, options);
     let mut here = residuals(&FrameOffsets::default());
     for steps in 0..MOST_STEPS {
@@ -161,9 +161,9 @@ fn moved(offsets: &FrameOffsets, step: &DVector<f64>, share: f64) -> FrameOffset
     moved
 }
 
-fn eight_of(some: &[MeasuredPose]) -> Eight {
+fn eight_of(some: &[MeasuredPose]) -> EightPoses {
     let poses: Vec<Isometry3<f64>> = some.iter().map(|pose| pose.base_from_flange).collect();
-    Eight {
+    EightPoses {
         q_rad: std::array::from_fn(|j| lanes::gather(some, |pose| pose.q_rad[j])),
         pose: eight_poses(&poses),
         is_there: Lanes(std::array::from_fn(|k| if k < some.len() { 1.0 } else { 0.0 })),
@@ -186,7 +186,12 @@ fn of_lanes(lanes: &Lanes) -> f64 {
 }
 
 impl Residuals {
-    fn of(robot: &Robot, offsets: &FrameOffsets, eights: &[Eight], options: &CalibrationOptions) -> Self {
+    fn of(
+        robot: &Robot,
+        offsets: &FrameOffsets,
+        eights: &[EightPoses],
+        options: &CalibrationOptions,
+    ) -> Self {
         let arm = Axes::of(Chain::with_offsets(robot, offsets), offsets);
         let weights = [options.sigma_m.recip(), options.sigma_rad.recip()];
         let mut columns = Vec::with_capacity(eights.len());

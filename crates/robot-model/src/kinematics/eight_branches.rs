@@ -30,10 +30,10 @@ pub(super) struct EightBranches<'a> {
 }
 
 impl Kernel for EightBranches<'_> {
-    type Output = Branches;
+    type Output = BranchJoints;
 
     #[inline(always)]
-    fn run<V: Wide>(self) -> Branches {
+    fn run<V: Wide>(self) -> BranchJoints {
         let branch = Branch { front: V::load(&FRONT), lean: V::load(&LEAN), flip: V::load(&FLIP) };
         branch.joints(self.structure, self.proof, &self.goal.splat())
     }
@@ -48,10 +48,10 @@ pub(super) struct BranchOfEach<'a> {
 }
 
 impl Kernel for BranchOfEach<'_> {
-    type Output = Branches;
+    type Output = BranchJoints;
 
     #[inline(always)]
-    fn run<V: Wide>(self) -> Branches {
+    fn run<V: Wide>(self) -> BranchJoints {
         let Branch { front, lean, flip } = &self.branch;
         let branch = Branch { front: V::load(front), lean: V::load(lean), flip: V::load(flip) };
         let goals = Pose {
@@ -63,7 +63,7 @@ impl Kernel for BranchOfEach<'_> {
 }
 
 /// Joints of each lane.
-pub(super) struct Branches {
+pub(super) struct BranchJoints {
     /// Radians in (-π, π].
     pub(super) q_rad: [Lanes; 6],
     /// One where they stand in the pose.
@@ -87,7 +87,7 @@ impl Branch<Lanes> {
 
 impl<V: Wide> Branch<V> {
     #[inline(always)]
-    fn joints(&self, s: &Structure, proof: &SparseChain, goal: &Pose<V>) -> Branches {
+    fn joints(&self, s: &Structure, proof: &SparseChain, goal: &Pose<V>) -> BranchJoints {
         let c = V::splat;
         let (one, zero) = (c(1.0), c(0.0));
         let canonical_from_base = matrix::splat_rows(&transpose(&s.base_from_canonical));
@@ -166,7 +166,7 @@ impl<V: Wide> Branch<V> {
             * dot(&w, &w).at_most(c(RESIDUAL_RAD * RESIDUAL_RAD))
             * (one - cosine.at_most(zero));
         let beside = one - squared.at_most(c(-ROUNDING));
-        Branches { q_rad: lanes::store6(&q_rad), proved: (in_place * in_reach * beside).store() }
+        BranchJoints { q_rad: lanes::store6(&q_rad), proved: (in_place * in_reach * beside).store() }
     }
 }
 
@@ -187,7 +187,7 @@ mod tests {
     use crate::robot::Robot;
     use nalgebra::Isometry3;
 
-    fn branches(closed: &ClosedForm, goal: &Isometry3<f64>, width: Width) -> Branches {
+    fn branches(closed: &ClosedForm, goal: &Isometry3<f64>, width: Width) -> BranchJoints {
         on(width, EightBranches { structure: &closed.structure, proof: &closed.proof, goal: &Pose::of(goal) })
     }
 

@@ -18,14 +18,14 @@ use nalgebra::Vector3;
 pub struct FlangePoints {
     points: Vec<FlangePoint>,
     /// The same, eight by eight, where that is faster.
-    eights: Vec<Eight>,
+    eights: Vec<EightPoints>,
 }
 
 /// A point of the flange's frame, metres, and the arm's joints, radians.
 pub type FlangePoint = ([f64; 6], Vector3<f64>);
 
 #[derive(Clone, Debug)]
-struct Eight {
+struct EightPoints {
     sin_cos: SinCos,
     on_flange_m: Vec3<Lanes>,
 }
@@ -37,7 +37,7 @@ impl FlangePoints {
     /// In the order in which they are answered for.
     #[must_use]
     pub fn new(points: Vec<FlangePoint>) -> Self {
-        let eight = |some: &[FlangePoint]| Eight {
+        let eight = |some: &[FlangePoint]| EightPoints {
             sin_cos: sin_cos_eight(std::array::from_fn(|j| lanes::gather(some, |(q_rad, _)| q_rad[j]))),
             on_flange_m: std::array::from_fn(|k| lanes::gather(some, |(_, on_flange_m)| on_flange_m[k])),
         };
@@ -65,7 +65,7 @@ impl Chain {
         let mut eights = points.eights.iter();
         for some in points.points.chunks(LANES) {
             if worth_it(some.len())
-                && let Some(Eight { sin_cos, on_flange_m }) = eights.next()
+                && let Some(EightPoints { sin_cos, on_flange_m }) = eights.next()
             {
                 let there = points_of_one(self, sin_cos, on_flange_m);
                 (0..some.len()).for_each(|k| visit(lane(&there, k)));
@@ -134,7 +134,7 @@ fn sin_cos_eight(joints: [Lanes; 6]) -> SinCos {
     on_widest(SinCosEight(joints))
 }
 
-/// Eight points of one arm.
+/// EightPoints points of one arm.
 #[inline(never)]
 fn points_of_one(chain: &Chain, sin_cos: &SinCos, on_flange_m: &Vec3<Lanes>) -> Vec3<Lanes> {
     on_widest(PointEight { frames: chain, sin_cos, on_flange_m })
@@ -183,7 +183,7 @@ fn loaded<V: Wide>((sin, cos): &(Lanes, Lanes)) -> (V, V) {
     (V::load(sin), V::load(cos))
 }
 
-/// Eight points, each with its own joints and its own arm or all with the same.
+/// EightPoints points, each with its own joints and its own arm or all with the same.
 struct PointEight<'a, F> {
     frames: &'a F,
     sin_cos: &'a SinCos,

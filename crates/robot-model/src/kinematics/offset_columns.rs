@@ -10,8 +10,8 @@ use super::steps::{Frames, Pose, Walk, sin_cos};
 /// Six for each of six joints.
 pub(super) const UNKNOWNS: usize = 36;
 
-/// Eight measured poses side by side.
-pub(super) struct Eight {
+/// EightPoses measured poses side by side.
+pub(super) struct EightPoses {
     pub(super) q_rad: [Lanes; 6],
     pub(super) pose: Pose<Lanes>,
     /// One; zero in lanes that hold no pose.
@@ -53,7 +53,7 @@ pub(super) struct Columns {
 
 pub(super) struct AllColumns<'a> {
     pub(super) arm: &'a Axes,
-    pub(super) eights: &'a [Eight],
+    pub(super) eights: &'a [EightPoses],
     /// Of positions, 1/m, and of orientations, 1/rad.
     pub(super) weights: [f64; 2],
     pub(super) columns: &'a mut Vec<Columns>,
@@ -77,7 +77,7 @@ impl Kernel for AllColumns<'_> {
 }
 
 #[inline(always)]
-fn columns_of<V: Wide>(arm: &Axes, eight: &Eight, weights: [f64; 2]) -> Columns {
+fn columns_of<V: Wide>(arm: &Axes, eight: &EightPoses, weights: [f64; 2]) -> Columns {
     let is_there = V::load(&eight.is_there);
     let [weight_m, weight_rad] = [is_there * V::splat(weights[0]), is_there * V::splat(weights[1])];
     let sin_cos = sin_cos(&lanes::load6::<V>(&eight.q_rad));
@@ -260,12 +260,12 @@ mod tests {
         // One pose is far from where its joints say.
         let poses: Vec<Isometry3<f64>> =
             (0..11).map(|i| nominal.forward(&joints[if i == 9 { 3 } else { i }])).collect();
-        let eight = |(joints, poses): (&[[f64; 6]], &[Isometry3<f64>])| Eight {
+        let eight = |(joints, poses): (&[[f64; 6]], &[Isometry3<f64>])| EightPoses {
             q_rad: std::array::from_fn(|j| lanes::gather(joints, |q_rad| q_rad[j])),
             pose: eight_poses(poses),
             is_there: Lanes(std::array::from_fn(|k| if k < joints.len() { 1.0 } else { 0.0 })),
         };
-        let eights: Vec<Eight> = joints.chunks(LANES).zip(poses.chunks(LANES)).map(eight).collect();
+        let eights: Vec<EightPoses> = joints.chunks(LANES).zip(poses.chunks(LANES)).map(eight).collect();
         let arm = Axes::of(Chain::with_offsets(&robot, &offsets), &offsets);
         let of_width = |width| {
             let (mut columns, mut sums) = (Vec::new(), LaneSums::nothing());

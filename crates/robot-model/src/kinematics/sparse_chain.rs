@@ -11,16 +11,16 @@ use super::steps::{Pose, Walk};
 /// An arm of six joints with constant frames, as [`Chain`] to rounding.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SparseChain {
-    /// Joint 1 at rest in the base.
+    /// SparseJoint 1 at rest in the base.
     base_from_first: Pose,
-    joints: [Joint; 6],
+    joints: [SparseJoint; 6],
     /// By which the flange is turned behind the last tilt: sine and cosine.
     last: (f64, f64),
 }
 
 /// A joint with the way to the frame behind it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct Joint {
+struct SparseJoint {
     /// What stands about its axis already, radians.
     shift_rad: f64,
     /// The next frame's origin.
@@ -49,14 +49,14 @@ impl SparseChain {
     /// The arm of `chain`: rotations are split into turns about z, x and z, and those about z go to the joints before and behind.
     pub(super) fn of(chain: &Chain) -> Self {
         let [first, behind @ ..] = &chain.steps;
-        let mut joints = [Joint::default(); 6];
+        let mut joints = [SparseJoint::default(); 6];
         let mut turned_rad = 0.0;
         for (joint, step) in joints.iter_mut().zip(behind) {
             let ZxZ { a_rad, tilt, b_rad } = ZxZ::of(&step.rotation);
             let (sin, cos) = a_rad.sin_cos();
             let [x, y, z] = step.position_m;
             let position_m = [cos * x + sin * y, cos * y - sin * x, z];
-            *joint = Joint { shift_rad: turned_rad + a_rad, position_m, tilt };
+            *joint = SparseJoint { shift_rad: turned_rad + a_rad, position_m, tilt };
             turned_rad = b_rad;
         }
         let base_from_first = Pose { rotation: first.rotation, position_m: first.position_m };
@@ -154,7 +154,7 @@ mod tests {
                     std::array::from_fn(|j| offsets(6 * i + j))
                 })));
                 let sparse = SparseChain::of(&chain);
-                let is_right = |joint: &Joint| !matches!(joint.tilt, Tilt::By(..));
+                let is_right = |joint: &SparseJoint| !matches!(joint.tilt, Tilt::By(..));
                 right_angles += usize::from(size == 0.0 && sparse.joints.iter().all(is_right));
                 for n in 0..100 {
                     let q_rad: [f64; 6] =

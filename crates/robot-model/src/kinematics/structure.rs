@@ -58,16 +58,7 @@ impl Structure {
     pub(super) fn of(chain: &Chain) -> Result<Self, StructureError> {
         let zero = chain.lines(&[0.0; 6]);
         let (w, p) = (&zero.axes, &zero.origins_m);
-        let right_angled = |i: usize, j: usize, what| {
-            if dot(&w[i], &w[j]).abs() < DEVIATION { Ok(()) } else { Err(StructureError(what)) }
-        };
-        right_angled(0, 1, "axis 2 is not at a right angle to axis 1")?;
-        if norm(&cross(&w[1], &w[2])) > DEVIATION {
-            return Err(StructureError("axis 3 is not parallel to axis 2"));
-        }
-        right_angled(2, 3, "axis 4 is not at a right angle to axis 3")?;
-        right_angled(3, 4, "axis 5 is not at a right angle to axis 4")?;
-        right_angled(4, 5, "axis 6 is not at a right angle to axis 5")?;
+        check_angles(w)?;
 
         let z = w[0];
         let y = unit(&sub(&w[1], &scale(&z, dot(&z, &w[1]))));
@@ -122,6 +113,20 @@ impl Structure {
             canonical6_from_flange: mul(&transpose(&base_from_sixth), &zero.flange.rotation),
         })
     }
+}
+
+/// Whether the axes stand to each other as the closed form takes them to.
+fn check_angles(w: &[Vec3; 6]) -> Result<(), StructureError> {
+    let right_angled = |i: usize, j: usize, what| {
+        if dot(&w[i], &w[j]).abs() < DEVIATION { Ok(()) } else { Err(StructureError(what)) }
+    };
+    right_angled(0, 1, "axis 2 is not at a right angle to axis 1")?;
+    if norm(&cross(&w[1], &w[2])) > DEVIATION {
+        return Err(StructureError("axis 3 is not parallel to axis 2"));
+    }
+    right_angled(2, 3, "axis 4 is not at a right angle to axis 3")?;
+    right_angled(3, 4, "axis 5 is not at a right angle to axis 4")?;
+    right_angled(4, 5, "axis 6 is not at a right angle to axis 5")
 }
 
 fn unit(v: &Vec3) -> Vec3 {

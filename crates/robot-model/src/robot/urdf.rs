@@ -3,14 +3,16 @@
 //! Of the format only what moves is read: joints, their origins, axes and limits, masses. Meshes, materials and transmissions are of
 //! no matter. Read with `roxmltree`, which says line and column; `urdf-rs` brings four XML libraries for the same five elements.
 
-use super::{FEWEST_JOINTS, Joint, JointKind, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
-use nalgebra::{Isometry3, Point3, Translation3, Unit, UnitQuaternion, Vector3};
-use roxmltree::{Document, Node};
-use std::collections::BTreeMap;
-use std::fmt::Write;
+mod tree;
+mod write;
 
-/// Links that are taken for the flange where no tip is named, in this order.
-const TIPS: [&str; 3] = ["tool0", "flange", "ee_link"];
+use super::{FEWEST_JOINTS, Joint, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
+use nalgebra::Isometry3;
+use roxmltree::Document;
+use tree::{Tree, wrong};
+
+/// Further than any joint slides, metres: stands for a range without end.
+const ENDLESS_M: f64 = 1e3;
 
 impl Robot {
     /// Reads the URDF description of a six-axis arm; see [`SerialArm::from_urdf`].
@@ -19,12 +21,6 @@ impl Robot {
     /// Those of [`SerialArm::from_urdf`] and [`SerialArm::six_axis`].
     pub fn from_urdf(text: &str, tip: Option<&str>) -> Result<Self, RobotError> {
         SerialArm::from_urdf(text, tip)?.six_axis()
-    }
-
-    /// The same arm as a URDF description; see [`SerialArm::to_urdf`].
-    #[must_use]
-    pub fn to_urdf(&self) -> String {
-        SerialArm::from(self).to_urdf()
     }
 }
 
@@ -74,266 +70,6 @@ impl SerialArm {
             links,
         })
     }
-
-    /// The same arm as a URDF description: links `base_link`, `link_1` and so on, and `tool0`.
-    #[must_use]
-    pub fn to_urdf(&self) -> String {
-        let mut text = format!(
-            "<?xml version=\"1.0\"?>\n<robot name=\"{}\">\n  <link name=\"base_link\"/>\n",
-            escaped(&self.name)
-        );
-        // A String takes everything that is written to it.
-        for (i, joint) in self.joints.iter().enumerate() {
-            let n = i + 1;
-            let parent = if i == 0 { "base_link".to_owned() } else { format!("link_{i}") };
-            let _ = match self.links.as_ref().map(|links| links[i]) {
-                None => writeln!(text, "  <link name=\"link_{n}\"/>"),
-                Some(Link { mass_kg, com_m }) => writeln!(
-                    text,
-                    "  <link name=\"link_{n}\">\n    <inertial>\n      <origin xyz=\"{}\"/>\n      <mass value=\"{mass_kg}\"/>\n      \
-                     <inertia ixx=\"0\" ixy=\"0\" ixz=\"0\" iyy=\"0\" iyz=\"0\" izz=\"0\"/>\n    </inertial>\n  </link>",
-                    triple(com_m)
-                ),
-            };
-            let kind = match (joint.kind, joint.range_rad) {
-                (JointKind::Prismatic, _) => "prismatic",
-                (JointKind::Revolute, Some(_)) => "revolute",
-                (JointKind::Revolute, None) => "continuous",
-            };
-            // A sliding joint needs a limit; without one it gets what no arm reaches.
-            let range = joint.range_rad.or_else(|| joint.kind.slides().then_some([-ENDLESS_M, ENDLESS_M]));
-            let limit = range.map_or_else(String::new, |[low, high]| {
-                format!("    <limit lower=\"{low}\" upper=\"{high}\" effort=\"0\" velocity=\"0\"/>\n")
-            });
-            let _ = write!(
-                text,
-                "  <joint name=\"joint_{n}\" type=\"{kind}\">\n{}    <parent link=\"{parent}\"/>\n    <child link=\"link_{n}\"/>\n    \
-                 <axis xyz=\"{}\"/>\n{limit}  </joint>\n",
-                origin(&joint.previous_from_joint),
-                triple(joint.axis.into_inner().into())
-            );
-        }
-        let n = self.joints.len();
-        let _ = write!(
-            text,
-            "  <link name=\"tool0\"/>\n  <joint name=\"joint_{n}-tool0\" type=\"fixed\">\n{}    <parent link=\"link_{n}\"/>\n    \
-             <child link=\"tool0\"/>\n  </joint>\n</robot>\n",
-            origin(&self.last_from_flange)
-        );
-        text
-    }
-}
-
-/// Further than any joint slides, metres: stands for a range without end.
-const ENDLESS_M: f64 = 1e3;
-
-/// A joint as the description has it.
-struct UrdfJoint<'d> {
-    node: Node<'d, 'd>,
-    kind: &'d str,
-    parent: &'d str,
-    child: &'d str,
-    parent_from_joint: Isometry3<f64>,
-}
-
-/// Joints by the link they lead to, and masses by their link.
-struct Tree<'d> {
-    root: Node<'d, 'd>,
-    by_child: BTreeMap<&'d str, UrdfJoint<'d>>,
-    links: BTreeMap<&'d str, Option<Link>>,
-}
-
-impl<'d> Tree<'d> {
-    fn read(root: Node<'d, 'd>) -> Result<Self, RobotError> {
-        let mut tree = Self { root, by_child: BTreeMap::new(), links: BTreeMap::new() };
-        for node in root.children().filter(|node| node.has_tag_name("link")) {
-            tree.links.insert(attribute(&node, "name")?, mass(&node)?);
-        }
-        for node in root.children().filter(|node| node.has_tag_name("joint")) {
-            let joint = UrdfJoint {
-                kind: attribute(&node, "type")?,
-                parent: attribute(&child(&node, "parent")?, "link")?,
-                child: attribute(&child(&node, "child")?, "link")?,
-                parent_from_joint: pose(&node)?,
-                node,
-            };
-            for link in [joint.parent, joint.child] {
-                if !tree.links.contains_key(link) {
-                    return Err(wrong(&node, format!("there is no link `{link}`")));
-                }
-            }
-            if let Some(other) = tree.by_child.insert(joint.child, joint) {
-                return Err(wrong(&node, format!("two joints lead to the link `{}`", other.child)));
-            }
-        }
-        Ok(tree)
-    }
-
-    /// The joints from the root to the tip.
-    fn chain(&self, tip: Option<&str>) -> Result<Vec<&UrdfJoint<'d>>, RobotError> {
-        let mut at = self.tip(tip)?;
-        let mut chain = Vec::new();
-        while let Some(joint) = self.by_child.get(at) {
-            chain.push(joint);
-            at = joint.parent;
-            if chain.len() > self.by_child.len() {
-                return Err(wrong(&joint.node, "its joints go round in a circle".to_owned()));
-            }
-        }
-        chain.reverse();
-        Ok(chain)
-    }
-
-    fn tip(&self, tip: Option<&str>) -> Result<&'d str, RobotError> {
-        let known = |name: &str| self.links.keys().copied().find(|link| *link == name);
-        let has_child = |link: &str| self.by_child.values().any(|joint| joint.parent == link);
-        let ends: Vec<&'d str> = self
-            .links
-            .keys()
-            .copied()
-            .filter(|link| self.by_child.contains_key(link) && !has_child(link))
-            .collect();
-        if let Some(name) = tip {
-            let problem = || format!("there is no link `{name}`; its ends are {}", ends.join(", "));
-            return known(name).ok_or_else(|| wrong(&self.root, problem()));
-        }
-        match (TIPS.into_iter().find_map(known), ends.as_slice()) {
-            (Some(tip), _) => Ok(tip),
-            (None, [tip]) => Ok(*tip),
-            (None, _) => {
-                let problem = format!(
-                    "which link is the flange is not told: its ends are {}; name one, FILE.urdf:LINK",
-                    ends.join(", ")
-                );
-                Err(wrong(&self.root, problem))
-            }
-        }
-    }
-
-    /// The mass of a link with all that is fixed to it; `None` where it has none.
-    fn mass_with_fixed(&self, link: &str) -> Option<Link> {
-        let mut total = Link { mass_kg: 0.0, com_m: [0.0; 3] };
-        let mut open = vec![(link, Isometry3::identity())];
-        let mut moment = Vector3::zeros();
-        while let Some((at, link_from_at)) = open.pop() {
-            if let Some(Link { mass_kg, com_m }) = self.links.get(at).copied().flatten() {
-                total.mass_kg += mass_kg;
-                moment += mass_kg * (link_from_at * Point3::from(com_m)).coords;
-            }
-            let fixed = self.by_child.values().filter(|joint| joint.parent == at && joint.kind == "fixed");
-            // A circle of fixed joints has no root, so it hangs on no link of the chain.
-            open.extend(fixed.map(|joint| (joint.child, link_from_at * joint.parent_from_joint)));
-        }
-        (total.mass_kg > 0.0).then(|| Link { com_m: (moment / total.mass_kg).into(), ..total })
-    }
-}
-
-impl UrdfJoint<'_> {
-    fn moving(&self, previous_from_joint: Isometry3<f64>) -> Result<Joint, RobotError> {
-        let name = self.node.attribute("name").unwrap_or("?");
-        if self.node.children().any(|node| node.has_tag_name("mimic")) {
-            let problem = format!(
-                "joint `{name}` follows another (mimic): a chain of independent joints does not describe this arm"
-            );
-            return Err(wrong(&self.node, problem));
-        }
-        let range_rad = match self.kind {
-            "continuous" => None,
-            "revolute" | "prismatic" => {
-                let limit = child(&self.node, "limit")?;
-                let [low, high] = [number(&limit, "lower", Some(0.0))?, number(&limit, "upper", Some(0.0))?];
-                if low >= high {
-                    return Err(wrong(
-                        &limit,
-                        format!("the range of joint `{name}`, {low} to {high}, is empty or reversed"),
-                    ));
-                }
-                Some([low, high]).filter(|_| low > -ENDLESS_M || high < ENDLESS_M)
-            }
-            other => {
-                let problem = format!("joint `{name}` is {other}; joints must turn or slide");
-                return Err(wrong(&self.node, problem));
-            }
-        };
-        let axis = match self.node.children().find(|node| node.has_tag_name("axis")) {
-            Some(axis) => Vector3::from(numbers(&axis, "xyz", [1.0, 0.0, 0.0])?),
-            None => Vector3::x(),
-        };
-        let axis = Unit::try_new(axis, 1e-6)
-            .ok_or_else(|| wrong(&self.node, format!("the axis of joint `{name}` has no length")))?;
-        let kind = if self.kind == "prismatic" { JointKind::Prismatic } else { JointKind::Revolute };
-        Ok(Joint { previous_from_joint, axis, kind, range_rad })
-    }
-}
-
-fn wrong(node: &Node<'_, '_>, problem: String) -> RobotError {
-    RobotError::Urdf { line: node.document().text_pos_at(node.range().start).row, problem }
-}
-
-fn child<'d>(node: &Node<'d, 'd>, name: &str) -> Result<Node<'d, 'd>, RobotError> {
-    let found = node.children().find(|child| child.has_tag_name(name));
-    found.ok_or_else(|| wrong(node, format!("<{}> has no <{name}>", node.tag_name().name())))
-}
-
-fn attribute<'d>(node: &Node<'d, 'd>, name: &str) -> Result<&'d str, RobotError> {
-    node.attribute(name).ok_or_else(|| wrong(node, format!("<{}> has no {name}", node.tag_name().name())))
-}
-
-fn mass<'d>(link: &Node<'d, 'd>) -> Result<Option<Link>, RobotError> {
-    let Some(inertial) = link.children().find(|node| node.has_tag_name("inertial")) else { return Ok(None) };
-    let mass_kg = number(&child(&inertial, "mass")?, "value", None)?;
-    if mass_kg < 0.0 {
-        return Err(wrong(&inertial, format!("a mass of {mass_kg} kg is negative")));
-    }
-    Ok(Some(Link { mass_kg, com_m: pose(&inertial)?.translation.vector.into() }))
-}
-
-/// The pose of an `<origin>`; the identity where there is none.
-fn pose<'d>(node: &Node<'d, 'd>) -> Result<Isometry3<f64>, RobotError> {
-    let Some(origin) = node.children().find(|node| node.has_tag_name("origin")) else {
-        return Ok(Isometry3::identity());
-    };
-    let [x, y, z] = numbers(&origin, "xyz", [0.0; 3])?;
-    let [roll, pitch, yaw] = numbers(&origin, "rpy", [0.0; 3])?;
-    Ok(Isometry3::from_parts(Translation3::new(x, y, z), UnitQuaternion::from_euler_angles(roll, pitch, yaw)))
-}
-
-fn number(node: &Node<'_, '_>, name: &str, missing: Option<f64>) -> Result<f64, RobotError> {
-    let Some(text) = node.attribute(name) else {
-        return missing.ok_or_else(|| wrong(node, format!("<{}> has no {name}", node.tag_name().name())));
-    };
-    let found = text.trim().parse().ok().filter(|value: &f64| value.is_finite());
-    found.ok_or_else(|| wrong(node, format!("{name}=\"{text}\" is not a finite number")))
-}
-
-fn numbers(node: &Node<'_, '_>, name: &str, missing: [f64; 3]) -> Result<[f64; 3], RobotError> {
-    let Some(text) = node.attribute(name) else { return Ok(missing) };
-    let found: Option<Vec<f64>> = text
-        .split_whitespace()
-        .map(|word| word.parse().ok().filter(|value: &f64| value.is_finite()))
-        .collect();
-    let found = found.and_then(|found| <[f64; 3]>::try_from(found).ok());
-    found.ok_or_else(|| {
-        wrong(node, format!("{name}=\"{text}\" is not three finite numbers; xacro must be expanded first"))
-    })
-}
-
-fn origin(pose: &Isometry3<f64>) -> String {
-    let (roll, pitch, yaw) = pose.rotation.euler_angles();
-    format!(
-        "    <origin xyz=\"{}\" rpy=\"{}\"/>\n",
-        triple(pose.translation.vector.into()),
-        triple([roll, pitch, yaw])
-    )
-}
-
-fn triple(values: [f64; 3]) -> String {
-    let [a, b, c] = values.map(|value| value + 0.0);
-    format!("{a} {b} {c}")
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

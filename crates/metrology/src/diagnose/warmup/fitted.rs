@@ -4,7 +4,9 @@ use super::history::Standstill;
 use super::parameters::PARAMETERS;
 use super::touch_residuals::TouchResidual;
 use nalgebra::{DMatrix, Vector3};
-use robot_model::deform::identified::{Growth, Identified, MeasuredRange, PayloadScaling, Term, Value};
+use robot_model::deform::identified::{
+    Estimate, FoundBy, Growth, Identified, MeasuredRange, PayloadScaling, Term,
+};
 use robot_model::deform::{Deformation, EffectKind, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::{Axis, Robot};
@@ -94,7 +96,7 @@ impl WarmUp {
             payload_scaling: PayloadScaling::default(),
             cause: true,
             values: (6 * i..6 * i + 6)
-                .map(|k| Value { value: self.settled[k], sigma: Some(self.sigma(k)) })
+                .map(|k| Estimate { value: self.settled[k], sigma: Some(self.sigma(k)) })
                 .collect(),
         });
         let mut q_rad = [[f64::INFINITY, f64::NEG_INFINITY]; 6];
@@ -105,7 +107,7 @@ impl WarmUp {
         }
         Identified {
             robot: robot.name.clone(),
-            verdict: "warm-up".to_owned(),
+            found_by: Some(FoundBy::WarmUp),
             sigma_m: Some(self.sigma_m),
             measured_range: MeasuredRange {
                 rows: self.touches,

@@ -234,7 +234,7 @@ fn an_arc_is_one_motion_with_two_corrected_points() {
 /// another branch and from nowhere: where the written branch alone is answered for, all branches have the same answer.
 #[test]
 fn the_written_branch_alone_answers_as_all_branches_do() {
-    use super::super::branch::{Branch, ComesFrom, branch_as_written, branch_of};
+    use super::super::branch::{Branch, StartPosture, branch_as_written, branch_of};
     let robot = irb140();
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = model::Model::new(&robot, std::borrow::Cow::Owned(rigid), &Options::default(), None).unwrap();
@@ -253,9 +253,9 @@ fn the_written_branch_alone_answers_as_all_branches_do() {
                 // Of one in three the first quadrant is wrong.
                 let conf =
                     ConfData { cf1: c.cf1 + i32::from(n % 3 == 2), cf4: c.cf4, cf6: c.cf6, cfx: c.cfx };
-                let near = ComesFrom::Joints(q_rad.map(|q_rad| q_rad + 1e-3));
-                let elsewhere = ComesFrom::Joints(written.q_rad);
-                for from in [near, elsewhere, ComesFrom::Anywhere, ComesFrom::UnknownBranch] {
+                let near = StartPosture::Joints(q_rad.map(|q_rad| q_rad + 1e-3));
+                let elsewhere = StartPosture::Joints(written.q_rad);
+                for from in [near, elsewhere, StartPosture::Anywhere, StartPosture::UnknownBranch] {
                     for (path, checked) in [
                         (Path::Linear, false),
                         (Path::Linear, true),

@@ -49,7 +49,7 @@ pub(super) fn body(model: &LiveModel, body: &mut Body) {
     let counts = |i: usize| i >= first && groups.iter().any(|group| !is_nothing(weight(group, i)));
     let turns = |i: usize| groups.iter().flat_map(|g| &g.joints).any(|(j, _)| *j == i);
     body.line("! Places, mm, and axes of the joints that give, as x and y of the base see them");
-    let mut reached = Reached::base(model, body);
+    let mut reached = ReachedFrame::base(model, body);
     // Joints whose axis is upright wherever the arm stands: gravity does not turn them.
     let mut upright = [false; 6];
     for (i, step) in model.steps.iter().enumerate() {
@@ -67,7 +67,7 @@ pub(super) fn body(model: &LiveModel, body: &mut Body) {
 }
 
 /// The frame that the statements have reached, from the base outward.
-struct Reached {
+struct ReachedFrame {
     /// The base's x and y in the axes of this frame.
     seen: [Triple; 2],
     /// Whether its origin is away from 0 in the base's x and y, so that it has a name.
@@ -76,7 +76,7 @@ struct Reached {
     stands: Option<f64>,
 }
 
-impl Reached {
+impl ReachedFrame {
     /// The base itself.
     fn base(model: &LiveModel, body: &mut Body) -> Self {
         let mut seen = SEEN.map(|(_, axis)| Triple::zero(&format!("tcU{axis}")));

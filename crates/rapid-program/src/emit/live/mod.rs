@@ -22,7 +22,7 @@ mod twist;
 
 pub use deformation::{Cap, Function, LiveModel};
 pub use self_test::{TestTarget, test_targets};
-pub use twin::Correction;
+pub use twin::LiveCorrection;
 
 use robot_model::units::deg_from_rad;
 use text::num;

@@ -7,14 +7,14 @@ use robot_model::deform::gravity::loads_at;
 
 /// What a target is moved by: `tcLive(p) = p * to_isometry`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Correction {
+pub struct LiveCorrection {
     /// In the axes of the target, metres.
     pub shift_m: Vector3<f64>,
     /// Rotation vector in the axes of the target, radians.
     pub turn_rad: Vector3<f64>,
 }
 
-impl Correction {
+impl LiveCorrection {
     /// As a transform in the target's frame.
     #[must_use]
     pub fn to_isometry(&self) -> Isometry3<f64> {
@@ -36,7 +36,7 @@ impl LiveModel {
         flange_from_tcp: &Isometry3<f64>,
         functions: &[f64],
         conditions: &Conditions,
-    ) -> Correction {
+    ) -> LiveCorrection {
         let torques = self.torques(q_rad, conditions);
         let (mut shift_m, mut turn_rad) = (Vector3::zeros(), Vector3::zeros());
         for (i, step) in self.steps.iter().enumerate() {
@@ -61,7 +61,7 @@ impl LiveModel {
         }
         shift_m += turn_rad.cross(&flange_from_tcp.translation.vector);
         let into_tool = flange_from_tcp.rotation.inverse();
-        Correction { shift_m: -(into_tool * shift_m), turn_rad: -(into_tool * turn_rad) }
+        LiveCorrection { shift_m: -(into_tool * shift_m), turn_rad: -(into_tool * turn_rad) }
     }
 
     /// What each joint gives under load, radians.

@@ -7,7 +7,7 @@
 //! only run time tells (a tool that is calibrated) does not, or nothing made of it could be corrected by tables.
 
 use super::in_force::{lose, same, unknown};
-use super::{MOST_STEPS, SlotState, State, Walker};
+use super::{MOST_STEPS, SlotState, State, StateAnalysis};
 use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::flow::BLOCKERS;
@@ -36,7 +36,7 @@ pub(in crate::program) struct LeftBehind {
     common: Option<Value>,
 }
 
-impl Walker<'_, '_> {
+impl StateAnalysis<'_, '_> {
     /// Takes what the last pass has left into the entry, and forgets that pass; `false` where the entry had it all.
     pub(super) fn widen_entry(&mut self) -> bool {
         if self.steps > MOST_STEPS {

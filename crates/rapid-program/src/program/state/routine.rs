@@ -4,13 +4,13 @@
 //! Knows nothing of where a program begins, nor of what a single step does.
 
 use super::in_force::{lose, same, same_or_none, unknown};
-use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, Walker};
+use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, StateAnalysis};
 use crate::program::flow::{ForwardAnalysis, walk};
 use crate::program::ids::RoutineIndex;
 use crate::program::motion::MotionId;
 use std::rc::Rc;
 
-impl Walker<'_, '_> {
+impl StateAnalysis<'_, '_> {
     /// What a motion sees on one more visit; `shared`: the same for other motions that see it.
     pub(super) fn record(&mut self, motion: MotionId, state: &State, shared: &mut Option<Rc<State>>) {
         self.watch(motion, state);

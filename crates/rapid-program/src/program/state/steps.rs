@@ -1,7 +1,7 @@
 //! What each step of a routine does to the state.
 
 use super::in_force::{same, unknown};
-use super::{MOST_STEPS, SlotState, State, View, Walker};
+use super::{MOST_STEPS, SlotState, State, StateAnalysis, View};
 use crate::program::const_eval::Constant;
 use crate::program::data::LoadData;
 use crate::program::errors::Recovery;
@@ -15,7 +15,7 @@ use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::Expr;
 use std::rc::Rc;
 
-impl<'a> ForwardAnalysis<'a> for Walker<'_, 'a> {
+impl<'a> ForwardAnalysis<'a> for StateAnalysis<'_, 'a> {
     type State = State;
 
     fn join(&mut self, into: &mut State, other: &State) -> bool {
@@ -117,7 +117,7 @@ impl State {
     }
 }
 
-impl Walker<'_, '_> {
+impl StateAnalysis<'_, '_> {
     /// A datum, or the component of it that `path` names, is given the value of an expression.
     fn assign(
         &mut self,

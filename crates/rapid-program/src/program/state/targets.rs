@@ -4,7 +4,7 @@
 //! A superset is enough, and one that lacks what nobody can know (a pointer that was set by hand) does no harm: what the target
 //! is, run time tells, and what is none of these stays as it is.
 
-use super::{ControlFlow, FoundPoints, MOST_STEPS, State, TrackedData, View, Walker, Watched};
+use super::{ControlFlow, FoundPoints, MOST_STEPS, State, StateAnalysis, TrackedData, View, Watched};
 use crate::program::const_eval::ConstEvaluator;
 use crate::program::finite_set::{FiniteSet, MOST_VALUES};
 use crate::program::ids::{DatumId, IdSet};
@@ -37,7 +37,7 @@ pub(in crate::program) fn targets_on_ways<'a>(
     found: &OwnPositions,
 ) -> TargetsOnWays {
     let index = evaluator.index;
-    let mut walker = Walker::new(evaluator, sites.motions.len(), control_flow, tracked);
+    let mut walker = StateAnalysis::new(evaluator, sites.motions.len(), control_flow, tracked);
     let mut to_found = ByNumber::default();
     for (motion, site) in sites.motions.iter().enumerate().map(|(at, site)| (MotionId::new(at), site)) {
         let (args, ctx) = (site.args(index), site.ctx(index));
@@ -83,7 +83,7 @@ pub(in crate::program) fn targets_on_ways<'a>(
     TargetsOnWays { values, found }
 }
 
-impl Walker<'_, '_> {
+impl StateAnalysis<'_, '_> {
     /// Notes whether a target of a motion can be what a search has found on one more visit.
     pub(super) fn watch_found(&mut self, motion: MotionId, state: &State) {
         let Some((targets, ctx)) = self.found.as_ref().and_then(|found| found.targets.get(&motion)) else {

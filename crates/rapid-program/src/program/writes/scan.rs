@@ -21,7 +21,7 @@ use rapid_syntax::tree::{
 };
 
 /// What the text of all files changes.
-pub(super) struct Changes {
+pub(super) struct ScannedWrites {
     pub(super) writes: Writes,
     /// What is handed to parameters by reference.
     pub(super) passed: Vec<PassedDatum>,
@@ -29,11 +29,11 @@ pub(super) struct Changes {
     pub(super) by_name: Vec<(Sym, Span)>,
 }
 
-impl Changes {
+impl ScannedWrites {
     /// The changes in all files of an index.
     pub(super) fn of(index: &Index<'_>) -> Self {
         let writes = Writes { by_datum: Table::filled(index.data.len(), None), ..Writes::default() };
-        let mut scan = Scan { index, changes: Self { writes, passed: Vec::new(), by_name: Vec::new() } };
+        let mut scan = WriteScan { index, changes: Self { writes, passed: Vec::new(), by_name: Vec::new() } };
         for (id, routine) in index.routines.numbered() {
             let trap = routine.tree.kind == RoutineKind::Trap;
             scan.body(&routine.tree.body, id, trap);
@@ -54,12 +54,12 @@ impl Changes {
     }
 }
 
-struct Scan<'i, 'a> {
+struct WriteScan<'i, 'a> {
     index: &'i Index<'a>,
-    changes: Changes,
+    changes: ScannedWrites,
 }
 
-impl Scan<'_, '_> {
+impl WriteScan<'_, '_> {
     fn body(&mut self, body: &[Stmt], routine: RoutineIndex, any_time: bool) {
         let Some(entry) = self.index.routines.get(routine) else { return };
         let ctx = entry.ctx;

@@ -87,13 +87,13 @@ impl Deformation {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Growth, Identified, Term, Value};
+    use super::super::{Estimate, Growth, Identified, Term};
     use crate::deform::{Deformation, EffectKind, GrowthLaw};
     use crate::kinematics::FrameOffsets;
     use crate::robot::Axis;
 
     fn term(kind: EffectKind, growth: Growth, values: &[f64]) -> Term {
-        let values = values.iter().map(|&value| Value { value, sigma: None }).collect();
+        let values = values.iter().map(|&value| Estimate { value, sigma: None }).collect();
         Term { growth, ..Term::plain(kind, Some(Axis::at(1)), values) }
     }
 

@@ -1,13 +1,17 @@
 //! The model's file: TOML in mm, degrees and ppm, twelve digits, so that what is read and written again is the same.
 
+mod effect;
+mod text;
+
 use super::error::ModelError;
 use super::table_reader::TableReader;
-use super::{Growth, Identified, MeasuredRange, Mounting, PayloadScaling, Term, Value};
-use crate::deform::{EffectKind, GrowthLaw};
-use crate::robot::{Axis, FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
+use super::{FoundBy, Identified, MeasuredRange, Mounting};
+use crate::robot::{FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+use effect::{read_term, write_term};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use std::fmt::Write as _;
+use text::{list, number, quoted, ranges};
 
 /// The layout that is written.
 const FORMAT: i64 = 1;
@@ -39,7 +43,7 @@ impl Identified {
                 q_rad: joint_kinds.map(|_| [0.0; 2]),
                 ..MeasuredRange::default()
             },
-            verdict: top.text("verdict")?.unwrap_or_default(),
+            found_by: read_found_by(&mut top)?,
             ..Self::default()
         };
         if let Some(mut data) = top.table("data")? {
@@ -80,8 +84,8 @@ impl Identified {
             let kinds: Vec<String> = self.joint_kinds.iter().map(|kind| quoted(kind.name())).collect();
             let _ = writeln!(out, "joints = [{}]", kinds.join(", "));
         }
-        if !self.verdict.is_empty() {
-            let _ = writeln!(out, "verdict = {}", quoted(&self.verdict));
+        if let Some(found_by) = self.found_by {
+            let _ = writeln!(out, "verdict = {}", quoted(found_by.name()));
         }
         let _ =
             writeln!(out, "\n[data]\nfile = {}\nsha256 = {}", quoted(&self.data), quoted(&self.data_sha256));
@@ -131,6 +135,12 @@ impl Identified {
 /// A joint's coordinate as the file has it: degrees, or mm where it slides.
 fn from_si(kind: JointKind, q_rad: f64) -> f64 {
     if kind.slides() { mm_from_m(q_rad) } else { deg_from_rad(q_rad) }
+}
+
+fn read_found_by(top: &mut TableReader) -> Result<Option<FoundBy>, ModelError> {
+    let Some(name) = top.text("verdict")?.filter(|name| !name.is_empty()) else { return Ok(None) };
+    let known = FoundBy::named(&name);
+    known.map(Some).ok_or_else(|| top.wrong("verdict", format!("`{name}` is no verdict")))
 }
 
 fn read_kinds(top: &TableReader, names: &[String]) -> Result<Joints<JointKind>, ModelError> {
@@ -198,226 +208,11 @@ fn write_mounting(out: &mut String, mounting: &Mounting) {
     }
 }
 
-/// More teeth than this has no gear.
-const MOST_PERIODS: u32 = 1000;
-
-fn read_term(mut keys: TableReader, kinds: &Joints<JointKind>) -> Result<Term, ModelError> {
-    let name = keys.text("effect")?.ok_or_else(|| keys.wrong("effect", "missing".to_owned()))?;
-    let kind = name.parse().ok().filter(|kind: &EffectKind| kind.is_model_term());
-    let kind = kind.ok_or_else(|| keys.wrong("effect", format!("`{name}` is not known")))?;
-    let joint = keys.joint("joint", kinds.len())?;
-    if kind.takes_joint() && joint.is_none() && !kind.may_be_of_all() {
-        return Err(keys.wrong("joint", format!("{name} needs one, 1 to {}", kinds.len())));
-    }
-    let joint_b = keys.joint("joint_b", kinds.len())?;
-    if (kind == EffectKind::JointCoupling) != joint_b.is_some() {
-        return Err(keys.wrong("joint_b", "joint_coupling needs it, no other effect takes it".to_owned()));
-    }
-    let n = keys.integer("n")?.and_then(|n| u32::try_from(n).ok());
-    let n = match (kind, n) {
-        (EffectKind::GearEccentricity, _) => Some(1),
-        (EffectKind::GearSecondHarmonic, _) => Some(2),
-        (EffectKind::GearMesh, None) => {
-            return Err(keys.wrong("n", "gear_mesh needs periods per turn".to_owned()));
-        }
-        (EffectKind::GearMesh, Some(n)) if !(1..=MOST_PERIODS).contains(&n) => {
-            return Err(keys.wrong("n", format!("{n} periods per turn are no gear: 1 to {MOST_PERIODS}")));
-        }
-        (_, n) => n,
-    };
-    let mut values = Vec::new();
-    for (key, unit) in kind.parameters(kind_of(joint, kinds)) {
-        let number = keys.number(key)?.unwrap_or(0.0);
-        if kind == EffectKind::Backlash && number < 0.0 {
-            return Err(keys.wrong(key, format!("{number} is no play: 0 or more is asked for")));
-        }
-        let value = unit.si(number);
-        let sigma = keys.number(&format!("sigma_{key}"))?.map(|s| unit.si(s));
-        values.push(Value { value, sigma });
-    }
-    if kind == EffectKind::GearSpectrum {
-        values = read_spectrum(&mut keys)?;
-    }
-    let cause = keys.boolean("cause")?.unwrap_or(true);
-    let held_above_n_m = keys.number("held_above_n_m")?;
-    let payload_scaling = read_payload_scaling(&mut keys)?;
-    let growth = read_growth(&mut keys, kinds.len())?;
-    keys.finish()?;
-    Ok(Term { kind, joint, joint_b, n, growth, held_above_n_m, payload_scaling, cause, values })
-}
-
-/// Lists of sines and cosines, sigmas beside them or not.
-fn read_spectrum(keys: &mut TableReader) -> Result<Vec<Value>, ModelError> {
-    let parts = SPECTRUM.map(|key| (key, format!("sigma_{key}")));
-    let mut lists = Vec::new();
-    for (key, sigma_key) in &parts {
-        lists.push((keys.list(key)?, keys.list(sigma_key)?));
-    }
-    let n = lists.first().map_or(0, |(values, _)| values.len());
-    for ((values, sigmas), (key, sigma_key)) in lists.iter().zip(&parts) {
-        if values.len() != n || n == 0 {
-            return Err(keys.wrong(key, "sines and cosines are needed, as many of each".to_owned()));
-        }
-        if !sigmas.is_empty() && sigmas.len() != n {
-            return Err(keys.wrong(sigma_key, format!("{n} numbers are needed, there are {}", sigmas.len())));
-        }
-    }
-    let value = |k: usize, (values, sigmas): &(Vec<f64>, Vec<f64>)| Value {
-        value: rad_from_deg(values[k]),
-        sigma: sigmas.get(k).map(|s| rad_from_deg(*s)),
-    };
-    Ok((0..n).flat_map(|k| lists.iter().map(move |list| value(k, list))).collect())
-}
-
-fn write_spectrum(out: &mut String, values: &[Value]) {
-    for (first, key) in SPECTRUM.iter().enumerate() {
-        let part: Vec<Value> = values.iter().skip(first).step_by(2).copied().collect();
-        let degrees: Vec<f64> = part.iter().map(|v| deg_from_rad(v.value)).collect();
-        let _ = writeln!(out, "{key} = {}", list(&degrees));
-        let sigmas: Option<Vec<f64>> = part.iter().map(|v| v.sigma.map(deg_from_rad)).collect();
-        if let Some(sigmas) = sigmas {
-            let _ = writeln!(out, "sigma_{key} = {}", list(&sigmas));
-        }
-    }
-}
-
-/// Keys of a spectrum's values.
-const SPECTRUM: [&str; 2] = ["sin_deg", "cos_deg"];
-/// Names of [`PayloadScaling`] in the file.
-const PAYLOAD_SCALINGS: [(&str, PayloadScaling); 3] = [
-    ("where-loaded", PayloadScaling::WhereLoaded),
-    ("always", PayloadScaling::Always),
-    ("per-kilogram", PayloadScaling::PerKilogram),
-];
-
-fn read_payload_scaling(keys: &mut TableReader) -> Result<PayloadScaling, ModelError> {
-    let Some(name) = keys.text("hangs")? else { return Ok(PayloadScaling::default()) };
-    let known = PAYLOAD_SCALINGS
-        .iter()
-        .find(|(known, _)| *known == name)
-        .map(|(_, payload_scaling)| *payload_scaling);
-    known
-        .ok_or_else(|| keys.wrong("hangs", format!("`{name}` is none of where-loaded, always, per-kilogram")))
-}
-
-fn read_growth(keys: &mut TableReader, joints: usize) -> Result<Growth, ModelError> {
-    let Some(name) = keys.text("growth")? else { return Ok(Growth::Always) };
-    let positive = |keys: &mut TableReader, key: &str| match keys.number(key)? {
-        Some(value) if value > 0.0 => Ok(value),
-        _ => Err(keys.wrong(key, format!("growth `{name}` needs it, more than 0"))),
-    };
-    match name.as_str() {
-        "exp" => Ok(Growth::Law(GrowthLaw::Exp { tau_min: positive(keys, "tau_min")? })),
-        "two-stage" => Ok(Growth::Law(GrowthLaw::TwoStage { tau_min: positive(keys, "tau_min")? })),
-        "linear" => {
-            let from_min = keys.number("from_min")?.unwrap_or(0.0);
-            let to_min = keys.number("to_min")?.unwrap_or(0.0);
-            if to_min <= from_min {
-                return Err(keys.wrong("to_min", "must come after from_min".to_owned()));
-            }
-            Ok(Growth::Linear { from_min, to_min })
-        }
-        "step" => {
-            let t0_min = keys.number("t0_min")?;
-            let t0_min = t0_min.ok_or_else(|| keys.wrong("t0_min", "growth `step` needs it".to_owned()))?;
-            Ok(Growth::Step { t0_min })
-        }
-        "temperature" => {
-            let from_c = keys.per_joint("from_c", joints)?;
-            Ok(Growth::Temperature { from_c, to_c: keys.per_joint("to_c", joints)? })
-        }
-        _ => {
-            Err(keys
-                .wrong("growth", format!("`{name}` is none of exp, two-stage, linear, step, temperature")))
-        }
-    }
-}
-
-/// How the joint of a term moves.
-fn kind_of(joint: Option<Axis>, kinds: &Joints<JointKind>) -> JointKind {
-    joint.and_then(|joint| kinds.get(joint.index())).copied().unwrap_or_default()
-}
-
-fn write_term(out: &mut String, term: &Term, kinds: &Joints<JointKind>) {
-    let _ = writeln!(out, "\n[[effect]]\neffect = {}", quoted(term.kind.name()));
-    if !term.cause {
-        out.push_str("cause = false\n");
-    }
-    for (key, joint) in [("joint", term.joint), ("joint_b", term.joint_b)] {
-        if let Some(joint) = joint {
-            let _ = writeln!(out, "{key} = {joint}");
-        }
-    }
-    if let (EffectKind::GearMesh, Some(n)) = (term.kind, term.n) {
-        let _ = writeln!(out, "n = {n}");
-    }
-    for ((key, unit), value) in term.kind.parameters(kind_of(term.joint, kinds)).iter().zip(&term.values) {
-        let optional = ["link", "joint", "uneven", "force", "hardening", "softening"]
-            .iter()
-            .any(|correction| key.starts_with(correction));
-        if optional && value.value == 0.0 && value.sigma.is_none() {
-            continue;
-        }
-        let _ = writeln!(out, "{key} = {}", number(unit.file(value.value)));
-        if let Some(sigma) = value.sigma {
-            let _ = writeln!(out, "sigma_{key} = {}", number(unit.file(sigma)));
-        }
-    }
-    if term.kind == EffectKind::GearSpectrum {
-        write_spectrum(out, &term.values);
-    }
-    if let Some(limit) = term.held_above_n_m {
-        let _ = writeln!(out, "held_above_n_m = {}", number(limit));
-    }
-    if let Some((name, _)) =
-        PAYLOAD_SCALINGS.iter().skip(1).find(|(_, payload_scaling)| *payload_scaling == term.payload_scaling)
-    {
-        let _ = writeln!(out, "hangs = {}", quoted(name));
-    }
-    let _ = match term.growth {
-        Growth::Always | Growth::Law(GrowthLaw::None) => Ok(()),
-        Growth::Law(GrowthLaw::Exp { tau_min }) => {
-            writeln!(out, "growth = \"exp\"\ntau_min = {}", number(tau_min))
-        }
-        Growth::Law(GrowthLaw::TwoStage { tau_min }) => {
-            writeln!(out, "growth = \"two-stage\"\ntau_min = {}", number(tau_min))
-        }
-        Growth::Linear { from_min, to_min } => {
-            writeln!(out, "growth = \"linear\"\nfrom_min = {}\nto_min = {}", number(from_min), number(to_min))
-        }
-        Growth::Step { t0_min } => writeln!(out, "growth = \"step\"\nt0_min = {}", number(t0_min)),
-        Growth::Temperature { from_c, to_c } => {
-            writeln!(out, "growth = \"temperature\"\nfrom_c = {}\nto_c = {}", list(&from_c), list(&to_c))
-        }
-    };
-}
-
-/// Twelve digits and always a number that TOML reads as a float.
-fn number(value: f64) -> String {
-    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
-    let rounded = if rounded == 0.0 { 0.0 } else { rounded };
-    if rounded != 0.0 && !(1e-4..1e9).contains(&rounded.abs()) {
-        format!("{rounded:e}")
-    } else {
-        format!("{rounded:?}")
-    }
-}
-
-fn list(values: &[f64]) -> String {
-    format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", "))
-}
-
-fn ranges(all: &[[f64; 2]]) -> String {
-    format!("[{}]", all.iter().map(|r| list(r)).collect::<Vec<_>>().join(", "))
-}
-
-fn quoted(text: &str) -> String {
-    toml::Value::String(text.to_owned()).to_string()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::deform::EffectKind;
+    use crate::deform::identified::{Estimate, Verdict};
 
     const TEXT: &str = include_str!("../../../../../fixtures/model/every_effect.toml");
 
@@ -432,10 +227,22 @@ mod tests {
         let again = Identified::from_toml(&written).unwrap();
         assert_eq!(again, model);
         assert_eq!(again.to_toml(), written);
+        assert_eq!(model.found_by, Some(FoundBy::Diagnosis(Verdict::Several)));
         // By hand: 0.057 deg, 4.1e-6 rad/(N.m), 120 ppm.
         assert_eq!(model.terms[0].values[0].value, 0.057_f64.to_radians());
         assert_eq!(model.terms[2].values[0].value, 4.1e-6);
         assert!((model.terms[11].values[0].value - 1.2e-4).abs() < 1e-18);
+    }
+
+    #[test]
+    fn what_a_model_was_written_of_is_read_from_the_word_it_writes() {
+        for found_by in Verdict::ALL.into_iter().map(FoundBy::Diagnosis).chain([FoundBy::WarmUp]) {
+            let model = Identified { found_by: Some(found_by), ..Identified::default() };
+            let text = model.to_toml();
+            assert!(text.contains(&format!("\nverdict = \"{}\"\n", found_by.name())), "{text}");
+            assert_eq!(Identified::from_toml(&text).unwrap().found_by, Some(found_by));
+        }
+        assert!(!Identified::default().to_toml().contains("verdict"));
     }
 
     #[test]
@@ -463,7 +270,7 @@ mod tests {
         let model = Identified::from_toml(text).unwrap();
         assert_eq!(model.measured_range.q_rad[2], [-0.18, 0.0]);
         assert_eq!(model.measured_range.q_rad[0][1], std::f64::consts::FRAC_PI_2);
-        assert_eq!(model.terms[0].values[0], Value { value: 2e-4, sigma: Some(1e-5) });
+        assert_eq!(model.terms[0].values[0], Estimate { value: 2e-4, sigma: Some(1e-5) });
         assert_eq!(model.terms[1].values[0].value, 0.1_f64.to_radians());
         assert!(!model.is_six_axis());
         assert_eq!(Identified::from_toml(&model.to_toml()).unwrap(), model);
@@ -492,6 +299,10 @@ mod tests {
         );
         assert_eq!(error("joint = 3", "joint = 7"), "model, [[effect]] 1, joint: 7 is not 1 to 6");
         assert!(error("format = 1", "format =").starts_with("model, line "));
+        assert_eq!(
+            error("verdict = \"several\"", "verdict = \"severel\""),
+            "model, top, verdict: `severel` is no verdict"
+        );
         let unknown = error("effect = \"joint_offset\"", "effect = \"joint_ofset\"");
         assert_eq!(unknown, "model, [[effect]] 1, effect: `joint_ofset` is not known");
     }

@@ -10,11 +10,14 @@ mod file;
 mod parameters;
 mod table_reader;
 mod term;
+mod verdict;
 
 pub use error::ModelError;
 pub use parameters::{Parameter, Unit};
 pub(in crate::deform) use term::{ArmDelta, PoseState};
-pub use term::{Growth, PayloadScaling, Term, Value, compliance_of_link};
+pub use term::{Estimate, Growth, PayloadScaling, Term, compliance_of_link};
+
+pub use verdict::{FoundBy, Verdict};
 
 use super::{EffectKind, GrowthLaw};
 use crate::robot::{JointKind, Joints};
@@ -66,8 +69,8 @@ pub struct Identified {
     pub data: String,
     /// SHA-256 of the data, hexadecimal.
     pub data_sha256: String,
-    /// Verdict of the diagnosis.
-    pub verdict: String,
+    /// What it was written of, the key `verdict` of its file; `None` where nothing says so.
+    pub found_by: Option<FoundBy>,
     /// Noise of one coordinate, metres.
     pub sigma_m: Option<f64>,
     /// Where it was found.
@@ -104,7 +107,7 @@ impl Default for Identified {
             joint_kinds: Joints::all(SIX, JointKind::Revolute),
             data: String::new(),
             data_sha256: String::new(),
-            verdict: String::new(),
+            found_by: None,
             sigma_m: None,
             measured_range: MeasuredRange::default(),
             region_held_out_m: None,

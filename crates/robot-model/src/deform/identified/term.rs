@@ -103,7 +103,7 @@ impl PayloadScaling {
 
 /// A parameter's value and how well it is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Value {
+pub struct Estimate {
     /// The value in SI units.
     pub value: f64,
     /// One standard deviation, SI; `None` where it was not estimated.
@@ -131,13 +131,13 @@ pub struct Term {
     /// Named as a cause; otherwise it stands in the background of the causes.
     pub cause: bool,
     /// In the order of [`EffectKind::parameters`], SI; of a spectrum sine and cosine of 1, 2, 3 ... per turn.
-    pub values: Vec<Value>,
+    pub values: Vec<Estimate>,
 }
 
 impl Term {
     /// A cause that is there from the cold start on and has nothing besides its joint and values.
     #[must_use]
-    pub fn plain(kind: EffectKind, joint: Option<Axis>, values: Vec<Value>) -> Self {
+    pub fn plain(kind: EffectKind, joint: Option<Axis>, values: Vec<Estimate>) -> Self {
         Self {
             kind,
             joint,
