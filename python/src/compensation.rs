@@ -63,7 +63,7 @@ fn run(
         Program::Paths(paths) => command_line::program(&paths).map_err(alone)?,
     };
     let made = job
-        .run_told(&program, &mut |done, all| {
+        .run_with_progress(&program, &mut |done, all| {
             let Some(progress) = progress else { return Ok(()) };
             Python::attach(|py| progress.call1(py, (done, all))).map(drop).map_err(|error| {
                 *stopped = Some(error);

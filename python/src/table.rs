@@ -39,7 +39,7 @@ impl Table {
         let schema = Arc::new(Schema::new(fields.collect::<Vec<_>>()));
         let arrays = columns.iter().map(|(_, array)| Arc::clone(array)).collect();
         let options = arrow_array::RecordBatchOptions::new().with_row_count(Some(rows.len()));
-        let batch = RecordBatch::try_new_with_options(schema, arrays, &options).map_err(said)?;
+        let batch = RecordBatch::try_new_with_options(schema, arrays, &options).map_err(python_error)?;
         Ok(Self { batch })
     }
 
@@ -64,7 +64,7 @@ impl Table {
     }
 }
 
-fn said(error: ArrowError) -> PyErr {
+fn python_error(error: ArrowError) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
 
@@ -109,11 +109,12 @@ pub fn csv_of(py: Python<'_>, table: PyTable) -> PyResult<String> {
             .iter()
             .map(|column| ArrayFormatter::try_new(column.as_ref(), &options))
             .collect::<Result<_, _>>()
-            .map_err(said)?;
+            .map_err(python_error)?;
         for row in 0..batch.num_rows() {
             let cell =
                 |column: &ArrayFormatter<'_>| column.value(row).try_to_string().map(|cell| quoted(&cell));
-            let cells: Vec<String> = columns.iter().map(cell).collect::<Result<_, _>>().map_err(said)?;
+            let cells: Vec<String> =
+                columns.iter().map(cell).collect::<Result<_, _>>().map_err(python_error)?;
             text.push_str(&cells.join(","));
             text.push('\n');
         }

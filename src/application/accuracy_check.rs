@@ -88,11 +88,11 @@ impl AccuracyChecked {
     /// Go or no go; `None` where there was no limit.
     #[must_use]
     pub fn verdict(&self) -> Option<String> {
-        let said = match self.is_within() {
+        let verdict_text = match self.is_within() {
             true => "GO".to_owned(),
             false => format!("NO GO: beyond {}", self.beyond.join(", ")),
         };
-        self.is_limited.then_some(said)
+        self.is_limited.then_some(verdict_text)
     }
 
     /// The performance for people.

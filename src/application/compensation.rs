@@ -120,22 +120,22 @@ impl Compensation {
     /// # Errors
     /// Why not, with all messages.
     pub fn run(&self, program: &ProgramFiles) -> Result<Compensated<'_>, Box<Refusal>> {
-        self.run_told(program, &mut |_, _| Ok(()))
+        self.run_with_progress(program, &mut |_, _| Ok(()))
     }
 
-    /// As [`run`](Self::run); `told` is called with files done and files in all, and may end the work.
+    /// As [`run`](Self::run); `on_progress` is called with files done and files in all, and may end the work.
     ///
     /// # Errors
-    /// Why not, with all messages; what `told` says is the last.
-    pub fn run_told(
+    /// Why not, with all messages; what `on_progress` answers is the last.
+    pub fn run_with_progress(
         &self,
         program: &ProgramFiles,
-        told: &mut dyn FnMut(usize, usize) -> Result<(), Diagnostic>,
+        on_progress: &mut dyn FnMut(usize, usize) -> Result<(), Diagnostic>,
     ) -> Result<Compensated<'_>, Box<Refusal>> {
         let (all, mut files) = (program.iter().count(), Vec::new());
         let mut made = self.run_each(program, &mut |_, file| {
             files.push(file);
-            told(files.len(), all.max(files.len()))
+            on_progress(files.len(), all.max(files.len()))
         })?;
         made.files = files;
         Ok(made)
@@ -243,8 +243,8 @@ impl Compensation {
         };
         match compensate::plan(program, &self.robot.model, deformation, asked) {
             Ok(mut plan) => {
-                let said = std::mem::take(&mut plan.diagnostics);
-                messages.extend(LocatedDiagnostic::all(said, &program.files));
+                let found = std::mem::take(&mut plan.diagnostics);
+                messages.extend(LocatedDiagnostic::all(found, &program.files));
                 Ok(plan)
             }
             Err(error) => {

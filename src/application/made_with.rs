@@ -116,12 +116,12 @@ impl MadeWith {
     /// Tools and work objects: those that are given, and the modules' under other names.
     #[must_use]
     pub fn overrides(&self, tools: &[(String, String)], wobjs: &[(String, String)]) -> Overrides {
-        let said = |option: &str| {
+        let values_of = |option: &str| {
             self.settings.iter().filter(move |of| of.name == option).map(|of| of.value.as_str()).collect()
         };
         let with = |option: &str, given: &[(String, String)]| {
             let mut all = given.to_vec();
-            let values: Vec<&str> = said(option);
+            let values: Vec<&str> = values_of(option);
             for (name, data) in values.into_iter().filter_map(|value| value.split_once('=')) {
                 if !all.iter().any(|(known, _)| known.eq_ignore_ascii_case(name)) {
                     all.push((name.to_owned(), data.to_owned()));
@@ -130,7 +130,7 @@ impl MadeWith {
             all
         };
         let mut base_fixed = [false; 6];
-        for axes in said("base-fixed") {
+        for axes in values_of("base-fixed") {
             for (fixed, letter) in base_fixed.iter_mut().zip('a'..='f') {
                 *fixed |= axes.contains(letter);
             }
@@ -219,12 +219,12 @@ mod tests {
         job.options.start_rad = Some([0.0, 0.0, 0.0, 0.0, rad_from_deg(30.0), 0.0]);
         let made = job.run(&cube).unwrap();
         let emitted = ProgramFiles::new(made.loaded());
-        let said = MadeWith::of(&[&emitted, &cube], None);
-        assert_eq!(said.robot(), Ok(Origin::BuiltIn("irb140".to_owned())));
-        assert_eq!(said.deformation(), Ok(Some(Origin::BuiltIn("paper, Table 2".to_owned()))));
-        assert_eq!((said.model(), said.payload_kg()), (Ok(None), Ok(None)));
-        assert_eq!(said.start_rad(None), Ok(job.options.start_rad));
-        assert_eq!(said.start_rad(Some([0.1; 6])), Ok(Some([0.1; 6])));
+        let made_with = MadeWith::of(&[&emitted, &cube], None);
+        assert_eq!(made_with.robot(), Ok(Origin::BuiltIn("irb140".to_owned())));
+        assert_eq!(made_with.deformation(), Ok(Some(Origin::BuiltIn("paper, Table 2".to_owned()))));
+        assert_eq!((made_with.model(), made_with.payload_kg()), (Ok(None), Ok(None)));
+        assert_eq!(made_with.start_rad(None), Ok(job.options.start_rad));
+        assert_eq!(made_with.start_rad(Some([0.1; 6])), Ok(Some([0.1; 6])));
         let bare = MadeWith::of(&[&cube], None);
         assert_eq!(bare.robot(), Ok(Origin::BuiltIn("irb140".to_owned())));
         assert_eq!(bare.deformation(), Ok(None));
@@ -232,12 +232,12 @@ mod tests {
 
     #[test]
     fn two_modules_that_say_different_things_are_told() {
-        let said = |value: &str, module: &str| Setting {
+        let setting = |value: &str, module: &str| Setting {
             name: "growth".into(),
             value: value.into(),
             module: module.into(),
         };
-        let made_with = MadeWith { settings: vec![said("exp:30", "a.mod"), said("exp:40", "b.mod")] };
+        let made_with = MadeWith { settings: vec![setting("exp:30", "a.mod"), setting("exp:40", "b.mod")] };
         let error = made_with.one("growth").unwrap_err();
         assert_eq!(error.code, "made-with::differs");
         assert!(error.message.ends_with("a.mod with exp:30, b.mod with exp:40"), "{error}");

@@ -100,11 +100,11 @@ mod tests {
     fn files_that_are_no_modules_are_compared_by_their_places() {
         let before = with(&[("a.txt", "1"), ("b.txt", "2"), ("cell.pgf", "<Program/>"), ("only.txt", "")]);
         let after = with(&[("a.txt", "1"), ("b.txt", "3"), ("new.txt", ""), ("other.pgf", "<Program/>")]);
-        let said = [
+        let changed = [
             "b.txt differs.",
             "only.txt is only in the first program.",
             "new.txt is only in the second program.",
         ];
-        assert_eq!(other_files(&before, &after).unwrap(), said);
+        assert_eq!(other_files(&before, &after).unwrap(), changed);
     }
 }

@@ -9,7 +9,7 @@ const MODE: &str = "tcMode";
 const SHOWN: [&str; 7] = [MODE, "tcBucket", "tcShare", "tcMinute", "tcDegrees", "tcTouchSigma", "tcTouchAge"];
 
 /// What it last said to the operator.
-const SAID: &str = "tcSaid";
+const LAST_MESSAGE: &str = "tcSaid";
 
 /// The data of one corrected module.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub struct OwnData {
     /// Name and value, as RAPID writes it.
     pub values: Vec<(String, String)>,
     /// The message that was shown last.
-    pub said: Option<String>,
+    pub last_message: Option<String>,
 }
 
 impl OwnData {
@@ -53,15 +53,16 @@ impl OwnData {
             return Ok(None);
         }
         let mut own =
-            Self { task: task.to_owned(), module: module.to_owned(), values: Vec::new(), said: None };
+            Self { task: task.to_owned(), module: module.to_owned(), values: Vec::new(), last_message: None };
         for name in SHOWN {
             if session.property(task, module, name)?.is_some() {
                 own.values.push((name.to_owned(), session.value(task, module, name)?));
             }
         }
-        if session.property(task, module, SAID)?.is_some() {
-            let said = session.value(task, module, SAID)?;
-            own.said = Some(said.trim_matches('"').to_owned()).filter(|said| !said.is_empty());
+        if session.property(task, module, LAST_MESSAGE)?.is_some() {
+            let last_message = session.value(task, module, LAST_MESSAGE)?;
+            own.last_message = Some(last_message.trim_matches('"').to_owned())
+                .filter(|last_message| !last_message.is_empty());
         }
         Ok(Some(own))
     }
@@ -75,8 +76,8 @@ impl OwnData {
         for (name, value) in &mut self.values {
             *value = session.value(&self.task, &self.module, name)?;
         }
-        if let Some(said) = &mut self.said {
-            session.value(&self.task, &self.module, SAID)?.trim_matches('"').clone_into(said);
+        if let Some(last_message) = &mut self.last_message {
+            session.value(&self.task, &self.module, LAST_MESSAGE)?.trim_matches('"').clone_into(last_message);
         }
         Ok(())
     }
@@ -85,8 +86,11 @@ impl OwnData {
     #[must_use]
     pub fn line(&self) -> String {
         let values: Vec<String> = self.values.iter().map(|(name, value)| format!("{name} {value}")).collect();
-        let said = self.said.as_ref().filter(|said| !said.is_empty());
-        said.map_or_else(|| values.join(", "), |said| format!("{}; it said: {said}", values.join(", ")))
+        let last_message = self.last_message.as_ref().filter(|last_message| !last_message.is_empty());
+        last_message.map_or_else(
+            || values.join(", "),
+            |last_message| format!("{}; it said: {last_message}", values.join(", ")),
+        )
     }
 
     /// One object: task, module, what was said, and each datum under its name, a number where it is one.
@@ -96,7 +100,7 @@ impl OwnData {
             value.parse::<f64>().map_or_else(|_| value.clone().into(), serde_json::Value::from)
         };
         let values: serde_json::Map<_, _> = self.values.iter().map(|(n, v)| (n.clone(), number(v))).collect();
-        serde_json::json!({"task": self.task, "module": self.module, "said": self.said, "values": values})
+        serde_json::json!({"task": self.task, "module": self.module, "said": self.last_message, "values": values})
     }
 }
 
@@ -116,7 +120,7 @@ mod tests {
             task: "T_ROB1".into(),
             module: "Part".into(),
             values: vec![("tcMode".into(), "-1".into()), ("tcMinute".into(), "64.7".into())],
-            said: Some("originals".into()),
+            last_message: Some("originals".into()),
         };
         assert_eq!(own.line(), "tcMode -1, tcMinute 64.7; it said: originals");
         assert_eq!(own.json()["values"]["tcMinute"], 64.7);

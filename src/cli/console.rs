@@ -109,8 +109,8 @@ impl Console {
         } else {
             messages
         };
-        let look = if self.err_is_coloured { ColorMode::Coloured } else { ColorMode::Plain };
-        let _ = report::write_messages(&mut self.err, messages, look, all); // as in `say`
+        let color_mode = if self.err_is_coloured { ColorMode::Coloured } else { ColorMode::Plain };
+        let _ = report::write_messages(&mut self.err, messages, color_mode, all); // as in `note`
     }
 
     /// Brings out what is still to be written, as far as there is a reader.
@@ -119,7 +119,7 @@ impl Console {
     }
 
     /// One line to standard error.
-    pub fn say(&mut self, line: impl std::fmt::Display) {
+    pub fn note(&mut self, line: impl std::fmt::Display) {
         if self.is_quiet {
             return;
         }
@@ -137,7 +137,7 @@ impl Console {
                 if let Some(errors) = &mut self.errors {
                     errors.push(LocatedDiagnostic::new(Diagnostic::error("run::failed", text), &[]));
                 }
-                let _ = writeln!(self.err, "error: {error:#}"); // as in `say`
+                let _ = writeln!(self.err, "error: {error:#}"); // as in `note`
             }
         }
         Outcome::Refused
@@ -155,7 +155,7 @@ impl Console {
     pub(super) fn usage(&mut self, error: &clap::Error) -> Outcome {
         if let Some(errors) = &mut self.errors {
             let text = error.to_string();
-            let _ = write!(self.err, "{text}"); // as in `say`
+            let _ = write!(self.err, "{text}"); // as in `note`
             if !error.use_stderr() {
                 return Outcome::Done;
             }

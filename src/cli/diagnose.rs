@@ -107,7 +107,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let job = Diagnosis { robot, options, identify };
     let found = job.run(&measurements).map_err(|error| model::in_file(&given.name, error.into()))?;
     for warning in &found.findings.warnings {
-        console.say(format_args!("warning[{}]: {}", warning.code, warning.message));
+        console.note(format_args!("warning[{}]: {}", warning.code, warning.message));
     }
     if !outputs.json.is_standard() {
         console.out().write_all(found.text().as_bytes())?;

@@ -113,12 +113,12 @@ pub fn cannot_read(path: &Path, what: &str, cause: &io::Error) -> Diagnostic {
             let text = format!("the {what} {shown} is a link to {}, which does not exist", to.display());
             return Diagnostic::error("input::missing", text).help("name the file itself");
         }
-        let mut said = Diagnostic::error("input::missing", format!("the {what} {shown} does not exist"));
-        said.help = Some(match similar_neighbour(path) {
+        let mut refusal = Diagnostic::error("input::missing", format!("the {what} {shown} does not exist"));
+        refusal.help = Some(match similar_neighbour(path) {
             Some(near) => format!("did you mean {}?", near.display()),
             None => "check the path".to_owned(),
         });
-        return said;
+        return refusal;
     }
     if path.is_dir() {
         return Diagnostic::error("input::unreadable", format!("{shown} is a folder, not a {what}"))
@@ -304,10 +304,10 @@ mod tests {
         // Zeroed pages that nobody touches take no memory.
         let bytes = vec![0; (1 << 30) + 1];
         assert_eq!(check_size("out.mod", &bytes[..1 << 30]), Ok(()));
-        let said = check_size("out.mod", &bytes).unwrap_err();
+        let refusal = check_size("out.mod", &bytes).unwrap_err();
         assert!(
-            said.code == "output::too-large" && said.message.contains("out.mod would be larger"),
-            "{said:?}"
+            refusal.code == "output::too-large" && refusal.message.contains("out.mod would be larger"),
+            "{refusal:?}"
         );
     }
 }

@@ -54,14 +54,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let same = actual == expected;
         if !same && args.update {
             write_all(&folder, &expected, &actual)?;
-            console.say(format_args!("{}: updated", case.display()));
+            console.note(format_args!("{}: updated", case.display()));
         } else if !same && !json.is_standard() {
             show(console, &folder, &expected, &actual)?;
         }
         cases.push((case.display().to_string(), same));
     }
     let different = cases.iter().filter(|(_, same)| !same).count();
-    console.say(format_args!("{}, {different} different", report::counted(cases.len(), "case")));
+    console.note(format_args!("{}, {different} different", report::counted(cases.len(), "case")));
     json.write(console, || Ok(report::golden_json(&cases, args.update).into_bytes()))?;
     Ok(if different == 0 || args.update { Outcome::Done } else { Outcome::Difference })
 }
@@ -101,10 +101,10 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         *path = Path::new("source").join(place);
     }
     let mut result = Files::new();
-    let look = ColorMode::Plain;
-    let mut said = Vec::new();
+    let color_mode = ColorMode::Plain;
+    let mut message_text = Vec::new();
     let mut diff = Vec::new();
-    let mut take = |program: &Program, file: EmittedFile| {
+    let mut accept = |program: &Program, file: EmittedFile| {
         let to = destination.path_of(&file, &given).display().to_string();
         write_file_diff(&mut diff, program, &file, &to)
             .map_err(|cause| Diagnostic::error("output::unwritable", cause.to_string()))?;
@@ -114,7 +114,7 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         Ok(())
     };
     let job = args.compensation(None)?;
-    let messages = match job.run_each(&given.program(), &mut take) {
+    let messages = match job.run_each(&given.program(), &mut accept) {
         Ok(made) => {
             let mut text = Vec::new();
             made.write_review(&mut text, true)?;
@@ -124,9 +124,9 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         }
         Err(refusal) => refusal.messages,
     };
-    report::write_messages(&mut said, &messages, look, true)?;
-    if !said.is_empty() {
-        result.insert("messages.txt".to_owned(), said);
+    report::write_messages(&mut message_text, &messages, color_mode, true)?;
+    if !message_text.is_empty() {
+        result.insert("messages.txt".to_owned(), message_text);
     }
     Ok(result)
 }

@@ -33,7 +33,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     let count = pages.len();
     pages.into_iter().try_for_each(Pending::place)?;
-    console.say(format_args!("wrote {count} pages to {}", args.output.display()));
+    console.note(format_args!("wrote {count} pages to {}", args.output.display()));
     Ok(Outcome::Done)
 }
 

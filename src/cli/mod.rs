@@ -306,7 +306,7 @@ fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
         Err(ParseFailure::Usage(error)) => {
             let ended = console.usage(&error);
             if let Some(near) = near_command(&error, words) {
-                console.say(format_args!("did you mean '{near}'?"));
+                console.note(format_args!("did you mean '{near}'?"));
             }
             return ended;
         }

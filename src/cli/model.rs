@@ -214,10 +214,10 @@ pub fn deformation(file: Option<&Path>, growth: Option<&str>) -> Result<Deformat
 fn growth_law(text: &str) -> Result<GrowthLaw, Diagnostic> {
     text.parse().map_err(|error| {
         let word = text.split(':').next().unwrap_or_default();
-        let mut said = Diagnostic::from(DeformError::Growth(error));
+        let mut refusal = Diagnostic::from(DeformError::Growth(error));
         let near = suggest::nearest(word, ["none", "exp", "two-stage"]).filter(|near| *near != word);
-        said.help = near.map(|near| format!("did you mean `{near}`?"));
-        said
+        refusal.help = near.map(|near| format!("did you mean `{near}`?"));
+        refusal
     })
 }
 

@@ -133,12 +133,12 @@ pub fn place_all(mut files: Vec<Pending>) -> Result<(), Diagnostic> {
             uninterrupted = Some(placing());
         }
         let path = file.path().display().to_string();
-        if let Err(mut said) = file.place() {
-            said.help = Some(match written.as_slice() {
+        if let Err(mut refusal) = file.place() {
+            refusal.help = Some(match written.as_slice() {
                 [] => "name another place for it, or give write permission; nothing was written".to_owned(),
                 list => format!("written are {}, and nothing else", list.join(", ")),
             });
-            return Err(said);
+            return Err(refusal);
         }
         written.push(path);
     }

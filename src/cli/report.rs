@@ -36,6 +36,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     out.flush()?;
     drop(out);
     page.place()?;
-    console.say(format_args!("wrote {}", path.display()));
+    console.note(format_args!("wrote {}", path.display()));
     Ok(Outcome::Done)
 }

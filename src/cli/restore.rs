@@ -45,7 +45,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         emitted.push((path.display().to_string(), files::read(path, "emitted module")?));
     }
     let found = Restoration::new(ProgramFiles::new(emitted)).run().map_err(Diagnostic::from)?;
-    say_cores(&found, console);
+    note_cores(&found, console);
     let mut outputs = Vec::new();
     for (path, restored) in found.originals() {
         let to = place(Path::new(path), restored, args)?;
@@ -69,7 +69,7 @@ fn restore_program(
     let given = ProgramInput::read(std::slice::from_ref(&program.to_path_buf()))?;
     let job = Restoration::of_program(given.program(), program.display().to_string());
     let found = job.run().map_err(Diagnostic::from)?;
-    say_cores(&found, console);
+    note_cores(&found, console);
     let beside_place = |path: &Path, place: &Path, bytes: &[u8]| -> Result<Pending, Diagnostic> {
         let mut pending = Pending::new(&apart(path, folder.join(place))?)?;
         pending.fill(bytes)?;
@@ -110,9 +110,9 @@ fn folder<'a>(program: &Path, args: &'a Args) -> Result<&'a Path, Diagnostic> {
     }
 }
 
-fn say_cores(found: &RestoredFiles, console: &mut Console) {
+fn note_cores(found: &RestoredFiles, console: &mut Console) {
     for (path, altered) in found.cores() {
-        console.say(format_args!("{path}: the common module, it has no original"));
+        console.note(format_args!("{path}: the common module, it has no original"));
         warn(path, altered, console);
     }
 }
@@ -136,15 +136,15 @@ fn put_in_place(
     }
     place_all(all)?;
     for ((path, restored), to) in found.originals().zip(&names) {
-        restored.touched.iter().for_each(|touched| say_touched(path, touched, console));
+        restored.touched.iter().for_each(|touched| note_touched(path, touched, console));
         warn(path, &restored.altered, console);
         let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
-        console.say(format_args!("wrote {to} ({how})"));
+        console.note(format_args!("wrote {to} ({how})"));
     }
     Ok(if found.is_exact() { Outcome::Done } else { Outcome::Difference })
 }
 
-fn say_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
+fn note_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
     let (how, what_now) = match touched.into {
         ModifiedIn::Motion => ("touched up on the controller", "its new value is in the motion"),
         ModifiedIn::Declaration => ("touched up on the controller", "its new value is in the declaration"),
@@ -153,7 +153,7 @@ fn say_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
             "the corrected motions went by its array, as it was made; those of the original go by the new value",
         ),
     };
-    console.say(format_args!(
+    console.note(format_args!(
         "{path}:{}: {} was {how} by {:.4} {}; {what_now}",
         touched.line, touched.target, touched.moved, touched.unit
     ));

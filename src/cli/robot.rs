@@ -54,6 +54,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     };
     files::Pending::new(path)?.write(text.as_bytes())?;
-    console.say(format_args!("wrote {}", path.display()));
+    console.note(format_args!("wrote {}", path.display()));
     Ok(Outcome::Done)
 }

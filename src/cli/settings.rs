@@ -95,9 +95,9 @@ impl Settings {
         };
         self.words.iter().any(is_it).then(|| {
             let text = error.to_string();
-            let told = text.split("\n\n").next().unwrap_or(&text);
-            let told: Vec<&str> = told.trim_start_matches("error: ").split_whitespace().collect();
-            Diagnostic::error("settings::value", format!("{}: {}", self.path.display(), told.join(" ")))
+            let message = text.split("\n\n").next().unwrap_or(&text);
+            let message: Vec<&str> = message.trim_start_matches("error: ").split_whitespace().collect();
+            Diagnostic::error("settings::value", format!("{}: {}", self.path.display(), message.join(" ")))
         })
     }
 

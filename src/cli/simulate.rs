@@ -182,8 +182,10 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
     let tasks = program.tasks();
     let task = args.task.clone().or(tasks.first().cloned());
     if let (None, Some(first), [_, _, ..]) = (&args.task, &task, tasks.as_slice()) {
-        console
-            .say(format_args!("{first} of the tasks {} is executed; --task names another", tasks.join(", ")));
+        console.note(format_args!(
+            "{first} of the tasks {} is executed; --task names another",
+            tasks.join(", ")
+        ));
     }
     let made_with = MadeWith::of(&[program], task.as_deref());
     let robot = made_with::robot(&made_with, args.settings.robot.as_deref())?;
@@ -210,7 +212,7 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
         gap_min: args.gap_min,
     };
     if job.options.thermometer.is_none() && job.robot.is_by_temperature() {
-        console.say(
+        console.note(
             "the true robot deforms by temperature, and nothing shows it to the program: --thermometer NAME names the analog input or \
              persistent that does",
         );

@@ -135,7 +135,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     write_sealed(&args.out_dir, made.sealed_truth()?)?;
     let folder = args.out_dir.display();
     json.write(console, || Ok(format!("{:#}\n", made.json(&folder.to_string())).into_bytes()))?;
-    console.say(format_args!(
+    console.note(format_args!(
         "{} measurement sets in {folder}; what was put into them is in sealed/truth.json, its SHA-256 in SEAL",
         made.sets.len()
     ));
@@ -153,9 +153,9 @@ fn touched(args: &Args, points: u32, json: files::Output, console: &mut Console)
     (job.sigma_mm, job.tau_cool_min, job.seed) = (args.sigma_mm, args.tau_cool, args.seed);
     let made = job.run().map_err(|error| match error {
         SynthesisError::NoTimeConstant => {
-            let mut said = Diagnostic::from(error);
-            said.message = format!("--growth {} has no time constant", args.growth);
-            said
+            let mut refusal = Diagnostic::from(error);
+            refusal.message = format!("--growth {} has no time constant", args.growth);
+            refusal
         }
         error => error.into(),
     })?;
@@ -164,7 +164,7 @@ fn touched(args: &Args, points: u32, json: files::Output, console: &mut Console)
     write_sealed(&args.out_dir, made.sealed_truth()?)?;
     let folder = args.out_dir.display().to_string();
     json.write(console, || Ok(format!("{:#}\n", made.json(&folder)).into_bytes()))?;
-    console.say(format_args!(
+    console.note(format_args!(
         "{points} points touched {} times in {}; tool 0,0,100",
         args.times,
         file.display()

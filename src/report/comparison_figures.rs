@@ -31,24 +31,24 @@ impl<'c> Figures<'c> {
         for motion in &comparison.motions {
             for (k, step) in motion.steps.iter().enumerate() {
                 let bucket = bucket(motion, k);
-                let take = |worst: &mut Option<Worst<'c>>, value: Option<f64>, sign: f64| {
+                let update = |worst: &mut Option<Worst<'c>>, value: Option<f64>, sign: f64| {
                     let Some(value) = value else { return };
                     if worst.as_ref().is_none_or(|worst| sign * value > sign * worst.value) {
                         *worst = Some(Worst { value, motion, bucket });
                     }
                 };
-                take(&mut figures.distance, Some(step.distance_m), 1.0);
-                take(&mut figures.angle, Some(step.angle_rad), 1.0);
-                take(&mut figures.joint, step.arm.map(|a| a.joint_rad), 1.0);
-                take(&mut figures.limit, step.arm.and_then(|a| a.limit_rad), -1.0);
-                take(&mut figures.singular, step.arm.map(|a| a.wrist_rad.min(a.elbow_rad)), -1.0);
+                update(&mut figures.distance, Some(step.distance_m), 1.0);
+                update(&mut figures.angle, Some(step.angle_rad), 1.0);
+                update(&mut figures.joint, step.arm.map(|a| a.joint_rad), 1.0);
+                update(&mut figures.limit, step.arm.and_then(|a| a.limit_rad), -1.0);
+                update(&mut figures.singular, step.arm.map(|a| a.wrist_rad.min(a.elbow_rad)), -1.0);
                 // From bucket to bucket; element 1 is the original, which follows none.
                 let before = k.checked_sub(1).filter(|k| *k > 0).and_then(|k| motion.steps.get(k));
                 let jump = before.map(|before| {
                     let apart = before.position_m.iter().zip(step.position_m).map(|(a, b)| (a - b).powi(2));
                     apart.sum::<f64>().sqrt()
                 });
-                take(&mut figures.jump, jump, 1.0);
+                update(&mut figures.jump, jump, 1.0);
                 figures.same_configuration &=
                     step.same_configuration && step.arm.is_none_or(|arm| arm.same_branch);
             }

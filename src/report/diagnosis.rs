@@ -14,8 +14,8 @@ const WORTH_A_LINE_MM: f64 = 5e-4;
 pub fn text(d: &Findings, arm: &SerialArm) -> String {
     let robot = &arm.name;
     let mut page = String::new();
-    if let Some(said) = mostly_explained(d) {
-        line(&mut page, &said);
+    if let Some(summary) = mostly_explained(d) {
+        line(&mut page, &summary);
     }
     line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
     left(&mut page, d);

@@ -169,17 +169,17 @@ pub fn messages(list: &[LocatedDiagnostic]) -> Value {
 }
 
 fn of_severity(list: &[LocatedDiagnostic], is: fn(Severity) -> bool) -> Value {
-    let one = |told: &LocatedDiagnostic| {
-        let message = &told.diagnostic;
+    let one = |located: &LocatedDiagnostic| {
+        let message = &located.diagnostic;
         json!({
             "code": message.code,
-            "file": told.place().map(|(path, _)| path),
-            "line": told.place().map(|(_, line)| line),
+            "file": located.place().map(|(path, _)| path),
+            "line": located.place().map(|(_, line)| line),
             "message": message.message,
             "help": message.help,
         })
     };
-    list.iter().filter(|told| is(told.diagnostic.severity)).map(one).collect()
+    list.iter().filter(|located| is(located.diagnostic.severity)).map(one).collect()
 }
 
 /// Which cases of a folder came out as expected, by the path of each, with a line end; `is_updated`: what comes out is what is

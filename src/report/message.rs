@@ -82,7 +82,7 @@ impl std::error::Error for LocatedDiagnostic {}
 pub fn write_messages(
     out: &mut dyn Write,
     messages: &[LocatedDiagnostic],
-    look: ColorMode,
+    mode: ColorMode,
     all: bool,
 ) -> io::Result<()> {
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
@@ -90,7 +90,7 @@ pub fn write_messages(
         let count = seen.entry(message.diagnostic.code).or_default();
         *count += 1;
         if all || *count <= SHOWN_OF_A_CODE {
-            write_message(out, message, look)?;
+            write_message(out, message, mode)?;
         }
     }
     for (code, count) in seen {
@@ -106,9 +106,9 @@ pub fn write_messages(
 ///
 /// # Errors
 /// Those of writing to `out`.
-pub fn write_message(out: &mut dyn Write, message: &LocatedDiagnostic, look: ColorMode) -> io::Result<()> {
+pub fn write_message(out: &mut dyn Write, message: &LocatedDiagnostic, mode: ColorMode) -> io::Result<()> {
     let LocatedDiagnostic { diagnostic, excerpts, .. } = message;
-    let renderer = match look {
+    let renderer = match mode {
         ColorMode::Plain => Renderer::plain(),
         ColorMode::Coloured => Renderer::styled(),
     }
@@ -245,10 +245,10 @@ mod tests {
         let there = Span { file: FileId(1), range: TextRange::new(26, 28) };
         assert_eq!([first.text(here.range), second.text(there.range)], [b"p1"; 2]);
         let message = Diagnostic::warning("keep::x", "no value").at(here).label(there, "declared here");
-        let told = LocatedDiagnostic::new(message, &[first, second]);
-        assert_eq!(told.place(), Some(("cell/prog.mod", 2)));
+        let located = LocatedDiagnostic::new(message, &[first, second]);
+        assert_eq!(located.place(), Some(("cell/prog.mod", 2)));
         let mut out = Vec::new();
-        write_message(&mut out, &told, ColorMode::Plain).unwrap();
+        write_message(&mut out, &located, ColorMode::Plain).unwrap();
         let expected = "warning[keep::x]: no value\n --> cell/prog.mod:2:8\n  |\n2 |  MoveL p1,v5;\n  |        ^^\n  |\n ::: cell/data.sys:2:18\n  |\n2 |  CONST robtarget p1;\n  |                  -- declared here\n";
         assert_eq!(String::from_utf8(out).unwrap(), expected);
     }

@@ -131,8 +131,8 @@ fn lines(out: &mut dyn Write, lines: &[GearLines]) -> io::Result<()> {
             l.confounded.iter().take(SHOWN_LINES).map(|[n, other]| format!("{n} for {other}")).collect();
         let numbers = [l.sigma, l.seen_from].map(|v| format!("{v:.2e}"));
         let [sigma, from] = numbers;
-        let told = format!("{} of {}", l.told_apart, l.of);
-        table.row([l.joint.to_string(), sigma, from, told, pairs.join(", ")]);
+        let joints_apart = format!("{} of {}", l.told_apart, l.of);
+        table.row([l.joint.to_string(), sigma, from, joints_apart, pairs.join(", ")]);
     }
     table.write(out, "  ")
 }

@@ -359,9 +359,9 @@ fn circles(modules: &Modules) -> Vec<String> {
             reached
         };
         let all: BTreeMap<&String, BTreeSet<String>> = uses.keys().map(|k| (k, reached(k))).collect();
-        let mut told = BTreeSet::new();
+        let mut reported = BTreeSet::new();
         for (name, reached) in &all {
-            if !reached.contains(*name) || told.contains(*name) {
+            if !reached.contains(*name) || reported.contains(*name) {
                 continue;
             }
             let ring: Vec<&String> = all
@@ -369,7 +369,7 @@ fn circles(modules: &Modules) -> Vec<String> {
                 .filter(|(other, back)| reached.contains(**other) && back.contains(*name))
                 .map(|(other, _)| *other)
                 .collect();
-            told.extend(ring.iter().copied());
+            reported.extend(ring.iter().copied());
             found.push(format!("{}: {ring:?}", folder.join("::")));
         }
     }

@@ -188,9 +188,9 @@ fn a_set_of_other_joints_than_its_robots_ends_the_exam_by_its_name() {
     let text = fs::read_to_string(&task).unwrap();
     assert!(text.contains(scara), "{text}");
     fs::write(&task, text.replace(scara, "irb140")).unwrap();
-    let said = driftpost().arg("exam").arg(&sets).output().unwrap();
-    let message = String::from_utf8(said.stderr).unwrap();
-    assert_eq!(said.status.code(), Some(2), "{message}");
+    let process_output = driftpost().arg("exam").arg(&sets).output().unwrap();
+    let message = String::from_utf8(process_output.stderr).unwrap();
+    assert_eq!(process_output.status.code(), Some(2), "{message}");
     assert!(message.contains("error[measure::fault]: set_0000: "), "{message}");
 }
 
@@ -207,10 +207,10 @@ fn where_programs_are_written_other_arms_are_refused_by_name() {
         &["plan", "--rapid-out", "never_written.mod"],
         &["fit", "fixtures/robodk/irc5/Cube45.mod"],
     ] {
-        let said =
+        let process_output =
             driftpost().args(arguments).args(["--robot", "fixtures/robots/scara.toml"]).output().unwrap();
-        let text = String::from_utf8_lossy(&said.stderr).into_owned();
-        assert_eq!(said.status.code(), Some(2), "{arguments:?}: {text}");
+        let text = String::from_utf8_lossy(&process_output.stderr).into_owned();
+        assert_eq!(process_output.status.code(), Some(2), "{arguments:?}: {text}");
         assert!(
             text.contains("robot::six-axis") && text.contains("joint 3 of 4 slides"),
             "{arguments:?}: {text}"
@@ -233,9 +233,9 @@ fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() 
         &vec!["diff", cube, cube],
         &vec!["closed-loop", cube, "--inject", "joint_offset:2"],
     ] {
-        let said = driftpost().args(arguments).args(["--robot", "crb15000-5"]).output().unwrap();
-        let text = String::from_utf8_lossy(&said.stderr).into_owned();
-        assert_eq!(said.status.code(), Some(2), "{arguments:?}: {text}");
+        let process_output = driftpost().args(arguments).args(["--robot", "crb15000-5"]).output().unwrap();
+        let text = String::from_utf8_lossy(&process_output.stderr).into_owned();
+        assert_eq!(process_output.status.code(), Some(2), "{arguments:?}: {text}");
         assert!(
             text.contains("robot::structure") && text.contains("axes 4, 5 and 6 do not meet in one point"),
             "{arguments:?}: {text}"
@@ -246,8 +246,9 @@ fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() 
     let made = ["--effects", "gear_mesh:3:20", "--n", "60", "--rho", "4", "--seed", "5"];
     driftpost().arg("synth").arg(&set).args(named).args(made).assert().success();
     let measured = set.join("set_0000/measurements.csv");
-    let said = driftpost().arg("diagnose").arg(measured).args(named).args(["--json", "-"]).output().unwrap();
-    let json: serde_json::Value = serde_json::from_slice(&said.stdout).unwrap();
+    let process_output =
+        driftpost().arg("diagnose").arg(measured).args(named).args(["--json", "-"]).output().unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&process_output.stdout).unwrap();
     assert_eq!(json["verdict"], "explained");
     let cause = &json["causes"][0];
     assert_eq!(
@@ -318,7 +319,7 @@ fn accuracy_and_changes_of_an_arm_of_seven_joints_are_told() {
     assert_eq!(changed.status.code(), Some(1), "{}", String::from_utf8_lossy(&changed.stdout));
     let accuracy =
         driftpost().arg("accuracy").arg(&before).args(robot).args(["--json", "-"]).output().unwrap();
-    let told: serde_json::Value = serde_json::from_slice(&accuracy.stdout).unwrap();
-    let joints = told["poses"][0]["q_deg"].as_array().map(Vec::len);
-    assert_eq!(joints, Some(7), "{told}");
+    let reported: serde_json::Value = serde_json::from_slice(&accuracy.stdout).unwrap();
+    let joints = reported["poses"][0]["q_deg"].as_array().map(Vec::len);
+    assert_eq!(joints, Some(7), "{reported}");
 }

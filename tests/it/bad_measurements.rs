@@ -6,13 +6,13 @@ use std::fs;
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-struct Said {
+struct Answer {
     code: i32,
     text: String,
     json: Option<Value>,
 }
 
-impl Said {
+impl Answer {
     fn verdict(&self) -> &str {
         self.json.as_ref().map_or("", |json| json["verdict"].as_str().unwrap())
     }
@@ -23,7 +23,7 @@ impl Said {
     }
 }
 
-fn diagnose(csv: &[u8], arguments: &[&str]) -> Said {
+fn diagnose(csv: &[u8], arguments: &[&str]) -> Answer {
     let folder = TempDir::new().unwrap();
     let (path, json) = (folder.path().join("m.csv"), folder.path().join("out.json"));
     fs::write(&path, csv).unwrap();
@@ -33,7 +33,7 @@ fn diagnose(csv: &[u8], arguments: &[&str]) -> Said {
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(!text.contains("panicked"), "{text}");
     let json = fs::read(&json).ok().map(|bytes| serde_json::from_slice(&bytes).unwrap());
-    Said { code: output.status.code().unwrap(), text, json }
+    Answer { code: output.status.code().unwrap(), text, json }
 }
 
 /// 60 poses of a virtual arm whose second joint gives way.
@@ -98,16 +98,16 @@ fn what_cannot_be_read_is_refused_by_line_and_column() {
         ("an overflow", rewritten(|n| n == "z_mm", |_| "1e999".into()), &["line 2", "z_mm"]),
     ];
     for (what, text, words) in cases {
-        let said = diagnose(text.as_bytes(), &[]);
-        assert!(said.code == 2 && said.json.is_none(), "{what}: {}", said.text);
+        let answer = diagnose(text.as_bytes(), &[]);
+        assert!(answer.code == 2 && answer.json.is_none(), "{what}: {}", answer.text);
         for word in words {
-            assert!(said.text.contains(word), "{what}: {word} is not in {}", said.text);
+            assert!(answer.text.contains(word), "{what}: {word} is not in {}", answer.text);
         }
     }
     for sigma in ["-0.02", "0", "nan", "inf", "1e999"] {
-        let said = diagnose(SOUND.as_bytes(), &["--sigma-mm", sigma]);
-        assert!(said.code == 2 && said.json.is_none(), "{sigma}: {}", said.text);
-        assert!(said.text.contains("--sigma-mm"), "{sigma}: {}", said.text);
+        let answer = diagnose(SOUND.as_bytes(), &["--sigma-mm", sigma]);
+        assert!(answer.code == 2 && answer.json.is_none(), "{sigma}: {}", answer.text);
+        assert!(answer.text.contains("--sigma-mm"), "{sigma}: {}", answer.text);
     }
 }
 
@@ -123,8 +123,8 @@ fn wrong_units_are_a_fault_of_the_file() {
         ("a mirrored instrument", rewritten(|name| name == "z_mm", times(-1.0))),
     ];
     for (what, text) in cases {
-        let said = diagnose(text.as_bytes(), &[]);
-        assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{what}: {}", said.text);
+        let answer = diagnose(text.as_bytes(), &[]);
+        assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{what}: {}", answer.text);
     }
 }
 
@@ -135,9 +135,9 @@ fn rows_that_tell_nothing_are_insufficient() {
     let again = lines[0].to_owned() + "\n" + &(lines[1].to_owned() + "\n").repeat(60);
     let few = lines[..9].join("\n");
     for (what, text) in [("one pose", one), ("one row copied", again), ("eight rows", few)] {
-        let said = diagnose(text.as_bytes(), &[]);
-        assert_eq!((said.code, said.verdict()), (0, "insufficient_data"), "{what}: {}", said.text);
-        assert!(said.causes().is_empty(), "{what}");
+        let answer = diagnose(text.as_bytes(), &[]);
+        assert_eq!((answer.code, answer.verdict()), (0, "insufficient_data"), "{what}: {}", answer.text);
+        assert!(answer.causes().is_empty(), "{what}");
     }
 }
 
@@ -147,9 +147,9 @@ fn fault(text: &str) -> (String, String, Vec<u64>) {
 }
 
 fn fault_with(text: &str, arguments: &[&str]) -> (String, String, Vec<u64>) {
-    let said = diagnose(text.as_bytes(), arguments);
-    assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{}", said.text);
-    let fault = &said.json.as_ref().unwrap()["fault"];
+    let answer = diagnose(text.as_bytes(), arguments);
+    assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{}", answer.text);
+    let fault = &answer.json.as_ref().unwrap()["fault"];
     let lines = fault["lines"].as_array().unwrap().iter().map(|line| line.as_u64().unwrap()).collect();
     let text = |key: &str| fault[key].as_str().unwrap_or_default().to_owned();
     (text("kind"), text("column"), lines)
@@ -422,8 +422,8 @@ fn an_instrument_that_was_moved_is_registered_in_both_places() {
         .find(|w| w["code"] == "measure::instrument-moved");
     let message = warning.unwrap()["message"].as_str().unwrap();
     assert!(message.contains(&format!("from line {} on", rows / 2 + 2)), "{message}");
-    let cause = |said: &Said| {
-        let json = said.json.as_ref().unwrap();
+    let cause = |answer: &Answer| {
+        let json = answer.json.as_ref().unwrap();
         let first = &json["causes"][0];
         (first["effect"].clone(), first["joint"].clone(), json["noise"]["model_sigma_mm"].as_f64().unwrap())
     };
@@ -446,8 +446,8 @@ fn many_rows_are_thinned_and_said_to_be() {
     // Mirrored: found before any physics. The poses come round again and again: a step through the rows that is a multiple
     // of their number would see but a few of them, which anything fits.
     let swapped = text.replacen("x_mm,y_mm", "y_mm,x_mm", 1);
-    let said = diagnose(swapped.as_bytes(), &[]);
-    assert_eq!((said.code, said.verdict()), (0, "data_fault"), "{}", said.text);
-    assert_eq!(said.causes(), ["swapped_axes"]);
-    assert!(said.text.contains("warning[measure::many-rows]"), "{}", said.text);
+    let answer = diagnose(swapped.as_bytes(), &[]);
+    assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{}", answer.text);
+    assert_eq!(answer.causes(), ["swapped_axes"]);
+    assert!(answer.text.contains("warning[measure::many-rows]"), "{}", answer.text);
 }

@@ -158,7 +158,7 @@ fn a_joint_whose_zero_jumps_is_told_with_the_row_sorted_or_not_and_without_times
     let rows = with_a_jump(&csv, 4, 25, 0.03);
     let time = rows[0].iter().position(|name| name == "t_min").unwrap();
     let minute = |row: &Vec<String>| row[time].parse::<f64>().unwrap();
-    let told = |rows: &[Vec<String>]| {
+    let reported = |rows: &[Vec<String>]| {
         let (code, answer, json) = diagnose(as_csv(rows).as_bytes(), &[]);
         assert_eq!(code, 0, "{answer}");
         let cause = json.as_ref().unwrap()["causes"][0].clone();
@@ -169,7 +169,7 @@ fn a_joint_whose_zero_jumps_is_told_with_the_row_sorted_or_not_and_without_times
         assert!((size_deg - 0.03).abs() < 0.003, "{size_deg}");
         cause
     };
-    let cause = told(&rows);
+    let cause = reported(&rows);
     let [before, after] = [&rows[25], &rows[26]].map(minute);
     let t0_min = cause["t0_min"].as_f64().unwrap();
     assert!(before < t0_min && t0_min < after, "{before} {t0_min} {after}");
@@ -177,12 +177,12 @@ fn a_joint_whose_zero_jumps_is_told_with_the_row_sorted_or_not_and_without_times
     // 37 and 60 have no common divisor: every row once.
     let shuffled: Vec<Vec<String>> =
         std::iter::once(0).chain((0..60).map(|k| 1 + 37 * k % 60)).map(|k| rows[k].clone()).collect();
-    assert_eq!(told(&shuffled)["t0_min"].as_f64(), Some(t0_min));
+    assert_eq!(reported(&shuffled)["t0_min"].as_f64(), Some(t0_min));
     let untimed: Vec<Vec<String>> = rows
         .iter()
         .map(|row| row.iter().enumerate().filter(|(c, _)| *c != time).map(|(_, cell)| cell.clone()).collect())
         .collect();
-    let cause = told(&untimed);
+    let cause = reported(&untimed);
     assert_eq!((cause["t0_min"].as_f64(), cause["from_line"].as_u64()), (None, Some(27)));
 }
 
@@ -270,8 +270,8 @@ fn a_drift_over_rows_without_times_is_in_no_model() {
     let [rows, model] = ["m.csv", "m.toml"].map(|name| folder.path().join(name));
     fs::write(&rows, with_a_drift_and_no_times(&csv, 0.05)).unwrap();
     let output = driftpost().arg("diagnose").arg(&rows).arg("--model-out").arg(&model).output().unwrap();
-    let told = String::from_utf8(output.stdout).unwrap();
-    assert!(told.starts_with("Explained: thermal_joint_drift of joint 3"), "{told}");
+    let reported = String::from_utf8(output.stdout).unwrap();
+    assert!(reported.starts_with("Explained: thermal_joint_drift of joint 3"), "{reported}");
     let warned = String::from_utf8(output.stderr).unwrap();
     assert!(warned.contains("warning[diagnose::untimed]"), "{warned}");
     let model: toml::Table = fs::read_to_string(&model).unwrap().parse().unwrap();
@@ -383,7 +383,7 @@ fn two_joint_offsets_in_a_row_are_no_link_geometry() {
         driftpost().arg("synth").arg(&out).args(options).assert().success();
         for set in 0..3 {
             let csv = fs::read(out.join(format!("set_000{set}/measurements.csv"))).unwrap();
-            let (_, said, json) = diagnose(&csv, &["--robot", "irb140"]);
+            let (_, message, json) = diagnose(&csv, &["--robot", "irb140"]);
             let causes = json.as_ref().unwrap()["causes"].as_array().unwrap();
             let mut found: Vec<(&str, u64)> = causes
                 .iter()
@@ -391,7 +391,7 @@ fn two_joint_offsets_in_a_row_are_no_link_geometry() {
                 .map(|cause| (cause["effect"].as_str().unwrap(), cause["joint"].as_u64().unwrap()))
                 .collect();
             found.sort_unstable();
-            assert_eq!(found, truth, "{effects}, set {set}: {said}");
+            assert_eq!(found, truth, "{effects}, set {set}: {message}");
         }
     }
 }
@@ -412,10 +412,10 @@ fn a_gain_is_one_cause_wherever_its_zero_lies() {
             cells[q2] = format!("{:.6}", stood_deg - GAIN * (stood_deg - zero_deg));
             *line = cells.join(",");
         }
-        let (_, said, json) = diagnose(lines.join("\n").as_bytes(), &["--robot", "irb140"]);
+        let (_, message, json) = diagnose(lines.join("\n").as_bytes(), &["--robot", "irb140"]);
         let json = json.unwrap();
         let cause = &json["causes"][0];
-        assert_eq!(json["verdict"], "explained", "{zero_deg}: {said}");
+        assert_eq!(json["verdict"], "explained", "{zero_deg}: {message}");
         assert_eq!((cause["effect"].as_str(), cause["joint"].as_u64()), (Some("joint_gain"), Some(2)));
         let [size, sigma] = ["size", "sigma"].map(|key| cause[key].as_f64().unwrap());
         assert!((size - GAIN).abs() < 4.0 * sigma && sigma < 0.1 * GAIN, "{zero_deg}: {size} +- {sigma}");
@@ -476,7 +476,7 @@ fn what_base_and_target_leave_of_a_cause_is_told_beside_its_own_size() {
         let (seen, own, expected) = (mm(cause, "rms_seen_mm"), mm(cause, "rms_mm"), mm(effect, "rms_mm"));
         assert!((seen / expected - 1.0).abs() < 0.03, "{seen} for {expected} mm");
         // A gear line of many periods looks like no shift or turn; one of a single period does.
-        let taken = if cause["effect"] == "gear_eccentricity" { 0.1..0.5 } else { -0.001..0.02 };
-        assert!(taken.contains(&(1.0 - seen / own)), "{own} mm of its own, {seen} mm shown");
+        let absorbed = if cause["effect"] == "gear_eccentricity" { 0.1..0.5 } else { -0.001..0.02 };
+        assert!(absorbed.contains(&(1.0 - seen / own)), "{own} mm of its own, {seen} mm shown");
     }
 }

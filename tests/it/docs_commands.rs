@@ -75,8 +75,8 @@ fn every_command_of_the_documentation_runs_as_pasted() {
                 .env("PATH", &path)
                 .output()
                 .unwrap();
-            let said = String::from_utf8_lossy(&output.stderr);
-            assert!(matches!(output.status.code(), Some(0 | 1)), "{}: {command}\n{said}", page.display());
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert!(matches!(output.status.code(), Some(0 | 1)), "{}: {command}\n{message}", page.display());
         }
         commands.len()
     };

@@ -94,9 +94,9 @@ fn a_folder_that_cannot_be_is_told() {
         .current_dir(folder.path())
         .output()
         .unwrap();
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("in.mod") && said.contains("nothing was written"), "{said}");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("in.mod") && message.contains("nothing was written"), "{message}");
     assert_eq!(fs::read(folder.path().join("in.mod")).unwrap(), source);
 }
 
@@ -140,9 +140,9 @@ fn a_folder_that_goes_away_in_the_middle_is_told() {
     }
     fs::remove_dir_all(&out).unwrap();
     let output = child.wait_with_output().unwrap();
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(2), "{said}");
-    assert!(said.contains("error[output::unwritable]") && said.contains("out/out.mod"), "{said}");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("error[output::unwritable]") && message.contains("out/out.mod"), "{message}");
     assert_eq!(fs::read_to_string(folder.path().join("in.mod")).unwrap(), source);
     let left = fs::read_dir(&out).map_or(0, Iterator::count);
     assert_eq!(left, 0, "files are left in {}", out.display());
@@ -163,9 +163,9 @@ fn a_disk_that_fills_up_while_a_result_is_written_is_left_as_it_was() {
         .current_dir(folder.path())
         .output()
         .unwrap();
-    let (said, shown) = (String::from_utf8_lossy(&output.stderr), String::from_utf8_lossy(&output.stdout));
-    assert_eq!(shown, "exit 2\nout.mod\nbefore\n", "{said}");
-    assert!(said.contains("error[output::unwritable]") && said.contains("No space left"), "{said}");
+    let (message, shown) = (String::from_utf8_lossy(&output.stderr), String::from_utf8_lossy(&output.stdout));
+    assert_eq!(shown, "exit 2\nout.mod\nbefore\n", "{message}");
+    assert!(message.contains("error[output::unwritable]") && message.contains("No space left"), "{message}");
 }
 
 /// A clock that was set back: the source is of a later year, and so is what a killed run left; or all is of 1970.

@@ -121,8 +121,8 @@ fn ten_thousand_nested_blocks_are_kept_unread_and_what_is_around_them_is_compens
     let arguments = ["compensate", "in.mod", "--robot", "irb140", "-o", "out.mod", "--diff", "none"];
     let output = driftpost(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    let said = format!("{}{}", err(&output), String::from_utf8_lossy(&output.stdout));
-    assert!(said.contains("syntax::deep") && said.contains("keep::not-read"), "{said}");
+    let message = format!("{}{}", err(&output), String::from_utf8_lossy(&output.stdout));
+    assert!(message.contains("syntax::deep") && message.contains("keep::not-read"), "{message}");
     let emitted = fs::read_to_string(folder.path().join("out.mod")).unwrap();
     assert!(emitted.contains(&format!("    MoveL {},v100", target(2))), "what was not read is as it was");
     assert!(!emitted.contains(&format!("    MoveL {},v100", target(1))), "what stands around is corrected");

@@ -100,10 +100,10 @@ fn a_controller_that_contradicts_its_own_display_gives_no_conclusion() {
         assert_eq!(checked.agrees(), None);
         let LinkChecked::NoConclusion { apart_mm } = checked else { panic!("{}", checked.text(false)) };
         assert!((apart_mm - 0.5).abs() < 0.001, "{apart_mm} mm, planted 0.5");
-        let (code, said, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
-        let json: serde_json::Value = serde_json::from_str(&said).unwrap();
-        assert_eq!((code, &json["verdict"]), (2, &serde_json::Value::from("no_conclusion")), "{said}");
-        assert!((json["display_mm"].as_f64().unwrap() - 0.5).abs() < 0.001, "{said}");
+        let (code, message, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&message).unwrap();
+        assert_eq!((code, &json["verdict"]), (2, &serde_json::Value::from("no_conclusion")), "{message}");
+        assert!((json["display_mm"].as_f64().unwrap() - 0.5).abs() < 0.001, "{message}");
     }
 }
 
@@ -185,16 +185,16 @@ fn a_corrected_module_is_pushed_loaded_and_set() {
         let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
         assert!(code == 0 && out.contains("is in HOME already"), "{out}");
         // Nobody is there to be asked again.
-        let (code, _, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load"]);
-        assert!(code == 2 && said.contains("nothing was loaded"), "{said}");
+        let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load"]);
+        assert!(code == 2 && message.contains("nothing was loaded"), "{message}");
         shop.double.with(|c| c.execution = "running");
-        let (code, _, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
-        assert!(code == 2 && said.contains("link::running"), "{said}");
+        let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+        assert!(code == 2 && message.contains("link::running"), "{message}");
         shop.double.with(|c| c.execution = "stopped");
-        let (code, out, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+        let (code, out, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
         assert!(
-            code == 0 && out.contains("loaded into T_ROB1") && said.contains("`tcStartAt 64.7`"),
-            "{out}{said}"
+            code == 0 && out.contains("loaded into T_ROB1") && message.contains("`tcStartAt 64.7`"),
+            "{out}{message}"
         );
         assert_eq!(shop.double.with(|c| c.value("MOD_Cube45", "tcMinute")).as_deref(), Some("0"));
         let (code, out, _) = shop.run(&["set", "HOST", "tcMode", "20"]);
@@ -215,15 +215,18 @@ fn what_is_not_ours_stays_as_it_is() {
         &["get", "HOST", "baseText"],
         &["set", "HOST", "tcModeSeen", "1"],
     ] {
-        let (code, _, said) = shop.run(arguments);
-        assert!(code == 2 && (said.contains("link::not-ours") || said.contains("link::value")), "{said}");
+        let (code, _, message) = shop.run(arguments);
+        assert!(
+            code == 2 && (message.contains("link::not-ours") || message.contains("link::value")),
+            "{message}"
+        );
     }
     shop.double.with(|c| {
         c.modules.retain(|m| m.name != "MOD_Cube45");
         c.load(&String::from_utf8_lossy(&programs()[0]), "ProgMod");
     });
-    let (code, _, said) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
-    assert!(code == 2 && said.contains("link::not-ours"), "{said}");
+    let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+    assert!(code == 2 && message.contains("link::not-ours"), "{message}");
     assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
 }
 
@@ -257,8 +260,8 @@ fn a_first_load_says_what_it_meets_before_anything_is_written() {
             let (exit, out, _) = shop.run(&["push", "MODULE", "HOST"]);
             assert!(exit == 1 && out.contains("--load would be refused: ") && out.contains(holder), "{out}");
             assert!(out.contains("unload it there"), "{out}");
-            let (exit, _, said) = shop.run(&confirmed);
-            assert!(exit == 2 && said.contains(code) && said.contains(holder), "{said}");
+            let (exit, _, message) = shop.run(&confirmed);
+            assert!(exit == 2 && message.contains(code) && message.contains(holder), "{message}");
             assert!(shop.double.with(|c| c.files.is_empty()));
             assert_eq!((loads(), loaded()), (0, vec![holder.to_owned()]));
         }
@@ -266,10 +269,10 @@ fn a_first_load_says_what_it_meets_before_anything_is_written() {
         put(Some("MODULE MOD_Old\n  PROC Cube45()\n  ENDPROC\nENDMODULE\n"));
         let (_, out, _) = shop.run(&["push", "MODULE", "HOST"]);
         assert!(out.contains("--load puts it into T_ROB1 as a new module"), "{out}");
-        let (exit, _, said) = shop.run(&confirmed);
+        let (exit, _, message) = shop.run(&confirmed);
         assert!(
-            exit == 2 && said.contains("link::module-errors") && said.contains("another module's name"),
-            "{said}"
+            exit == 2 && message.contains("link::module-errors") && message.contains("another module's name"),
+            "{message}"
         );
         assert_eq!(loaded(), ["MOD_Old"]);
         // Unloaded on the pendant, it goes.
@@ -292,8 +295,8 @@ fn a_program_is_watched_line_by_line_and_by_subscription() {
         let line: serde_json::Value = serde_json::from_str(out.trim()).unwrap();
         assert_eq!((code, line["values"]["tcMinute"].as_f64()), (0, Some(64.7)));
         shop.double.with(|c| c.offers_subscriptions = false);
-        let (code, _, said) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
-        assert!(code == 0 && said.contains("note: no subscription"), "{said}");
+        let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
+        assert!(code == 0 && message.contains("note: no subscription"), "{message}");
     }
 }
 
@@ -326,8 +329,8 @@ fn a_watch_writes_a_page_of_its_records() {
         // A page that cannot be written is told before anybody logs in.
         let before = shop.double.requests().len();
         let folder = shop.folder.path().display().to_string();
-        let (code, _, said) = shop.run(&["watch", "HOST", "--count", "1", "--report", &folder]);
-        assert!(code == 2 && said.contains("output::unwritable"), "{said}");
+        let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--report", &folder]);
+        assert!(code == 2 && message.contains("output::unwritable"), "{message}");
         assert_eq!(shop.double.requests().len(), before);
     }
 }

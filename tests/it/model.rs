@@ -87,13 +87,13 @@ fn a_program_is_solved_for_every_effect_at_once_and_executed_on_that_robot() {
         .concat(),
     );
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let told = json(&at("c.json"));
+    let reported = json(&at("c.json"));
     let codes: Vec<&str> =
-        told["warnings"].as_array().unwrap().iter().filter_map(|w| w["code"].as_str()).collect();
+        reported["warnings"].as_array().unwrap().iter().filter_map(|w| w["code"].as_str()).collect();
     // The instrument's scale and two steps; the cube's joints leave the ranges of the fixture.
     assert!(codes.contains(&"model::left-out"), "{codes:?}");
     let left_out =
-        told["warnings"].as_array().unwrap().iter().find(|w| w["code"] == "model::left-out").unwrap();
+        reported["warnings"].as_array().unwrap().iter().find(|w| w["code"] == "model::left-out").unwrap();
     for name in ["instrument_scale", "base_step at minute", "tool_step at minute"] {
         assert!(left_out["message"].as_str().unwrap().contains(name), "{left_out}");
     }
@@ -181,8 +181,13 @@ fn what_is_gripped_hangs_there_too() {
         let args =
             ["compensate", &program, "--model", &model, "-o", &out, "--diff", "none", "--json", &json_file];
         done(&[&args[..], more].concat());
-        let told = json(&json_file);
-        told["motions"].as_array().unwrap().iter().map(|m| m["max_correction_mm"].as_f64().unwrap()).collect()
+        let reported = json(&json_file);
+        reported["motions"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|m| m["max_correction_mm"].as_f64().unwrap())
+            .collect()
     };
     let plain = corrections("plain.mod", &gripping("", ""), &[]);
     let gripped = corrections("grips.mod", &gripping("", "    GripLoad part;\n"), &[]);
@@ -227,8 +232,11 @@ fn what_is_gripped_hangs_there_too() {
         "--diff",
         "none",
     ]);
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success() && said.contains("model::gripload") && said.contains("line 9"), "{said}");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        output.status.success() && message.contains("model::gripload") && message.contains("line 9"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -254,19 +262,19 @@ fn what_is_withheld_is_found_and_compensated_down_to_the_noise() {
     {
         let output =
             driftpost(&["closed-loop", CUBE, "--inject", effects, "--seed", seed, "--json", &at("r.json")]);
-        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        let message = String::from_utf8_lossy(&output.stdout).into_owned();
         assert_eq!(
             output.status.code(),
             Some(0),
-            "{effects}: {said}{}",
+            "{effects}: {message}{}",
             String::from_utf8_lossy(&output.stderr)
         );
         let r = json(&at("r.json"));
         let figure = |when: &str, what: &str| r[when][what].as_f64().unwrap();
         let floor = r["floor_rms_mm"].as_f64().unwrap();
-        assert!(figure("before", "true_rms_mm") > 3.0 * floor, "{said}");
-        assert!(figure("after", "measured_rms_mm") < 1.3 * floor, "{said}");
-        assert!(figure("after", "true_rms_mm") < 0.5 * floor, "{said}");
+        assert!(figure("before", "true_rms_mm") > 3.0 * floor, "{message}");
+        assert!(figure("after", "measured_rms_mm") < 1.3 * floor, "{message}");
+        assert!(figure("after", "true_rms_mm") < 0.5 * floor, "{message}");
     }
     let drift = driftpost(&["rehearse", CUBE, "--withhold", "base_drift"]);
     assert_eq!(drift.status.code(), Some(2));

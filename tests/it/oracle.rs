@@ -262,10 +262,10 @@ fn ranked(
         let log_det: f64 = svd.singular_values.iter().map(|s| (scale * s).powi(2).ln_1p()).sum();
         let yy = y.norm_squared() - gy.iter().zip(&weights).map(|(g, w)| g * g * w).sum::<f64>();
         for (i, (name, log_prior, _)) in forms.iter().enumerate() {
-            let taken = |other: &dyn Fn(usize) -> f64| -> f64 {
+            let absorbed = |other: &dyn Fn(usize) -> f64| -> f64 {
                 weights.iter().enumerate().map(|(k, w)| w * gc[(k, i)] * other(k)).sum()
             };
-            let (with_y, own) = (cy[i] - taken(&|k| gy[k]), cc[i] - taken(&|k| gc[(k, i)]));
+            let (with_y, own) = (cy[i] - absorbed(&|k| gy[k]), cc[i] - absorbed(&|k| gc[(k, i)]));
             let base = probability.ln() - 0.5 * (yy + log_det) + log_prior;
             let of_sizes = sizes.map(|a| a * with_y - 0.5 * a * a * own);
             logs.entry(name).or_default().push(base + log_sum(&of_sizes));
@@ -293,8 +293,8 @@ fn what_could_be_known_of_weak_effects() {
         let signal = seen.effect(truth);
         let signal = &signal * (rho / forms.rms(&signal));
 
-        let taken = basis(&registration);
-        let project = |m: &DMatrix<f64>| m - &taken * (taken.transpose() * m);
+        let absorbed = basis(&registration);
+        let project = |m: &DMatrix<f64>| m - &absorbed * (absorbed.transpose() * m);
         let all: Vec<DVector<f64>> = forms.all.iter().map(|f| f.2.clone()).collect();
         let columns = project(&DMatrix::from_columns(&all));
         let geometry = project(&DMatrix::from_columns(&seen.geometry()));

@@ -49,7 +49,7 @@ struct Families<'a> {
     seen: &'a Reading,
     /// Registration at the points, and as a whole.
     flat: DMatrix<f64>,
-    taken: DMatrix<f64>,
+    absorbed: DMatrix<f64>,
     all: Vec<Family>,
 }
 
@@ -64,7 +64,7 @@ impl Families<'_> {
             return;
         }
         let columns = DMatrix::from_columns(&columns);
-        let columns = &columns - &self.taken * (self.taken.transpose() * &columns);
+        let columns = &columns - &self.absorbed * (self.absorbed.transpose() * &columns);
         let name = effects[0].name().unwrap();
         self.all.push(Family { name, log_prior: prior.ln(), columns, square });
     }
@@ -175,7 +175,7 @@ fn ranked(
     families: &[Family],
     geometry: &DMatrix<f64>,
     y: &DVector<f64>,
-    told: &str,
+    reported: &str,
     samples: &[DVector<f64>],
 ) -> Vec<(f64, &'static str)> {
     let svd = geometry.clone().svd(true, false);
@@ -189,7 +189,7 @@ fn ranked(
         let log = 0.5 * (weights.dot(&squares) - log_det) + probability.ln();
         logs.entry(NOTHING).or_default().push(log + ALONE.ln());
     }
-    for family in families.iter().filter(|family| family.name != told) {
+    for family in families.iter().filter(|family| family.name != reported) {
         let gc = along.transpose() * &family.columns;
         let (own, with_y) = (family.columns.transpose() * &family.columns, family.columns.transpose() * y);
         for (scale, probability) in SCALES {
@@ -244,12 +244,12 @@ fn answered(recipe: &Recipe, seen: &Reading, number: u64) -> Vec<(bool, bool)> {
     let registration = seen.registration();
     let point_columns: Vec<DVector<f64>> = registration.iter().map(|c| points(c, seen.rows())).collect();
     let flat = basis(&point_columns.into_iter().filter(|c| c.norm() > 1e-12).collect::<Vec<_>>());
-    let mut families = Families { seen, flat, taken: basis(&registration), all: Vec::new() };
+    let mut families = Families { seen, flat, absorbed: basis(&registration), all: Vec::new() };
     families.fill(recipe.n);
     // The true holding torque among those tried.
     let plays = recipe.effects.iter().filter(|asked| matches!(asked.effect, Effect::Backlash { .. }));
     plays.for_each(|asked| families.add(1.0 / 18.0 / 6.0 / HOLDS as f64, &[asked.effect]));
-    let project = |m: &DMatrix<f64>| m - &families.taken * (families.taken.transpose() * m);
+    let project = |m: &DMatrix<f64>| m - &families.absorbed * (families.absorbed.transpose() * m);
     let geometry = project(&DMatrix::from_columns(&seen.geometry()));
     let samples = samples(&mut Rng::new(778, number));
     (0..DRAWS)
@@ -266,8 +266,8 @@ fn answered(recipe: &Recipe, seen: &Reading, number: u64) -> Vec<(bool, bool)> {
                 let left = at_points.norm_squared() - (families.flat.transpose() * &at_points).norm_squared();
                 let signal = column * (rho / (left / (at_points.len() as f64 - 9.0)).sqrt());
                 let y = project(&DMatrix::from_columns(&[signal + &noise + &background]));
-                let told = recipe.effects[1 - k].effect.name().unwrap();
-                let names = ranked(&families.all, &geometry, &y.column(0).into_owned(), told, &samples);
+                let reported = recipe.effects[1 - k].effect.name().unwrap();
+                let names = ranked(&families.all, &geometry, &y.column(0).into_owned(), reported, &samples);
                 let before = names.iter().scan(0.0, |sum, (p, _)| Some(std::mem::replace(sum, *sum + p)));
                 let set = names.iter().zip(before).take_while(|(_, before)| *before < CREDIBLE);
                 first &= truth.name() == Some(names[0].1);

@@ -43,9 +43,10 @@ fn flange_at(numbers: &[f64]) -> Isometry3<f64> {
 
 #[test]
 fn static_case() {
-    let said = driftpost(&["tabulate", "fixtures/paper/targets45.csv", "--growth", "none", "--minutes", "0"]);
-    said.lines().filter(|l| !l.starts_with("after")).for_each(stands);
-    let after = said.lines().find(|l| l.starts_with("after")).unwrap();
+    let message =
+        driftpost(&["tabulate", "fixtures/paper/targets45.csv", "--growth", "none", "--minutes", "0"]);
+    message.lines().filter(|l| !l.starts_with("after")).for_each(stands);
+    let after = message.lines().find(|l| l.starts_with("after")).unwrap();
     let numbers: Vec<f64> = after.split_whitespace().filter_map(|w| w.parse().ok()).collect();
     assert!(numbers[0] < 1e-6 && numbers[1] < 1e-6, "{after}");
 }
@@ -55,7 +56,7 @@ fn variable_case() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("joints.csv");
     let json = dir.path().join("summary.json");
-    let said = driftpost(&[
+    let message = driftpost(&[
         "tabulate",
         "fixtures/paper/targets45.csv",
         "--minutes",
@@ -65,7 +66,7 @@ fn variable_case() {
         "--json",
         json.to_str().unwrap(),
     ]);
-    said.lines().filter(|l| !l.starts_with("after")).for_each(stands);
+    message.lines().filter(|l| !l.starts_with("after")).for_each(stands);
     assert_eq!(std::fs::read_to_string(out).unwrap().lines().count(), 1 + 8145);
     let report: serde_json::Value = serde_json::from_slice(&std::fs::read(json).unwrap()).unwrap();
     for (hour, claimed) in [(1, 0.03), (2, 0.06), (3, 0.073)] {

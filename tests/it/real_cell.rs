@@ -79,9 +79,9 @@ fn without_known_joints_a_joint_move_that_nobody_checks_has_no_branch() {
     assert!(reason(&made, 10).contains("--start-joints"), "{}", reason(&made, 10));
 
     // Where the arm stands at the entry is said: the first two are known, those after `MoveAbsJ jr` are not.
-    let mut told = compensation();
-    told.options.start_rad = Some([0.0, 0.0, 0.0, 0.0, 30.0, 0.0].map(rad_from_deg));
-    let with_joints = told.run(&files).unwrap();
+    let mut with_options = compensation();
+    with_options.options.start_rad = Some([0.0, 0.0, 0.0, 0.0, 30.0, 0.0].map(rad_from_deg));
+    let with_joints = with_options.run(&files).unwrap();
     assert_eq!(
         statuses(&with_joints)[..3].iter().map(|s| s.1).collect::<Vec<_>>(),
         ["compensated", "compensated", "keep::no-value"]
@@ -113,11 +113,11 @@ fn without_known_joints_a_joint_move_that_nobody_checks_has_no_branch() {
 /// What a reviewer's tools must know stands in the emitted module.
 #[test]
 fn what_was_said_from_outside_stands_in_the_header() {
-    let mut told = compensation();
-    told.overrides.home = Some("jHome".to_owned());
-    told.overrides.base_fixed[1] = true;
-    told.options.selection.keep.push("pB*".to_owned());
-    let made = told.run(&program(&["conf_off.mod"])).unwrap();
+    let mut with_options = compensation();
+    with_options.overrides.home = Some("jHome".to_owned());
+    with_options.overrides.base_fixed[1] = true;
+    with_options.options.selection.keep.push("pB*".to_owned());
+    let made = with_options.run(&program(&["conf_off.mod"])).unwrap();
     let text = String::from_utf8(made.files[0].bytes.clone()).unwrap();
     for line in ["with: start-joints 0,0,0,0,30,0", "with: base-fixed b", "with: keep pB*"] {
         assert!(text.lines().any(|l| l.trim().ends_with(line)), "{line}");
@@ -126,12 +126,12 @@ fn what_was_said_from_outside_stands_in_the_header() {
 
 #[test]
 fn a_home_that_is_no_jointtarget_is_refused() {
-    for (name, said) in [("jHme", "not declared"), ("pA", "no jointtarget"), ("jr", "not known")] {
+    for (name, expected) in [("jHme", "not declared"), ("pA", "no jointtarget"), ("jr", "not known")] {
         let mut home = compensation();
         home.overrides.home = Some(name.to_owned());
         let refused = refusal(&home, &program(&["conf_off.mod"]));
         assert_eq!(error_codes(&refused), ["override::home"], "{name}");
-        assert!(refused.messages.iter().any(|m| m.diagnostic.message.contains(said)), "{name}");
+        assert!(refused.messages.iter().any(|m| m.diagnostic.message.contains(expected)), "{name}");
     }
 }
 
@@ -181,10 +181,10 @@ fn a_target_that_is_read_as_data_is_kept_or_named() {
         ]
     );
     assert!(reason(&made, 21).contains("MToolTCPCalib") && reason(&made, 21).contains("line 28 of"));
-    let said = messages(&made, "target::read-as-data");
-    assert_eq!(said.len(), 2, "{said:?}");
-    assert!(said.iter().any(|m| m.starts_with("pHome ") && m.contains("IF in line 32")), "{said:?}");
-    assert!(said.iter().any(|m| m.starts_with("pCopied ") && m.contains("SetGO in line 34")), "{said:?}");
+    let found = messages(&made, "target::read-as-data");
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found.iter().any(|m| m.starts_with("pHome ") && m.contains("IF in line 32")), "{found:?}");
+    assert!(found.iter().any(|m| m.starts_with("pCopied ") && m.contains("SetGO in line 34")), "{found:?}");
 }
 
 /// PERS and module VAR outlive a cycle: what is used before it is set has, from the second pass on, what was set last.
@@ -209,9 +209,9 @@ fn a_tool_that_is_set_after_its_first_motion_is_no_longer_what_is_declared() {
         ];
         assert_eq!(statuses(&made), expected, "{form:?}");
         let kept_over = messages(&made, "state::pers-kept");
-        let told =
-            ["tFar", "tNear", "wMoved"].map(|name| kept_over.iter().any(|said| said.starts_with(name)));
-        assert_eq!((told, kept_over.len()), ([true; 3], 3), "{kept_over:?}");
+        let is_reported =
+            ["tFar", "tNear", "wMoved"].map(|name| kept_over.iter().any(|text| text.starts_with(name)));
+        assert_eq!((is_reported, kept_over.len()), ([true; 3], 3), "{kept_over:?}");
         let by_hand = messages(&made, "state::set-by-hand");
         assert!(by_hand.len() == 1 && by_hand[0].starts_with("tTaught"), "{by_hand:?}");
         if far == "kept" {
@@ -384,9 +384,9 @@ fn a_controller_tells_of_a_joint_over_its_quadrants_border() {
     let checked = ProgramFiles::one("Checked.mod", source.into_bytes());
     let compensation = compensation();
     let made = compensation.run(&checked).unwrap();
-    let said = messages(&made, "conf::border");
-    assert!(said[0].starts_with("line 33: the correction takes axis 1 to -0.02"), "{said:?}");
-    assert!(said[0].contains("(8 more like this in the same routine)"), "{said:?}");
+    let found = messages(&made, "conf::border");
+    assert!(found[0].starts_with("line 33: the correction takes axis 1 to -0.02"), "{found:?}");
+    assert!(found[0].contains("(8 more like this in the same routine)"), "{found:?}");
     let robot = Robot::built_in("irb140").unwrap();
     let simulation = Simulation::new(TrueRobot::new(robot, Deformation::paper()));
     let corrected = ProgramFiles::one("Checked.mod", made.files[0].bytes.clone());
@@ -404,15 +404,15 @@ fn a_controller_tells_of_a_joint_over_its_quadrants_border() {
 fn a_self_test_that_cannot_be_written_is_told() {
     let cube =
         ProgramFiles::one("Cube45.mod", include_bytes!("../../fixtures/robodk/irc5/Cube45.mod").to_vec());
-    let told = |form: FormChoice| {
+    let self_test = |form: FormChoice| {
         let mut compensation = compensation().in_form(form);
         compensation.emit.self_test = true;
         let made = compensation.run(&cube).unwrap();
         let has_routine = String::from_utf8_lossy(&made.files[0].bytes).contains("PROC tcSelfTest()");
         (has_routine, messages(&made, "emit::no-self-test").len())
     };
-    assert_eq!(told(FormChoice::Schedule), (false, 1));
-    assert_eq!(told(FormChoice::Auto), (true, 0));
+    assert_eq!(self_test(FormChoice::Schedule), (false, 1));
+    assert_eq!(self_test(FormChoice::Auto), (true, 0));
 }
 
 /// A tool that nobody has declared: all is asked at run time, and no figure can be given.
@@ -477,12 +477,12 @@ fn a_module_that_the_program_loads_is_named() {
 #[test]
 fn a_pers_in_a_target_of_a_schedule_is_named() {
     let files = program(&["set_on_the_pendant.mod"]);
-    for (form, said) in [(FormChoice::Schedule, 1), (FormChoice::Ramp, 0), (FormChoice::Auto, 0)] {
+    for (form, expected) in [(FormChoice::Schedule, 1), (FormChoice::Ramp, 0), (FormChoice::Auto, 0)] {
         let compensation = compensation().in_form(form);
         let made = compensation.run(&files).unwrap();
         assert!(statuses(&made).iter().all(|(_, status)| *status == "compensated"), "{form:?}");
         let messages = messages(&made, "schedule::pers-value");
-        assert_eq!(messages.len(), said, "{form:?}");
+        assert_eq!(messages.len(), expected, "{form:?}");
         assert!(messages.iter().all(|m| m.starts_with("line 12: nUp is a PERS")), "{messages:?}");
     }
 }

@@ -117,7 +117,7 @@ fn a_whole_turn_of_an_axis_is_told() {
 ENDMODULE
 ";
     std::fs::write(&before, source).unwrap();
-    for (axis_6, told) in [("-169.999", false), ("190", true)] {
+    for (axis_6, reported) in [("-169.999", false), ("190", true)] {
         std::fs::write(&after, source.replace("-170", axis_6)).unwrap();
         let [a, b] = [&after, &before].map(|path| path.display().to_string());
         let args = ["simulate", &a, "--original", &b, "--minutes", "0"];
@@ -125,7 +125,7 @@ ENDMODULE
         let text = String::from_utf8_lossy(&run.stdout).into_owned() + &String::from_utf8_lossy(&run.stderr);
         let says =
             text.contains("joint 6 of") && text.contains("ends 360.0 deg from where the original has it");
-        assert_eq!((says, run.status.code() == Some(1)), (told, told), "{axis_6}: {text}");
+        assert_eq!((says, run.status.code() == Some(1)), (reported, reported), "{axis_6}: {text}");
     }
 }
 

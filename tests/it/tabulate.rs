@@ -27,8 +27,8 @@ fn the_papers_table_comes_out_of_the_papers_targets() {
     let (csv, json) = (folder.path().join("joints.csv"), folder.path().join("table.json"));
     let output = tabulate(&[CUBE, "--joints-csv", csv.to_str().unwrap(), "--json", json.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let said = String::from_utf8(output.stdout).unwrap();
-    assert!(said.starts_with("45 targets x 181 minutes = 8145 rows\n"), "{said}");
+    let message = String::from_utf8(output.stdout).unwrap();
+    assert!(message.starts_with("45 targets x 181 minutes = 8145 rows\n"), "{message}");
 
     let text = fs::read_to_string(&csv).unwrap();
     let mut lines = text.lines();
@@ -78,8 +78,11 @@ fn options_with_a_minus_sign_choose_the_branch_and_the_orientation() {
     };
     assert_eq!(run("-1,-1,0,1"), serde_json::json!([-1, -1, 0, 1]));
     assert_eq!(run("-1,1,-2,0")[3], 0);
-    let said = refused(&[positions, "--joints-csv", "-"]);
-    assert!(said.contains("targets::no-orientation") && said.contains("--orient-deg 0,90,0"), "{said}");
+    let message = refused(&[positions, "--joints-csv", "-"]);
+    assert!(
+        message.contains("targets::no-orientation") && message.contains("--orient-deg 0,90,0"),
+        "{message}"
+    );
 }
 
 #[test]
@@ -110,8 +113,8 @@ fn bad_input_ends_with_2_and_one_message() {
         (vec![CUBE, "--confdata", "0,0,1"], "four whole numbers"),
         (vec![CUBE, "--orient-deg", "0,90"], "three angles"),
     ] {
-        let said = refused(&args);
-        assert!(said.contains(expected), "{args:?}: {said}");
-        assert_eq!(said.matches("error").count(), 1, "{said}");
+        let message = refused(&args);
+        assert!(message.contains(expected), "{args:?}: {message}");
+        assert_eq!(message.matches("error").count(), 1, "{message}");
     }
 }

@@ -43,11 +43,11 @@ fn made(form: &str, body: &str) -> Made {
         assert!(minute["failure"].is_null() && minute["mismatch"].is_null(), "{form}: {minute}");
     }
     let worst = minutes.iter().filter_map(|m| m["corrected"]["max_mm"].as_f64());
-    let said = report["messages"].as_array().unwrap().iter().filter(|m| m["source"] == "TPWrite");
+    let message = report["messages"].as_array().unwrap().iter().filter(|m| m["source"] == "TPWrite");
     Made {
         motions: review["motions"].as_array().unwrap().iter().map(motion).collect(),
         corrected_mm: worst.fold(0.0, f64::max),
-        messages: said.filter_map(|m| m["text"].as_str().map(str::to_owned)).collect(),
+        messages: message.filter_map(|m| m["text"].as_str().map(str::to_owned)).collect(),
     }
 }
 
@@ -311,12 +311,12 @@ ENDMODULE\n"
             let mut run = Command::cargo_bin("driftpost").unwrap();
             let args = ["compensate", "Cell.mod", "--form", form, "-o", "out.mod", "--force"];
             let run = run.current_dir(folder.path()).args(args).output().unwrap();
-            let said = String::from_utf8_lossy(&run.stderr);
-            assert_eq!(run.status.code(), Some(if refused { 2 } else { 0 }), "{declaration}: {said}");
+            let message = String::from_utf8_lossy(&run.stderr);
+            assert_eq!(run.status.code(), Some(if refused { 2 } else { 0 }), "{declaration}: {message}");
             assert_eq!(
-                said.contains("Cell.mod:10: ") && said.contains("hides the controller's own"),
+                message.contains("Cell.mod:10: ") && message.contains("hides the controller's own"),
                 refused,
-                "{said}"
+                "{message}"
             );
         }
         let separate = ["compensate", "Cell.mod", "--form", "ramp", "--core", "separate", "-o", "far.mod"];

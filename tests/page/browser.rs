@@ -183,9 +183,11 @@ impl Browser {
 
     /// Lines of the console, uncaught errors, and what a policy has refused.
     pub fn complaints(&mut self) -> Vec<String> {
-        let told = ["Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"];
-        let events =
-            self.events.iter().filter(|event| event["method"].as_str().is_some_and(|m| told.contains(&m)));
+        let reported = ["Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"];
+        let events = self
+            .events
+            .iter()
+            .filter(|event| event["method"].as_str().is_some_and(|m| reported.contains(&m)));
         events.map(|event| event["params"].to_string()).collect()
     }
 

@@ -76,8 +76,8 @@ fn a_print_has_lines_to_sign_and_says_what_it_leaves_out() {
     browser.set("source-search", "line 44");
     let left = rows(&mut browser, "#source .diff-row");
     on_paper(&mut browser);
-    let said = browser.text("#source .status");
-    assert!(said.contains(&format!("{left} of 450 lines, that match the search")), "{said}");
+    let message = browser.text("#source .status");
+    assert!(message.contains(&format!("{left} of 450 lines, that match the search")), "{message}");
     let sheet: Value = browser.call("Page.printToPDF", json!({ "paperWidth": 8.27, "paperHeight": 11.69 }));
     assert!(sheet["data"].as_str().unwrap().len() > 100_000, "a PDF is made");
     assert_eq!(browser.complaints(), [""; 0]);

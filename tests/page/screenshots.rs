@@ -10,7 +10,7 @@ use std::path::Path;
 
 const FOLDER: &str = "docs/images";
 
-fn take(browser: &mut Browser, name: &str) {
+fn screenshot(browser: &mut Browser, name: &str) {
     let picture = browser.call("Page.captureScreenshot", json!({ "format": "webp", "quality": 85 }));
     let bytes = BASE64_STANDARD.decode(picture["data"].as_str().unwrap()).unwrap();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(FOLDER);
@@ -30,14 +30,14 @@ fn screenshots() {
     browser.set("times", "170");
     browser.eval("document.querySelector('#arm').scrollIntoView()");
     browser.settle();
-    take(&mut browser, "compensation.webp");
+    screenshot(&mut browser, "compensation.webp");
     browser.eval("document.querySelector('#curves').scrollIntoView()");
     browser.settle();
-    take(&mut browser, "curves.webp");
+    screenshot(&mut browser, "curves.webp");
     let (page, page_name) = path(&folder, "diagnosis.html");
     let robot = "fixtures/measurements/r2000ic/robot.toml";
     let rows = "fixtures/measurements/r2000ic/measurements.csv";
     driftpost(&["diagnose", rows, "--robot", robot, "--report", &page_name], 0);
     browser.open(&page, 1440, "dark");
-    take(&mut browser, "diagnosis.webp");
+    screenshot(&mut browser, "diagnosis.webp");
 }

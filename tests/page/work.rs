@@ -194,7 +194,7 @@ fn a_page_of_two_hundred_thousand_motions_holds_the_worst_and_says_so() {
     let bytes = fs::metadata(&page).unwrap().len();
     assert!(bytes <= 20_000_000, "{bytes} bytes");
     browser.open(&page, 1440, "light");
-    let said = browser.text("main");
-    assert!(said.contains("200,000") && said.contains("25,000"), "{}", &said[..2000]);
+    let message = browser.text("main");
+    assert!(message.contains("200,000") && message.contains("25,000"), "{}", &message[..2000]);
     assert_eq!(browser.complaints(), [""; 0]);
 }

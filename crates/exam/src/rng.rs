@@ -63,13 +63,13 @@ mod tests {
 
     #[test]
     fn a_stream_repeats_itself_and_differs_from_its_neighbours() {
-        let take = |seed, stream| {
+        let draw_four = |seed, stream| {
             let mut rng = Rng::new(seed, stream);
             (0..4).map(|_| rng.uniform(0.0, 1.0)).collect::<Vec<_>>()
         };
-        assert_eq!(take(7, 3), take(7, 3));
-        assert_ne!(take(7, 3), take(7, 4));
-        assert_ne!(take(7, 3), take(8, 3));
+        assert_eq!(draw_four(7, 3), draw_four(7, 3));
+        assert_ne!(draw_four(7, 3), draw_four(7, 4));
+        assert_ne!(draw_four(7, 3), draw_four(8, 3));
     }
 
     #[test]

@@ -10,7 +10,7 @@ pub struct Refusal {
     /// The number within the message, where the first is a general one.
     pub inner: Option<i64>,
     /// The message, without the place in ABB's sources.
-    pub said: String,
+    pub message: String,
 }
 
 /// A group of numbers: stable code, sentence, what to do next.
@@ -168,8 +168,8 @@ impl Refusal {
     #[must_use]
     pub fn sentence(&self) -> String {
         let meaning = self.meaning();
-        if meaning.code == OTHER.code && !self.said.is_empty() {
-            return format!("{}: {}", meaning.sentence, self.said);
+        if meaning.code == OTHER.code && !self.message.is_empty() {
+            return format!("{}: {}", meaning.sentence, self.message);
         }
         meaning.sentence.to_owned()
     }
@@ -221,7 +221,7 @@ mod tests {
     use super::*;
 
     fn refusal(status: u16, number: i64, inner: Option<i64>) -> Refusal {
-        Refusal { status, number: Some(number), inner, said: String::new() }
+        Refusal { status, number: Some(number), inner, message: String::new() }
     }
 
     #[test]
@@ -234,9 +234,9 @@ mod tests {
 
     #[test]
     fn the_number_inside_a_message_is_read() {
-        let (said, inner) =
+        let (message, inner) =
             tidy(r"..\rapid\symbol.cpp[812] RAPID refused, new_code: 0xc004841d code:-1073414146 icode:-1");
-        assert_eq!(said, "RAPID refused, new_code: 0xc004841d");
+        assert_eq!(message, "RAPID refused, new_code: 0xc004841d");
         assert_eq!(inner, Some(-1_073_445_859));
         assert_eq!(refusal(400, -1_073_414_146, inner).code(), "link::no-right");
     }

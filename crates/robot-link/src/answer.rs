@@ -123,7 +123,7 @@ mod tests {
     fn a_failure_is_seen_under_any_status() {
         let six = r#"{"_embedded":{"status":{"code":-1073445862,"msg":"a.cpp[547] held code:-1073445862 icode:-1"},"_state":[]}}"#;
         let refusal = parse(six.as_bytes()).unwrap().refusal(403).unwrap();
-        assert_eq!((refusal.number, refusal.said.as_str()), (Some(-1_073_445_862), "held"));
+        assert_eq!((refusal.number, refusal.message.as_str()), (Some(-1_073_445_862), "held"));
         let link = r#"<html><body><a href="/rw/retcode?code=-1073445859" rel="error"/></body></html>"#;
         assert_eq!(parse(link.as_bytes()).unwrap().refusal(200).unwrap().code(), "link::no-right");
         let json = r#"{"_links":{"error":{"href":"/rw/retcode?code=-1073445859"}}}"#;

@@ -68,7 +68,7 @@ impl Contents {
         if (200..300).contains(&status) && !says_no {
             return None;
         }
-        let (said, inner) = tidy(&self.message);
-        Some(Refusal { status, number: self.code, inner, said })
+        let (message, inner) = tidy(&self.message);
+        Some(Refusal { status, number: self.code, inner, message })
     }
 }

@@ -73,8 +73,8 @@ mod tests {
 
     #[test]
     fn a_user_or_a_path_is_refused_and_a_password_not_shown() {
-        let said = Host::parse("https://me:secret@cell3").unwrap_err().to_string();
-        assert!(!said.contains("secret"), "{said}");
+        let shown = Host::parse("https://me:secret@cell3").unwrap_err().to_string();
+        assert!(!shown.contains("secret"), "{shown}");
         for wrong in ["", "ftp://cell3", "cell3/rw/panel", "cell3:port", "a b"] {
             assert!(Host::parse(wrong).is_err(), "{wrong}");
         }

@@ -11,28 +11,28 @@ const RELEASES: u32 = 6;
 
 impl Session {
     /// Does `work` with the right to write, and gives it back. In manual mode of RobotWare 6 and 7 the operator is asked on the
-    /// pendant; `tell` says so to the user.
+    /// pendant; `on_notice` says so to the user.
     ///
     /// # Errors
     /// Those of taking it, of `work`, and [`LinkError::RightRemains`] where giving back is not certain.
     pub fn with_right<T>(
         &mut self,
-        tell: &mut dyn FnMut(&str),
+        on_notice: &mut dyn FnMut(&str),
         work: impl FnOnce(&mut Self) -> Result<T, LinkError>,
     ) -> Result<T, LinkError> {
-        let done = self.take(tell).and_then(|()| work(self));
+        let done = self.take_right(on_notice).and_then(|()| work(self));
         match done {
             Ok(done) => self.give_back(None).map(|()| done),
             Err(error) => Err(self.give_back(Some(Box::new(error.clone()))).err().unwrap_or(error)),
         }
     }
 
-    fn take(&mut self, tell: &mut dyn FnMut(&str)) -> Result<(), LinkError> {
+    fn take_right(&mut self, on_notice: &mut dyn FnMut(&str)) -> Result<(), LinkError> {
         match self.dialect {
             Dialect::Rw6 | Dialect::Rw7 => {
                 let mode = self.mode()?;
                 if mode.is_manual() {
-                    self.ask_operator(tell, mode)?;
+                    self.ask_operator(on_notice, mode)?;
                 }
             }
             Dialect::Rw8 => self.register()?,
@@ -50,8 +50,8 @@ impl Session {
         }
     }
 
-    fn ask_operator(&mut self, tell: &mut dyn FnMut(&str), mode: Mode) -> Result<(), LinkError> {
-        tell(&format!(
+    fn ask_operator(&mut self, on_notice: &mut dyn FnMut(&str), mode: Mode) -> Result<(), LinkError> {
+        on_notice(&format!(
             "the controller is in {mode}: answer its question on the pendant, whether this computer may write"
         ));
         self.operator_asked = true;

@@ -133,8 +133,8 @@ fn load(c: &mut Controller, request: &Incoming, media: MediaType) -> Result<Repl
         names
     };
     let names = global(&text, &module);
-    let taken = |m: &crate::Module| global(&m.text, &m.name).iter().any(|name| names.contains(name));
-    let clashes = c.modules.iter().any(taken);
+    let is_taken = |m: &crate::Module| global(&m.text, &m.name).iter().any(|name| names.contains(name));
+    let clashes = c.modules.iter().any(is_taken);
     let has_errors = clashes || c.finds_errors || !rapid::is_whole(&text);
     c.load(&text, "ProgMod");
     if has_errors {

@@ -105,7 +105,7 @@ impl World {
             return inside(media);
         }
         self.changed(request, asker, media, fault)
-            .unwrap_or_else(|(status, code, said)| page::refusal(media, status, code, said))
+            .unwrap_or_else(|(status, code, message)| page::refusal(media, status, code, message))
     }
 
     fn changed(

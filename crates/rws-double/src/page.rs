@@ -57,8 +57,8 @@ pub(crate) fn page(media: MediaType, entries: &[Entry], code: i64, next: Option<
 }
 
 /// A page of the controller's code and text.
-pub(crate) fn refusal(media: MediaType, status: u16, code: i64, said: &str) -> Reply {
-    let message = format!("rws_double.cpp[1] {said} code:{code} icode:-1");
+pub(crate) fn refusal(media: MediaType, status: u16, code: i64, reason: &str) -> Reply {
+    let message = format!("rws_double.cpp[1] {reason} code:{code} icode:-1");
     let body = match media {
         MediaType::Json6 => format!(
             "{{\"_links\":{{}},\"_embedded\":{{\"status\":{{\"code\":{code},\"msg\":\"{message}\"}},\"_state\":[]}}}}"

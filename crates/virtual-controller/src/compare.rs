@@ -212,8 +212,8 @@ mod tests {
 
     #[test]
     fn one_move_is_no_moves() {
-        let said = |original, program| Mismatch::Length { original, program }.to_string();
-        assert_eq!(said(1, 2), "the original makes 1 move, the program 2");
-        assert_eq!(said(3, 1), "the original makes 3 moves, the program 1");
+        let text = |original, program| Mismatch::Length { original, program }.to_string();
+        assert_eq!(text(1, 2), "the original makes 1 move, the program 2");
+        assert_eq!(text(3, 1), "the original makes 3 moves, the program 1");
     }
 }

@@ -354,7 +354,7 @@ impl Controller {
     /// itself is part of it; what stands in its own arguments is not.
     pub fn take_efforts(&mut self) -> BTreeMap<String, EffortRange> {
         let name = |routine: usize| self.program.routines.get(routine).map(|r| r.name.to_string());
-        let efforts = self.machine.meter.take().into_iter();
+        let efforts = self.machine.meter.take_ranges().into_iter();
         efforts.filter_map(|(routine, range)| Some((name(routine)?, range))).collect()
     }
 }

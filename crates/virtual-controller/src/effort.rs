@@ -67,7 +67,7 @@ impl EffortMeter {
     }
 
     /// What was counted by routine since the last time this was asked for.
-    pub fn take(&mut self) -> BTreeMap<usize, EffortRange> {
+    pub fn take_ranges(&mut self) -> BTreeMap<usize, EffortRange> {
         std::mem::take(&mut self.by_routine)
     }
 }

@@ -23,7 +23,7 @@ use crate::application::check_tasks;
 use crate::report::{LocatedDiagnostic, SourceReview};
 use driftpost::application::{Compensated, Compensation, ProgramFiles, Refusal};
 use rapid_syntax::diagnostic::Diagnostic;
-use results::{Results, recording, say_written};
+use results::{Results, note_written, recording};
 
 /// Runs `compensate`.
 ///
@@ -85,7 +85,7 @@ fn write_results(
     if let Err(message) = place_all(pending.chain(results.take_files()).collect()) {
         return Ok(Err(message.into()));
     }
-    say_written(console, &all_made, &written, &destination);
+    note_written(console, &all_made, &written, &destination);
     Ok(results.show(console, &all_made, args, &written))
 }
 

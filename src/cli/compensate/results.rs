@@ -115,7 +115,7 @@ impl Results {
         console: &mut Console,
     ) -> anyhow::Result<()> {
         console.explain(&refusal.messages, args.all);
-        console.say("nothing was written");
+        console.note("nothing was written");
         if let Some(mut page) = self.page {
             let title = args.program.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
             // of several jobs it does not say whose the refusal is
@@ -155,17 +155,17 @@ impl Results {
         })();
         match shown {
             Ok(()) if is_quiet => {
-                console.say(files);
+                console.note(files);
                 Ok(())
             }
             Ok(()) => Ok(()),
             Err(error) => {
                 let cause = error.downcast::<io::Error>().unwrap_or_else(io::Error::other);
-                let said = match written.standard {
+                let failure = match written.standard {
                     Some(_) => no_output(&cause).help("the program was not written whole"),
                     None => no_output(&cause).help(format!("what it would have shown is lost; {files}")),
                 };
-                Err(said.into())
+                Err(failure.into())
             }
         }
     }
@@ -187,7 +187,7 @@ fn write_reviews(
 }
 
 /// Says which files were written and what is to be known of them, where that is no result.
-pub(super) fn say_written(
+pub(super) fn note_written(
     console: &mut Console,
     all_made: &[Compensated<'_>],
     written: &Written,
@@ -196,16 +196,16 @@ pub(super) fn say_written(
     // Each of several files by its name; the verdict, which comes last, sums them up.
     if written.emitted.len() > 1 {
         for (path, size) in &written.emitted {
-            console.say(format_args!("wrote {} ({size} bytes)", path.display()));
+            console.note(format_args!("wrote {} ({size} bytes)", path.display()));
         }
     }
     for text in all_made.iter().filter_map(Compensated::size_note) {
-        console.say(text);
+        console.note(text);
     }
     let other = destination.other_clock().map(|path| path.display().to_string());
     if let Some(text) = other.zip(all_made.first()).and_then(|(other, made)| made.embedded_clock_note(&other))
     {
-        console.say(text);
+        console.note(text);
     }
 }
 

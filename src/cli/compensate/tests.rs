@@ -33,7 +33,7 @@ fn out(words: &[&str]) -> Out {
         assert!(files.insert(file.path, file.bytes).is_none(), "each file is given once");
         Ok(())
     };
-    let (mut json, mut texts, mut said) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut json, mut texts, mut message_text) = (Vec::new(), Vec::new(), Vec::new());
     let messages = match job.run_each(&given.program(), &mut accept) {
         Ok(made) => {
             let (mut review, mut joints) = (Vec::new(), Vec::new());
@@ -48,8 +48,8 @@ fn out(words: &[&str]) -> Out {
             refusal.messages
         }
     };
-    write_messages(&mut said, &messages, ColorMode::Plain, true).unwrap();
-    let (messages, json) = (String::from_utf8(said).unwrap(), serde_json::from_slice(&json).unwrap());
+    write_messages(&mut message_text, &messages, ColorMode::Plain, true).unwrap();
+    let (messages, json) = (String::from_utf8(message_text).unwrap(), serde_json::from_slice(&json).unwrap());
     Out { files, texts, messages, json }
 }
 

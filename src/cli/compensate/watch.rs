@@ -30,7 +30,7 @@ pub(super) fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome>
             console.fail(&error);
         }
         console.flush();
-        console.say("waiting for the program to be written anew; Ctrl-C ends");
+        console.note("waiting for the program to be written anew; Ctrl-C ends");
         let mut last = before.clone();
         loop {
             sleep(EVERY);

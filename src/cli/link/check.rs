@@ -76,7 +76,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let identity = session.identity()?;
     if identity.absolute_accuracy == Some(true) {
         console
-            .say("warning: Absolute Accuracy is on; whether the controller's answers hold it is not known");
+            .note("warning: Absolute Accuracy is on; whether the controller's answers hold it is not known");
     }
     let checked = console
         .while_busy("asking the controller", || check.run(&mut session, &program, &robot, start_rad))

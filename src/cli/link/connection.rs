@@ -53,7 +53,7 @@ impl Connection {
         let opened =
             console.while_busy("logging in", || Session::open(&host, &credentials, &mut pins, &settings));
         let mut session = opened?;
-        session.notices().iter().for_each(|notice| console.say(format_args!("note: {notice}")));
+        session.notices().iter().for_each(|notice| console.note(format_args!("note: {notice}")));
         Ok(session)
     }
 

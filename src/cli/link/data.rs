@@ -82,8 +82,8 @@ pub fn set(args: &SetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
         return Err(Diagnostic::error("link::which-module", text).help("name one with --module").into());
     };
     let before = session.value(&place.task, &place.module, &args.name)?;
-    let mut tell = |text: &str| console.say(text);
-    session.with_right(&mut tell, |session| {
+    let mut on_notice = |text: &str| console.note(text);
+    session.with_right(&mut on_notice, |session| {
         session.set_value(&place.task, &place.module, &args.name, &args.value)
     })?;
     session.end()?;

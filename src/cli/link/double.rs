@@ -80,7 +80,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Some((program, arguments)) => against(&double, program, arguments)?,
     };
     for hit in double.hits() {
-        console.say(format_args!("refused, as it could move or change a robot: {hit}"));
+        console.note(format_args!("refused, as it could move or change a robot: {hit}"));
     }
     Ok(if double.hits().is_empty() { outcome } else { Outcome::Refused })
 }
@@ -89,7 +89,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 fn serve(double: &Double, personality: Personality, console: &mut Console) -> anyhow::Result<Outcome> {
     writeln!(console.out(), "{}", double.root())?;
     console.out().flush()?;
-    console.say(format_args!(
+    console.note(format_args!(
         "a double of {personality}; user \"Default User\", password \"robotics\"; Ctrl-C ends it"
     ));
     let stop = Arc::new(AtomicBool::new(false));

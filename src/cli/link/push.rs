@@ -153,12 +153,12 @@ fn load(
     write!(console.out(), "{}", loading.text(modules))?;
     let is_sure = args.confirmed || is_yes("RAPID stands still. Load?", session, console)?;
     if !is_sure {
-        console.say("nothing was loaded: it was not confirmed (--confirmed in scripts)");
+        console.note("nothing was loaded: it was not confirmed (--confirmed in scripts)");
         return Ok(Outcome::Refused);
     }
     let before = OwnData::of_task(session, task, &loading.loaded)?;
-    let mut tell = |text: &str| console.say(text);
-    session.with_right(&mut tell, |session| {
+    let mut on_notice = |text: &str| console.note(text);
+    session.with_right(&mut on_notice, |session| {
         let mut all = modules.iter().zip(&replaces);
         all.try_for_each(|(module, replaces)| {
             session.exchange_module(task, &module.module, &module.file, *replaces)
@@ -169,7 +169,7 @@ fn load(
     }
     let minute = before.iter().flat_map(|own| &own.values).find(|(name, _)| name == "tcMinute");
     if let Some((_, minute)) = minute {
-        console.say(format_args!(
+        console.note(format_args!(
             "the warm-up state begins anew: it was at minute {minute}; `tcStartAt {minute}` takes it up"
         ));
     }

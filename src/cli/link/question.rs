@@ -15,7 +15,7 @@ pub fn is_yes(question: &str, session: &Session, console: &mut Console) -> Resul
     if !io::stdin().is_terminal() {
         return Ok(false);
     }
-    console.say(format_args!("{question} [y/N]"));
+    console.note(format_args!("{question} [y/N]"));
     let (send, receive) = mpsc::channel();
     thread::spawn(move || {
         let mut line = String::new();

@@ -72,13 +72,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         start: Instant::now(),
         page: args.page.report.clone().map(|path| LivePage::new(path, args.connection.host.clone())),
     };
-    let looked = look(args, &mut own, &mut session, &mut subscription, &mut watch, console);
-    let why = looked
+    let watched = watch_values(args, &mut own, &mut session, &mut subscription, &mut watch, console);
+    let why = watched
         .as_ref()
         .err()
         .map_or_else(|| "The watch has ended.".to_owned(), |error| format!("The watch has ended: {error}"));
     watch.end(why)?;
-    looked?;
+    watched?;
     if let Some(subscription) = subscription {
         // Closing the socket ends it as well.
         let _ = session.unsubscribe(subscription);
@@ -88,7 +88,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 /// Looks again and again, until it is interrupted or has seen enough.
-fn look(
+fn watch_values(
     args: &Args,
     own: &mut [OwnData],
     session: &mut Session,
@@ -106,7 +106,7 @@ fn look(
             Err(LinkError::Interrupted) => return Ok(()),
             Err(error) if failures < MOST_FAILURES => {
                 failures += 1;
-                console.say(format_args!("warning: {error}"));
+                console.note(format_args!("warning: {error}"));
                 watch.warn(&error)?;
             }
             Err(error) => return Err(error.into()),
@@ -202,7 +202,7 @@ fn subscribe(own: &[OwnData], session: &mut Session, console: &mut Console) -> O
     match session.subscribe(&all) {
         Ok(subscription) => Some(subscription),
         Err(error) => {
-            console.say(format_args!(
+            console.note(format_args!(
                 "note: no subscription ({error}); looking every second or as --interval-s says"
             ));
             None
@@ -224,7 +224,7 @@ fn next(
             Event::Nothing if session.is_stopped() => return Err(LinkError::Interrupted),
             Event::Nothing => {}
             Event::Ended(why) => {
-                console.say(format_args!("note: the controller ended the subscription ({why}); looking by --interval-s from here on"));
+                console.note(format_args!("note: the controller ended the subscription ({why}); looking by --interval-s from here on"));
                 *subscription = None;
                 return Ok(());
             }

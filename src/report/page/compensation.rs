@@ -52,7 +52,7 @@ impl CompensationPage<'_> {
     /// # Errors
     /// What writing to `out` fails with.
     pub fn write(mut self, out: &mut dyn Write) -> io::Result<()> {
-        let shown = self.take_stock();
+        let shown = self.choose_shown();
         let Self { program, plan, messages, kept, .. } = self;
         let title = self.title.to_owned();
         let view = self.view(shown.as_ref());
@@ -76,7 +76,7 @@ impl CompensationPage<'_> {
     pub fn write_tasks(title: &str, tasks: Vec<(&str, Self)>, out: &mut dyn Write) -> io::Result<()> {
         let (mut all_data, mut all_views) = (Vec::new(), Vec::new());
         for (task, mut page) in tasks {
-            let shown = page.take_stock();
+            let shown = page.choose_shown();
             let Self { program, plan, messages, kept, .. } = page;
             let mut data = match plan {
                 Some(plan) => {
@@ -100,7 +100,7 @@ impl CompensationPage<'_> {
     }
 
     /// Chooses the motions that are shown (`None` = all), and adds the lines of those that stay as they are.
-    fn take_stock(&mut self) -> Option<BTreeSet<usize>> {
+    fn choose_shown(&mut self) -> Option<BTreeSet<usize>> {
         let shown = self.shown();
         self.add_unchanged(shown.as_ref());
         shown

@@ -4,9 +4,9 @@ use super::{Page, write_page};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
-/// Looks that a page holds; of more every second of the older ones goes.
-const MOST_LOOKS: usize = 4_000;
-/// The last looks are never thinned out.
+/// Observations that a page holds; of more every second of the older ones goes.
+const MOST_OBSERVATIONS: usize = 4_000;
+/// The last observations are never thinned out.
 const LATEST: usize = 500;
 /// As many warnings, the latest.
 const MOST_WARNINGS: usize = 50;
@@ -16,8 +16,8 @@ const MOST_WARNINGS: usize = 50;
 pub struct WatchPage {
     /// The controller's address as it was given.
     pub host: String,
-    /// What one look after the other found: the lines of `--json`, those of one look together.
-    looks: Vec<Vec<Value>>,
+    /// What one observation after the other found: the lines of `--json`, those of one together.
+    observations: Vec<Vec<Value>>,
     /// How many there were.
     seen: usize,
     /// Seconds since the start, and what went wrong.
@@ -33,17 +33,18 @@ impl WatchPage {
         Self { host, ..Self::default() }
     }
 
-    /// Adds a look; whether it shows something other than the time to be gone on: another mode, bucket or message.
-    pub fn add(&mut self, look: Vec<Value>) -> bool {
-        let is_news = self.looks.last().is_none_or(|before| {
-            before.len() != look.len() || before.iter().zip(&look).any(|(a, b)| state(a) != state(b))
+    /// Adds an observation; whether it shows something other than the time to be gone on: another mode, bucket or message.
+    pub fn add(&mut self, observation: Vec<Value>) -> bool {
+        let is_news = self.observations.last().is_none_or(|before| {
+            before.len() != observation.len()
+                || before.iter().zip(&observation).any(|(a, b)| state(a) != state(b))
         });
         self.seen += 1;
-        self.looks.push(look);
-        if self.looks.len() > MOST_LOOKS {
-            let older = self.looks.len() - LATEST;
+        self.observations.push(observation);
+        if self.observations.len() > MOST_OBSERVATIONS {
+            let older = self.observations.len() - LATEST;
             let mut i = 0;
-            self.looks.retain(|_| {
+            self.observations.retain(|_| {
                 i += 1;
                 i > older || i % 2 == 1
             });
@@ -64,8 +65,8 @@ impl WatchPage {
     /// What writing to `out` fails with.
     pub fn write(&self, written_s: f64, every_s: f64, out: &mut dyn Write) -> io::Result<()> {
         let data = json!({
-            "records": self.looks.iter().flatten().collect::<Vec<_>>(),
-            "seen": self.seen, "shown": self.looks.len(),
+            "records": self.observations.iter().flatten().collect::<Vec<_>>(),
+            "seen": self.seen, "shown": self.observations.len(),
             "warnings": self.warnings.iter().map(|(t_s, text)| json!({ "t_s": t_s, "text": text })).collect::<Vec<_>>(),
             "ended": self.ended, "written_s": written_s, "every_s": every_s,
         });
@@ -83,7 +84,7 @@ fn state(record: &Value) -> [&Value; 4] {
 mod tests {
     use super::*;
 
-    fn look(i: usize, bucket: usize) -> Vec<Value> {
+    fn observation(i: usize, bucket: usize) -> Vec<Value> {
         vec![
             json!({ "module": "A", "said": null, "t_s": i, "values": { "tcMode": -1, "tcBucket": bucket, "tcMinute": i } }),
         ]
@@ -92,19 +93,25 @@ mod tests {
     #[test]
     fn another_bucket_is_news_and_another_minute_is_not() {
         let mut page = WatchPage::new("cell3".to_owned());
-        let news: Vec<bool> = [(0, 1), (1, 1), (2, 2), (3, 2)].map(|(i, b)| page.add(look(i, b))).into();
+        let news: Vec<bool> =
+            [(0, 1), (1, 1), (2, 2), (3, 2)].map(|(i, b)| page.add(observation(i, b))).into();
         assert_eq!(news, [true, false, true, false]);
     }
 
-    /// A week of looks a second apart: the page stays small, has the first and all of the latest looks in their order.
+    /// A week of observations a second apart: the page stays small, has the first and all of the latest in their order.
     #[test]
     fn a_long_watch_is_thinned_out_from_its_older_end() {
         let mut page = WatchPage::new("cell3".to_owned());
-        let news = (0..100_000).filter(|&i| page.add(look(i, 1))).count();
+        let news = (0..100_000).filter(|&i| page.add(observation(i, 1))).count();
         assert_eq!(news, 1, "only the first");
         (0..100).for_each(|i| page.warn(f64::from(i), "no answer".to_owned()));
-        let times: Vec<u64> = page.looks.iter().map(|look| look[0]["t_s"].as_u64().unwrap()).collect();
-        assert!(times.len() <= MOST_LOOKS && times.len() > MOST_LOOKS / 2 - LATEST, "{}", times.len());
+        let times: Vec<u64> =
+            page.observations.iter().map(|observation| observation[0]["t_s"].as_u64().unwrap()).collect();
+        assert!(
+            times.len() <= MOST_OBSERVATIONS && times.len() > MOST_OBSERVATIONS / 2 - LATEST,
+            "{}",
+            times.len()
+        );
         assert!(times.is_sorted_by(|a, b| a < b) && times[0] == 0);
         assert!(times.ends_with(&Vec::from_iter(99_500..100_000)));
         assert_eq!((page.seen, page.warnings.len(), page.warnings[0].0), (100_000, MOST_WARNINGS, 50.0));

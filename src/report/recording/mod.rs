@@ -95,10 +95,10 @@ impl Recording<'_> {
             .iter()
             .map(|topic| writer.topic(topic, &poses))
             .collect::<io::Result<_>>()?;
-        let told = writer.topic("/corrections", &log)?;
+        let corrections_topic = writer.topic("/corrections", &log)?;
         writer.write(arm, 0, &description::message(&urdf(self.robot)))?;
         for row in &self.corrections {
-            writer.write(told, FIRST_NS, &logged(row).encode_to_vec())?;
+            writer.write(corrections_topic, FIRST_NS, &logged(row).encode_to_vec())?;
         }
         for moment in &self.moments {
             let (t_min, at_ns) = (moment.t_min, nanoseconds(moment.t_min));

@@ -35,8 +35,8 @@ fn a_compensated_program_differs_in_its_targets_alone() {
     let buckets = motions[1]["buckets"].as_array().unwrap();
     assert_eq!(buckets.len(), rows.len());
     assert_eq!((&buckets[0]["index"], &buckets[0]["dp_mm"]), (&Value::Null, &Value::from(0.0)));
-    let told = buckets[buckets.len() - 1]["dp_mm"].as_f64().unwrap();
-    assert!(far > 0.1 && (told - far).abs() < 2e-5, "{told} {far}");
+    let reported = buckets[buckets.len() - 1]["dp_mm"].as_f64().unwrap();
+    assert!(far > 0.1 && (reported - far).abs() < 2e-5, "{reported} {far}");
     let worst = |key: &str| json["worst"][key].as_f64().unwrap();
     let most = motions.iter().flat_map(|m| m["buckets"].as_array().unwrap());
     let most = most.map(|b| b["dp_mm"].as_f64().unwrap()).fold(0.0, f64::max);
@@ -88,21 +88,21 @@ fn a_changed_speed_tool_or_move_is_told() {
     let bench = Bench::default();
     let to = compensated(&bench);
     let text = std::fs::read_to_string(&to).unwrap();
-    let told = |from: &str, by: &str| {
+    let reported = |from: &str, by: &str| {
         let changed = text.replacen(from, by, 1);
         assert_ne!(changed, text, "{from}");
         let output = driftpost(&["diff", CUBE, &bench.file("changed.mod", changed)]);
         assert_eq!(output.status.code(), Some(1));
         out(&output)
     };
-    let speed = told("tc40{tcK()},rdkSpeed,z1", "tc40{tcK()},rdkSpeed,z5");
+    let speed = reported("tc40{tcK()},rdkSpeed,z1", "tc40{tcK()},rdkSpeed,z5");
     assert!(
         speed.contains("Beside the targets the text differs, first at fixtures/robodk/irc5/Cube45.mod:40"),
         "{speed}"
     );
-    let tool = told("tc40{tcK()},rdkSpeed,z1,rdkTool", "tc40{tcK()},rdkSpeed,z1,tool0");
+    let tool = reported("tc40{tcK()},rdkSpeed,z1,rdkTool", "tc40{tcK()},rdkSpeed,z1,tool0");
     assert!(tool.contains("1 with another instruction, tool or work object"), "{tool}");
-    let dropped = told("        MoveL tc40{tcK()}", "        ! MoveL tc40{tcK()}");
+    let dropped = reported("        MoveL tc40{tcK()}", "        ! MoveL tc40{tcK()}");
     assert!(dropped.contains("Only in the first program"), "{dropped}");
 }
 
@@ -142,7 +142,7 @@ fn a_ramp_is_told_by_its_settled_correction() {
 #[test]
 fn what_the_model_corrects_at_run_time_is_told_by_its_settled_correction() {
     let bench = Bench::default();
-    let told = |form: &str| {
+    let reported = |form: &str| {
         let to = bench.path(&format!("{form}.mod")).display().to_string();
         let made = driftpost(&["compensate", CUBE, "-o", &to, "--form", form, "--diff", "none"]);
         assert!(made.status.success(), "{}", err(&made));
@@ -151,7 +151,7 @@ fn what_the_model_corrects_at_run_time_is_told_by_its_settled_correction() {
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         (out(&driftpost(&["diff", CUBE, &to])), json["motions"].as_array().unwrap().clone())
     };
-    let ((text, live), (_, ramp)) = (told("live"), told("ramp"));
+    let ((text, live), (_, ramp)) = (reported("live"), reported("ramp"));
     assert!(text.contains("46 corrected by the model at run time, up to 0.19"), "{text}");
     for (a, b) in live.iter().zip(&ramp) {
         let settled =
@@ -239,10 +239,10 @@ fn an_edit_of_what_was_added_is_told() {
             let edited = text.replacen(from, by, 1);
             assert_ne!(edited, text, "{from}");
             std::fs::write(&clock, edited).unwrap();
-            let (same, said) = elsewhere();
+            let (same, message) = elsewhere();
             assert!(
-                !same && said.contains(name) && said.contains("not as it was made"),
-                "{core} {from}: {said}"
+                !same && message.contains(name) && message.contains("not as it was made"),
+                "{core} {from}: {message}"
             );
         }
         std::fs::write(&clock, &text).unwrap();
@@ -265,8 +265,8 @@ fn what_restore_does_not_take_over_is_said() {
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         (err(&output), json["files"][0].clone(), std::fs::read(to).unwrap())
     };
-    let (said, json, bytes) = run("as_made.mod", &text);
-    assert!(!said.contains("warning") && bytes == std::fs::read(CUBE).unwrap(), "{said}");
+    let (message, json, bytes) = run("as_made.mod", &text);
+    assert!(!message.contains("warning") && bytes == std::fs::read(CUBE).unwrap(), "{message}");
     assert_eq!(json["altered"], Value::Array(Vec::new()));
 
     // Elements 3 and 5 of one target, as ModPos does while a bucket is in use: both a quarter of a millimetre up.
@@ -278,8 +278,8 @@ fn what_restore_does_not_take_over_is_said() {
         lines[element] = format!("        [[{x},{y},{}{}", z + 0.25, &lines[element][end..]);
     }
     let edited = format!("{}{}\n", &text[..array], lines.join("\n"));
-    let (said, json, bytes) = run("elements.mod", &edited);
-    assert!(said.contains("was touched up on the controller by 0.25"), "{said}");
+    let (message, json, bytes) = run("elements.mod", &edited);
+    assert!(message.contains("was touched up on the controller by 0.25"), "{message}");
     assert_eq!((&json["altered"], &json["exact"]), (&Value::Array(Vec::new()), &false.into()));
     let value = json["touched"][0]["value"].as_str().unwrap().to_owned();
     let [x, y, z] = position(&value);
@@ -304,9 +304,9 @@ fn what_restore_does_not_take_over_is_said() {
     let damaged =
         format!("{}{}{}", &text[..at], if &text[at..=at] == "A" { "B" } else { "A" }, &text[at + 1..]);
     for edited in [damaged, text.replacen(&format!("{check}\n"), "", 1)] {
-        let (said, json, bytes) = run("header.mod", &edited);
-        assert!(said.contains("comment block"), "{said}");
-        assert!(!said.contains("was touched up"), "{said}");
+        let (message, json, bytes) = run("header.mod", &edited);
+        assert!(message.contains("comment block"), "{message}");
+        assert!(!message.contains("was touched up"), "{message}");
         assert!(json["touched"].as_array().unwrap().is_empty() && bytes == std::fs::read(CUBE).unwrap());
     }
 }
@@ -335,8 +335,8 @@ fn a_hint_that_decided_the_branch_decides_it_for_the_reviewer_too() {
         assert_eq!(output.status.code(), Some(1), "{}", err(&output));
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         let first = &json["motions"][0]["buckets"][0];
-        let told = first["limit_margin_deg"].as_f64().unwrap();
-        assert!((told - margin_deg).abs() < 2e-6, "{told} deg, by hand {margin_deg}");
+        let reported = first["limit_margin_deg"].as_f64().unwrap();
+        assert!((reported - margin_deg).abs() < 2e-6, "{reported} deg, by hand {margin_deg}");
     }
     let strange = bench
         .file("strange.csv", "file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\npart.mod,2,0,0,0,0,0,0\n");

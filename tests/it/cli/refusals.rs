@@ -335,13 +335,13 @@ fn a_touch_that_no_clock_could_take_is_refused_with_the_reason() {
     let bench = Bench::default();
     let cell = std::fs::read_to_string("fixtures/docs/Cell.mod").unwrap();
     let touch = ["--touch", "S1=pSphere,tool0,wobj0", "--touch-signal", "diTouch"];
-    let said = |program: &str, more: &[&str]| {
+    let refusal_text = |program: &str, more: &[&str]| {
         refused(&bench, &[&[program], &touch[..], more].concat(), "touch::clock")
     };
     let program = bench.file("Cell.mod", &cell);
     // A model in which nothing grows; beside a table that grows it is no hindrance.
     let model = "fixtures/docs/identified.toml";
-    assert!(said(&program, &["--model", model]).contains("nothing of the model grows"));
+    assert!(refusal_text(&program, &["--model", model]).contains("nothing of the model grows"));
     let row = "0.01,0,0.05,0,0.002,0\n";
     let table = bench.file("static.csv", format!("{HEADER}{}", row.repeat(6)));
     let written = bench.path("both.mod").display().to_string();
@@ -354,9 +354,9 @@ fn a_touch_that_no_clock_could_take_is_refused_with_the_reason() {
     let rows: String = rows(0, 0.0).chain(rows(60, 0.03)).chain(rows(180, 0.05)).collect();
     let scheduled =
         bench.file("scheduled.csv", format!("t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n{rows}"));
-    let by_table = said(&program, &["--deformation", &scheduled, "--tau-cool", "60"]);
+    let by_table = refusal_text(&program, &["--deformation", &scheduled, "--tau-cool", "60"]);
     assert!(by_table.contains("a static table with --growth"), "{by_table}");
-    assert!(said(&program, &["--clock", "elapsed"]).contains("use --clock warmth"));
+    assert!(refusal_text(&program, &["--clock", "elapsed"]).contains("use --clock warmth"));
     // RAPID of an S4C has no CalcJointT, from which the joints of a log come.
-    assert!(said(&bench.file("Cell.prg", &cell), &["--touch-log"]).contains("no CalcJointT"));
+    assert!(refusal_text(&bench.file("Cell.prg", &cell), &["--touch-log"]).contains("no CalcJointT"));
 }

@@ -36,11 +36,11 @@ fn robot_tools_and_frames_are_read_from_the_emitted_module() {
     };
     let simulated = json(&["simulate", &emitted, "--minutes", "0,61"], 0);
     assert_eq!(simulated["executed"], serde_json::json!({"motions": 2, "of": 2}));
-    let told = json(&["diff", &source, &emitted], 1);
-    assert_eq!(told["same_elsewhere"], Value::Bool(true));
+    let reported = json(&["diff", &source, &emitted], 1);
+    assert_eq!(reported["same_elsewhere"], Value::Bool(true));
     // Known tools and the arm of the header: every motion has figures, and joints of that arm.
     let last = |motion: &Value| motion["buckets"].as_array().unwrap().last().cloned().unwrap();
-    for motion in told["motions"].as_array().unwrap() {
+    for motion in reported["motions"].as_array().unwrap() {
         assert!(
             last(motion)["dp_mm"].as_f64().unwrap() > 0.01 && last(motion)["joint_deg"].is_number(),
             "{motion}"
@@ -49,8 +49,8 @@ fn robot_tools_and_frames_are_read_from_the_emitted_module() {
     // An option wins: a tool of another length turns the same correction into another.
     let other = TOOL.replace("90", "190");
     let otherwise = json(&["diff", &source, &emitted, "--tool", &other], 1);
-    let joint = |told: &Value| last(&told["motions"][0])["limit_margin_deg"].as_f64().unwrap();
-    assert!((joint(&told) - joint(&otherwise)).abs() > 0.1);
+    let joint = |reported: &Value| last(&reported["motions"][0])["limit_margin_deg"].as_f64().unwrap();
+    assert!((joint(&reported) - joint(&otherwise)).abs() > 0.1);
 }
 
 #[test]

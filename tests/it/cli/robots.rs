@@ -58,16 +58,16 @@ fn a_denavit_hartenberg_table_takes_the_place_of_a_robot_file() {
         let off = table.iter().zip(&built_in).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(table.len() == 45 * 6 && built_in.len() == table.len() && off < 1e-6, "{robot}: {off} deg");
     }
-    let said = |robot: &str, code: i32| {
+    let message = |robot: &str, code: i32| {
         let output = driftpost(&["robot", "--robot", robot]);
         assert_eq!(output.status.code(), Some(code), "{}", err(&output));
         format!("{}{}", out(&output), err(&output))
     };
-    assert!(said("mdh:fixtures/robots/panda_mdh.csv", 0).contains("joint 7"));
+    assert!(message("mdh:fixtures/robots/panda_mdh.csv", 0).contains("joint 7"));
     let broken = bench.file("broken.csv", "a_mm,alpha_deg,d_mm,theta_deg\n0,0,x,0\n");
-    let text = said(&format!("dh:{broken}"), 2);
+    let text = message(&format!("dh:{broken}"), 2);
     assert!(text.contains("robot::dh") && text.contains("line 2") && text.contains("d_mm `x`"), "{text}");
-    assert!(said("dh:nowhere.csv", 2).contains("input::missing"));
+    assert!(message("dh:nowhere.csv", 2).contains("input::missing"));
 }
 
 #[test]
@@ -75,19 +75,23 @@ fn a_description_that_is_no_arm_is_refused_with_its_line() {
     let bench = Bench::default();
     let broken =
         bench.file("arm.urdf", "<robot name=\"x\">\n  <joint name=\"j\" type=\"revolute\"/>\n</robot>\n");
-    let said = |robot: &str| {
+    let message = |robot: &str| {
         let output = driftpost(&["compensate", CUBE, "--robot", robot, "-o", "-"]);
         assert_eq!(output.status.code(), Some(2));
         err(&output)
     };
-    assert!(said(&broken).contains("robot::urdf") && said(&broken).contains("line 2"), "{}", said(&broken));
-    assert!(said(&format!("{URDF}:hand")).contains("there is no link `hand`"));
-    assert!(said("nowhere.urdf:tool0").contains("input::missing"));
-    assert!(said("irb2400").contains("robot::coupled"));
+    assert!(
+        message(&broken).contains("robot::urdf") && message(&broken).contains("line 2"),
+        "{}",
+        message(&broken)
+    );
+    assert!(message(&format!("{URDF}:hand")).contains("there is no link `hand`"));
+    assert!(message("nowhere.urdf:tool0").contains("input::missing"));
+    assert!(message("irb2400").contains("robot::coupled"));
     // Another maker's arm, by its name.
     let file = fs::read_to_string("crates/robot-model/src/robot/built_in/irb140.toml").unwrap();
     let fanuc = bench.file("fanuc.toml", file.replace("ABB IRB 140-6/0.8", "FANUC M-10"));
-    assert!(said(&fanuc).contains("robot::not-abb"), "{}", said(&fanuc));
+    assert!(message(&fanuc).contains("robot::not-abb"), "{}", message(&fanuc));
     let output = driftpost(&["robot", "-o", &bench.path("arm.step").display().to_string()]);
     assert!(err(&output).contains("robot::format"));
 }
@@ -103,19 +107,21 @@ fn the_backup_round_a_program_tells_where_the_base_stands() {
         let output = driftpost(&["compensate", &program, "-o", "-", "--tolerance-mm", "0.05"]);
         (output.status.code(), err(&output))
     };
-    let (code, said) = run(&moc);
+    let (code, message) = run(&moc);
     assert!(
-        code == Some(0) && said.contains("warning[robot::base-frame]") && said.contains("of ROB_1 stands"),
-        "{said}"
+        code == Some(0)
+            && message.contains("warning[robot::base-frame]")
+            && message.contains("of ROB_1 stands"),
+        "{message}"
     );
-    let (code, said) =
+    let (code, message) =
         run(&moc.replace("\"r2_calib\"\\", "\"r2_calib\" -base_frame_orient_u0 0 -base_frame_orient_u1 1\\"));
     assert!(
-        code == Some(2) && said.contains("error[robot::base-frame]") && said.contains("ROB_1, ROB_2"),
-        "{said}"
+        code == Some(2) && message.contains("error[robot::base-frame]") && message.contains("ROB_1, ROB_2"),
+        "{message}"
     );
-    let (code, said) = run(&moc.replace(" -base_frame_pos_z -0.5", ""));
-    assert!(code == Some(0) && !said.contains("base-frame"), "{said}");
+    let (code, message) = run(&moc.replace(" -base_frame_pos_z -0.5", ""));
+    assert!(code == Some(0) && !message.contains("base-frame"), "{message}");
 }
 
 #[test]
@@ -144,8 +150,8 @@ fn a_backup_tells_type_bounds_and_calibration() {
     let refused = compensate(&[]);
     assert_eq!(refused.status.code(), Some(2));
     assert!(err(&refused).contains("robot::absolute-accuracy"), "{}", err(&refused));
-    let taken = compensate(&["--absolute-accuracy"]);
-    assert_eq!(taken.status.code(), Some(0), "{}", err(&taken));
+    let accepted = compensate(&["--absolute-accuracy"]);
+    assert_eq!(accepted.status.code(), Some(0), "{}", err(&accepted));
     // Its first robot stands 500 mm below the world's frame: every work object would be taken for another place.
     for command in [&["compensate", CUBE, "-o", "-"][..], &["simulate", CUBE]] {
         let output = driftpost(&[command, &["--robot", "backup:fixtures/robots/backup"]].concat());

@@ -54,8 +54,11 @@ fn each_task_is_corrected_for_its_own_robot() {
         let rest = ["-o", &to, "--diff", "none", "--form", form, "--json", &report];
         let output = driftpost(&[["compensate", &source].as_slice(), &tasks, &rest].concat());
         assert_eq!(output.status.code(), Some(0), "{form}: {} {}", out(&output), err(&output));
-        let said = out(&output);
-        assert!(said.contains("TASK1: ABB IRB 140") && said.contains("TASK2: ABB IRB 4600"), "{said}");
+        let message = out(&output);
+        assert!(
+            message.contains("TASK1: ABB IRB 140") && message.contains("TASK2: ABB IRB 4600"),
+            "{message}"
+        );
         let report = json(&bench, "report.json");
         let motions = |k: usize| report["tasks"][k]["motions"].as_array().unwrap();
         assert_eq!((motions(0).len(), motions(1).len()), (46, 3), "{form}");
@@ -83,9 +86,13 @@ fn each_task_is_corrected_for_its_own_robot() {
             assert!(last["before"]["max_mm"].as_f64().unwrap() > 0.1, "{form} {task}: {last}");
         }
         let output = driftpost(&["diff", &source, &to]);
-        let said = out(&output);
-        assert_eq!(output.status.code(), Some(1), "{form}: {said} {}", err(&output));
-        assert!(said.contains("49 motions") && err(&output).is_empty(), "{form}: {said} {}", err(&output));
+        let message = out(&output);
+        assert_eq!(output.status.code(), Some(1), "{form}: {message} {}", err(&output));
+        assert!(
+            message.contains("49 motions") && err(&output).is_empty(),
+            "{form}: {message} {}",
+            err(&output)
+        );
         let back = bench.path(&format!("{form}_back"));
         let output = driftpost(&["restore", &to, "-o", &back.display().to_string()]);
         assert_eq!(output.status.code(), Some(0), "{form}: {}", err(&output));

@@ -64,11 +64,11 @@ fn a_misspelt_name_of_the_program_is_answered_with_the_right_one() {
         ("taucool = 3\nsteps = [\"run 5\"]", "did you mean tau_cool_min?"),
     ] {
         let scenario = bench.file("lunch.toml", steps);
-        let said = refused(&["--scenario", &scenario]);
-        assert!(said.contains(hint), "{steps}: {said}");
+        let message = refused(&["--scenario", &scenario]);
+        assert!(message.contains(hint), "{steps}: {message}");
     }
-    let said = refused(&["--scenario", &bench.path("lunhc.toml").display().to_string()]);
-    assert!(said.contains("lunch.toml?"), "{said}");
+    let message = refused(&["--scenario", &bench.path("lunhc.toml").display().to_string()]);
+    assert!(message.contains("lunch.toml?"), "{message}");
     let output = driftpost(&["compensate", cell, "--home", "jHmoe", "-o", "-"]);
     assert!(err(&output).contains("jointtarget of the program (jHome)"), "{}", err(&output));
     let output = driftpost(&["help", "link", "chek"]);

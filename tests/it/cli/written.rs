@@ -38,12 +38,12 @@ fn a_full_disk_is_told_with_what_was_written() {
     };
     let shown = run(&["compensate", CUBE, "-o", &made]);
     assert_eq!(shown.status.code(), Some(2));
-    let said = err(&shown);
+    let message = err(&shown);
     assert!(
-        said.contains("standard output cannot be written") && said.contains(&format!("wrote {made}")),
-        "{said}"
+        message.contains("standard output cannot be written") && message.contains(&format!("wrote {made}")),
+        "{message}"
     );
-    assert!(!said.contains("nothing was written") && bench.files() == ["o.mod"], "{said}");
+    assert!(!message.contains("nothing was written") && bench.files() == ["o.mod"], "{message}");
     let program = run(&["compensate", CUBE, "-o", "-"]);
     assert_eq!(program.status.code(), Some(2));
     assert!(err(&program).contains("the program was not written whole"), "{}", err(&program));

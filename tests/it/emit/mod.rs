@@ -372,9 +372,12 @@ fn a_target_changed_in_its_declaration_alone_is_told() {
     let bytes = lone(NAMED);
     let declared = edited(&bytes, "robtarget p10:=", "[400,", "[402.5,");
     let restored = restore(&declared).unwrap();
-    let [told] = restored.touched.as_slice() else { panic!("{:?}", restored.touched) };
-    assert_eq!((told.into, told.target.as_str(), told.unit), (ModifiedIn::DeclarationAlone, "p10", "mm"));
-    assert_eq!((told.moved, told.line), (2.5, line_of(&declared, "robtarget p10:=")));
+    let [reported] = restored.touched.as_slice() else { panic!("{:?}", restored.touched) };
+    assert_eq!(
+        (reported.into, reported.target.as_str(), reported.unit),
+        (ModifiedIn::DeclarationAlone, "p10", "mm")
+    );
+    assert_eq!((reported.moved, reported.line), (2.5, line_of(&declared, "robtarget p10:=")));
     let text = String::from_utf8(restored.bytes).unwrap();
     assert!(text.contains("p10:=[[402.5,") && text.contains("MoveL p10,"), "{text}");
     // Its array touched up to another place: two originals.
@@ -382,8 +385,8 @@ fn a_target_changed_in_its_declaration_alone_is_told() {
     match restore(&both) {
         Err(error @ RestoreError::DeclaredOtherwise { .. }) => {
             assert_eq!(error.code(), "restore::disagree");
-            let said = error.to_string();
-            assert!(said.contains("402.5") && said.contains("[[401,"), "{said}");
+            let message = error.to_string();
+            assert!(message.contains("402.5") && message.contains("[[401,"), "{message}");
         }
         what => panic!("{what:?}"),
     }

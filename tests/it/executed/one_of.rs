@@ -175,8 +175,8 @@ fn a_target_that_is_none_of_those_known_stays_as_it_stands() {
     let other = played("rOther");
     assert_eq!(other.passes[0].after.max_m, other.passes[0].before.max_m);
     assert!(mm_from_m(other.passes[0].after.max_m) > 0.1);
-    let said = other.messages.iter().filter(|m| m.text.contains("none of those that were known"));
-    assert!(said.count() >= 1, "{:?}", other.messages);
+    let message = other.messages.iter().filter(|m| m.text.contains("none of those that were known"));
+    assert!(message.count() >= 1, "{:?}", other.messages);
     // A millimetre aside the correction is the same to a thousandth of itself.
     let touched = played("rTouched");
     assert!(mm_from_m(touched.passes[0].before.max_m) > 0.1);

@@ -25,17 +25,18 @@ fn later_passes(form: FormChoice, original: &Files) -> f64 {
 fn what_later_passes_are_off_is_among_the_figures() {
     let original = fixture("robodk/s4c/RichProg.prg");
     let robot = Robot::built_in("irb140").unwrap();
-    let told = |form: FormChoice, original: &Files| {
+    let reported = |form: FormChoice, original: &Files| {
         let file = SourceFile::read(FileId(0), original[0].0.clone(), original[0].1.clone());
         let program = Program::read(vec![file], &Overrides::default());
         let options = Options { form, ..Options::default() };
         let plan = compensate::plan(&program, &robot, &Deformation::paper(), &options).unwrap();
         mm_from_m(plan.summary.worst_after_m)
     };
-    let [told_mm, off_mm] = [told(FormChoice::Ramp, &original), later_passes(FormChoice::Ramp, &original)];
+    let [told_mm, off_mm] =
+        [reported(FormChoice::Ramp, &original), later_passes(FormChoice::Ramp, &original)];
     assert!(off_mm > 0.002 && (told_mm - off_mm).abs() < 1e-4, "{told_mm} {off_mm}");
     let newer: Files = vec![("RichProg.mod".to_owned(), original[0].1.clone())];
-    let [told_mm, off_mm] = [told(FormChoice::Auto, &newer), later_passes(FormChoice::Auto, &newer)];
+    let [told_mm, off_mm] = [reported(FormChoice::Auto, &newer), later_passes(FormChoice::Auto, &newer)];
     assert!(off_mm < 5e-4 && told_mm < 5e-4, "{told_mm} {off_mm}");
 }
 

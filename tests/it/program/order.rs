@@ -117,7 +117,7 @@ fn after_the_arm_was_moved_otherwise_it_stands_anywhere() {
             ),
         );
         assert!(read.motions[1].previous.is_none() && !read.motions[1].from_start, "{moved}");
-        let said = read.diagnostics.iter().any(|d| d.code == "resolve::routine-not-given");
-        assert!(!said, "{moved} is the controller's own");
+        let message = read.diagnostics.iter().any(|d| d.code == "resolve::routine-not-given");
+        assert!(!message, "{moved} is the controller's own");
     }
 }

@@ -105,16 +105,20 @@ fn what_a_hand_calls_counts_where_it_is_known() {
 /// It is taken to change nothing, so what it could change is named: PERS that it sees.
 #[test]
 fn a_routine_that_is_not_given_is_told_with_what_it_can_set() {
-    let told = |data: &str| {
+    let reported = |data: &str| {
         let read = main_of(data, &format!("OpenGrip;\n{MOVE}"));
         let found = read.diagnostics.iter().find(|found| found.code == "resolve::routine-not-given");
         found.unwrap().help.clone().unwrap()
     };
-    assert!(told(&data()).starts_with("it could set t and w, used by motions here"), "{}", told(&data()));
+    assert!(
+        reported(&data()).starts_with("it could set t and w, used by motions here"),
+        "{}",
+        reported(&data())
+    );
     let hidden = data().replace("PERS tooldata", "LOCAL PERS tooldata");
-    assert!(told(&hidden).starts_with("it could set w, used"), "{}", told(&hidden));
+    assert!(reported(&hidden).starts_with("it could set w, used"), "{}", reported(&hidden));
     let hidden = hidden.replace("PERS wobjdata", "LOCAL PERS wobjdata");
-    assert!(told(&hidden).starts_with("it is taken to leave tools"), "{}", told(&hidden));
+    assert!(reported(&hidden).starts_with("it is taken to leave tools"), "{}", reported(&hidden));
 }
 
 #[test]

@@ -72,8 +72,8 @@ fn a_head_that_names_another_robot_is_refused_unless_allowed() {
         |line: &str| ProgramFiles::one("a.mod", text.replace("Robot: IRB 1600-6/1.2", line).into_bytes());
     let refused = refusal(&compensation(), &program(&["other_robot.mod"]));
     assert_eq!(error_codes(&refused), ["robot::other"]);
-    let said = &refused.messages[0].diagnostic.message;
-    assert_eq!(said, "made for IRB 1600-6/1.2, and taken as one for ABB IRB 140-6/0.8");
+    let output_text = &refused.messages[0].diagnostic.message;
+    assert_eq!(output_text, "made for IRB 1600-6/1.2, and taken as one for ABB IRB 140-6/0.8");
     let mut allowed = compensation();
     allowed.allow_other_robot = true;
     assert_eq!(messages(&allowed.run(&program(&["other_robot.mod"])).unwrap(), "robot::other").len(), 1);

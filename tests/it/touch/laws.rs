@@ -39,7 +39,11 @@ fn it_learns_what_the_filter_in_double_precision_learns() {
             filter.advance(minutes, working);
             assert_eq!(filter.touch(share, 0.02 * 0.02 / square), TouchOutcome::Taken);
             cell.seen(settled_mm.map(|x| x * share));
-            assert!(cell.said().contains("Touch taken"), "{law} {minutes}: {}", cell.said());
+            assert!(
+                cell.touch_message().contains("Touch taken"),
+                "{law} {minutes}: {}",
+                cell.touch_message()
+            );
             let known = cell.controller.value("tcKnown").unwrap().numbers();
             let learnt = [("tcHas", filter.seen()), ("tcAmount", 2), ("tcTau", 3), ("tcTauCool", 4)];
             for (name, i) in learnt {
@@ -72,7 +76,7 @@ fn a_wrong_first_state_is_right_after_two_touches_of_one_lag_and_of_a_core_apart
                 cell.pass_min(1.0, true);
             }
             let worst = cell.work().into_iter().fold(0.0, f64::max);
-            assert!(worst < 0.02, "{law} {core:?} {form:?} {worst} {}", cell.said());
+            assert!(worst < 0.02, "{law} {core:?} {form:?} {worst} {}", cell.touch_message());
         }
     }
 }

@@ -80,7 +80,7 @@ fn a_log_that_cannot_be_written_stops_no_touch_and_a_cold_start_begins_a_new_one
     cell.call("tcColdStart");
     cell.controller.protect_disk(true);
     cell.call("tcTouch");
-    assert_eq!(cell.said(), "Touch taken");
+    assert_eq!(cell.touch_message(), "Touch taken");
     let shown: Vec<String> = cell.controller.take_messages().into_iter().map(|m| m.text).collect();
     assert!(shown.iter().any(|text| text.starts_with("Touch not logged: tcS1_")), "{shown:?}");
     assert!(shown.iter().all(|text| text.len() <= 80), "{shown:?}");

@@ -204,7 +204,7 @@ impl Cell {
         self.controller.number(name).unwrap()
     }
 
-    fn said(&mut self) -> String {
+    fn touch_message(&mut self) -> String {
         let value = self.controller.value("tcTouchSaid").unwrap();
         virtual_controller::value_text(&value)
     }

@@ -1,7 +1,7 @@
 //! Touches of a robot that an identified model describes: off already when it is cold, and drifting by one law.
 
 use super::refusals::as_the_table;
-use super::shift::{largest_mm, shift_in, told};
+use super::shift::{largest_mm, shift_in, with_start_routine};
 use super::{Cell, SOURCE, TABLE_TAU_MIN, Truth, job, run, search};
 use driftpost::application::Named;
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
@@ -65,7 +65,7 @@ fn what_is_off_cold_is_expected_and_only_the_drift_scales() {
         assert!(worst(&mut same) < 0.006, "{form:?} {}", worst(&mut same));
         for _ in 0..2 {
             same.call("tcTouch");
-            assert_eq!(same.said(), "Touch taken", "{form:?}");
+            assert_eq!(same.touch_message(), "Touch taken", "{form:?}");
         }
         assert!(same.number("tcHas") < 0.02 && worst(&mut same) < 0.006, "{form:?} {}", same.number("tcHas"));
         // Warm all through, by a third more or less than the model says, and told to be cold.
@@ -81,7 +81,7 @@ fn what_is_off_cold_is_expected_and_only_the_drift_scales() {
             assert!(
                 (has - amount).abs() < 0.05 && left < 0.02,
                 "{form:?} {amount} {has} {left} {}",
-                other.said()
+                other.touch_message()
             );
         }
     }
@@ -91,7 +91,7 @@ fn what_is_off_cold_is_expected_and_only_the_drift_scales() {
 fn a_few_shifts_are_better_with_touches_than_without() {
     let figures = |every_min: Option<u32>| {
         let job = compensation(model(1.0, [LAW; 2]), FormChoice::Ramp, every_min.is_some());
-        let program = told(run(&job).remove(0));
+        let program = with_start_routine(run(&job).remove(0));
         let came = (0..3).map(|seed| {
             let truth = Truth::drawn(seed, 0.02);
             shift_in(&mut cell(&program, &truth), &program, &truth, every_min).rms
@@ -144,9 +144,9 @@ fn more_laws_than_one_and_a_model_that_stays_cold_are_refused_by_name() {
         let message = &refusal.messages.last().unwrap().diagnostic;
         (message.code, message.message.clone())
     };
-    let (code, said) = refused(model(1.0, [LAW, GrowthLaw::Exp { tau_min: 20.0 }]));
+    let (code, output_text) = refused(model(1.0, [LAW, GrowthLaw::Exp { tau_min: 20.0 }]));
     assert_eq!(code, "touch::clock");
-    assert!(said.contains("more laws than") && said.contains("exp:20"), "{said}");
-    let (code, said) = refused(model(0.0, [LAW; 2]));
-    assert!(code == "touch::clock" && said.contains("nothing of the model grows"), "{said}");
+    assert!(output_text.contains("more laws than") && output_text.contains("exp:20"), "{output_text}");
+    let (code, output_text) = refused(model(0.0, [LAW; 2]));
+    assert!(code == "touch::clock" && output_text.contains("nothing of the model grows"), "{output_text}");
 }

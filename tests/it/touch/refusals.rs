@@ -60,8 +60,8 @@ fn a_wrong_first_state_is_right_after_two_touches() {
                 cell.pass_min(1.0, true);
             }
             let worst = cell.work().into_iter().fold(0.0, f64::max);
-            let (said, age) = (cell.said(), cell.number("tcTouchAge"));
-            assert!(worst < 0.02 && (age - 1.0).abs() < 0.1, "{form:?} {start} {worst} {said} {age}");
+            let (output_text, age) = (cell.touch_message(), cell.number("tcTouchAge"));
+            assert!(worst < 0.02 && (age - 1.0).abs() < 0.1, "{form:?} {start} {worst} {output_text} {age}");
         }
     }
 }
@@ -91,10 +91,13 @@ fn a_routine_that_is_local_to_another_module_is_refused() {
     assert_eq!(refused("", false, Core::Embedded), None);
     assert_eq!(refused("", false, Core::Separate), None);
     assert_eq!(refused("LOCAL ", true, Core::Embedded), None);
-    let said = refused("LOCAL ", false, Core::Embedded).unwrap();
-    assert!(said.contains("Probe is LOCAL to its module, and the module that gets tcTouch"), "{said}");
-    let said = refused("LOCAL ", true, Core::Separate).unwrap();
-    assert!(said.contains("and tcCore cannot see it"), "{said}");
+    let output_text = refused("LOCAL ", false, Core::Embedded).unwrap();
+    assert!(
+        output_text.contains("Probe is LOCAL to its module, and the module that gets tcTouch"),
+        "{output_text}"
+    );
+    let output_text = refused("LOCAL ", true, Core::Separate).unwrap();
+    assert!(output_text.contains("and tcCore cannot see it"), "{output_text}");
 }
 
 /// A cell whose program finds the point by a routine of its own, which says what `pSeen` holds.
@@ -127,7 +130,7 @@ fn what_cannot_be_is_refused_and_leaves_the_state() {
     let mut cell = with_routine();
     cell.call("tcColdStart");
     cell.seen([0.0; 3]);
-    assert!(cell.said().contains("Touch taken"), "{}", cell.said());
+    assert!(cell.touch_message().contains("Touch taken"), "{}", cell.touch_message());
     let before = cell.state();
     for (off_mm, why) in [
         ([0.0, 0.2, 0.2], "not where warmth could have brought it"),
@@ -135,17 +138,17 @@ fn what_cannot_be_is_refused_and_leaves_the_state() {
         ([0.0, 200.0, 0.0], "the arm is not where it should be"),
     ] {
         cell.seen(off_mm);
-        assert!(cell.said().contains(why), "{off_mm:?}: {}", cell.said());
+        assert!(cell.touch_message().contains(why), "{off_mm:?}: {}", cell.touch_message());
         assert_eq!(cell.state(), before, "{off_mm:?}");
     }
     // Along the drift: all of the settled one at once, on an arm that was cold a moment ago.
     let settled = settled_mm();
     cell.seen(settled);
-    assert!(cell.said().contains("over three sigma"), "{}", cell.said());
+    assert!(cell.touch_message().contains("over three sigma"), "{}", cell.touch_message());
     assert_eq!(cell.state(), before);
     // Once more the same: then it is the state that was wrong.
     cell.seen(settled);
-    assert!(cell.said().contains("Touch taken"), "{}", cell.said());
+    assert!(cell.touch_message().contains("Touch taken"), "{}", cell.touch_message());
     assert!((cell.number("tcShare") - 1.0).abs() < 0.05, "{}", cell.number("tcShare"));
 }
 
@@ -162,8 +165,8 @@ pub fn settled_mm() -> [f64; 3] {
     let near = closed.solutions(&there).into_iter().find(|s| s.configuration.cfx == 1).unwrap();
     let warm = DeformedArm::of_table(&arm, &driftpost::Deformation::paper().settled());
     let solved = solve(&warm.under(&Conditions::default()), &there, &near.q_rad).unwrap();
-    let told = Chain::nominal(&arm).forward(&solved.q_rad).translation.vector - there.translation.vector;
-    [told.x * 1e3, told.y * 1e3, told.z * 1e3]
+    let shift_m = Chain::nominal(&arm).forward(&solved.q_rad).translation.vector - there.translation.vector;
+    [shift_m.x * 1e3, shift_m.y * 1e3, shift_m.z * 1e3]
 }
 
 #[test]
@@ -172,7 +175,7 @@ fn a_point_that_is_not_found_and_a_displacement_are_refused() {
     let mut cell = Cell::new(&text, &as_the_table());
     cell.call("tcColdStart");
     cell.call("tcTouch");
-    assert!(cell.said().contains("Touch taken"), "{}", cell.said());
+    assert!(cell.touch_message().contains("Touch taken"), "{}", cell.touch_message());
     let before = cell.state();
     // The whole cell has moved by 20 mm.
     let away = Truth { seed: 2, ..as_the_table() };
@@ -195,13 +198,13 @@ fn a_point_that_is_not_found_and_a_displacement_are_refused() {
     };
     moved.call("tcColdStart");
     moved.call("tcTouch");
-    assert!(moved.said().contains("the point was not found"), "{}", moved.said());
+    assert!(moved.touch_message().contains("the point was not found"), "{}", moved.touch_message());
     assert_eq!(moved.number("tcTouchAge"), -1.0);
     let shift = "MODULE Shift\n  PROC shifted()\n    PDispSet [[1,0,0],[1,0,0,0]];\n  ENDPROC\nENDMODULE\n";
     cell.controller.load("Shift.mod", shift.as_bytes()).unwrap();
     cell.call("shifted");
     cell.call("tcTouch");
-    assert!(cell.said().contains("the arm is not where it should be"), "{}", cell.said());
+    assert!(cell.touch_message().contains("the arm is not where it should be"), "{}", cell.touch_message());
     assert_eq!(cell.state(), before);
 }
 

@@ -22,11 +22,11 @@ pub struct Came {
 
 /// The cell's program of a table that grows by a law, touching with a noise in mm or not.
 pub fn program(form: FormChoice, law: GrowthLaw, touch: Option<f64>) -> Vec<u8> {
-    told(emitted(form, law, touch.map(|sigma_mm| (search(), sigma_mm))))
+    with_start_routine(emitted(form, law, touch.map(|sigma_mm| (search(), sigma_mm))))
 }
 
 /// With a routine that says how long the arm has worked.
-pub fn told(program: Vec<u8>) -> Vec<u8> {
+pub fn with_start_routine(program: Vec<u8>) -> Vec<u8> {
     let text = String::from_utf8(program).unwrap();
     text.replacen("  PROC main()", "  PROC started()\n    tcStartAt 40;\n  ENDPROC\n  PROC main()", 1)
         .into_bytes()

@@ -44,7 +44,7 @@ fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("touches.csv");
     std::fs::write(&file, text).unwrap();
-    let (json, told) = state(&file.display().to_string(), "240:300");
+    let (json, reported) = state(&file.display().to_string(), "240:300");
     let number = |key: &str| json[key].as_f64().unwrap();
     for (key, sigma, truth, most) in [
         ("amount", "amount_sigma", 1.25, 0.1),
@@ -57,10 +57,10 @@ fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
     let rows = json["touches"].as_array().unwrap();
     let mean = |key: &str| rows.iter().map(|row| row[key].as_f64().unwrap()).sum::<f64>() / rows.len() as f64;
     assert!(mean("smoothed_sigma") < 0.9 * mean("sigma"));
-    assert!(rows.iter().filter(|row| row["taken"] == false).count() <= 3, "{told}");
+    assert!(rows.iter().filter(|row| row["taken"] == false).count() <= 3, "{reported}");
     let plan = json["plan"].as_array().unwrap();
     let settled = |k: usize| plan[k]["settled_mm"].as_f64().unwrap();
-    assert!(plan.len() == 2 && settled(0) >= settled(1) && told.contains("tells most"));
+    assert!(plan.len() == 2 && settled(0) >= settled(1) && reported.contains("tells most"));
     let left: Vec<f64> =
         plan[0]["intervals"].as_array().unwrap().iter().map(|i| i["rms_mm"].as_f64().unwrap()).collect();
     assert!(left.is_sorted(), "touching less often leaves more: {left:?}");
@@ -102,9 +102,13 @@ fn of_false_first(points: usize, seed: u64, off_mm: [f64; 2], stop: &str) -> Val
 fn a_false_first_touch_is_told_and_the_cold_place_is_that_of_the_later_ones() {
     for (points, off_mm) in [(1, [0.4, 0.0]), (1, [-0.25, 0.1]), (2, [0.0, 0.3]), (2, [0.5, -0.5])] {
         let json = of_false_first(points, 7, off_mm, "240:300");
-        let told = json["false_first"].as_array().unwrap();
-        assert!(told.len() == 1 && told[0]["line"] == 2 && told[0]["point"] == "P1", "{off_mm:?} {told:?}");
-        let (off, sigma) = (told[0]["off_mm"].as_f64().unwrap(), told[0]["sigma_mm"].as_f64().unwrap());
+        let reported = json["false_first"].as_array().unwrap();
+        assert!(
+            reported.len() == 1 && reported[0]["line"] == 2 && reported[0]["point"] == "P1",
+            "{off_mm:?} {reported:?}"
+        );
+        let (off, sigma) =
+            (reported[0]["off_mm"].as_f64().unwrap(), reported[0]["sigma_mm"].as_f64().unwrap());
         assert!((off - off_mm[0].hypot(off_mm[1])).abs() < 3.0 * sigma + 0.03, "{off_mm:?} {off} +- {sigma}");
         for (key, sigma, truth) in [
             ("amount", "amount_sigma", 1.25),

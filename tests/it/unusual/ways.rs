@@ -190,9 +190,9 @@ ENDMODULE\n"
         let args = ["compensate", "Cell.mod", "--form", "ramp", "-o", "out.mod", "--force", "--json", "-"];
         let review = driftpost(folder.path(), &args);
         for motion in [1, 2] {
-            let told = &review["motions"][motion];
-            assert_eq!(told["status"], status, "{begin} {end}: {told}");
-            assert_eq!(told["code"] == "keep::displacement", status == "kept", "{told}");
+            let reported = &review["motions"][motion];
+            assert_eq!(reported["status"], status, "{begin} {end}: {reported}");
+            assert_eq!(reported["code"] == "keep::displacement", status == "kept", "{reported}");
         }
     }
 }

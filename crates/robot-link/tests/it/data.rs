@@ -92,13 +92,13 @@ fn in_manual_mode_the_operator_decides() {
         let double = double(personality);
         double.with(|c| c.mode = "MANR");
         let mut session = open(&double);
-        let mut told = Vec::new();
+        let mut notices = Vec::new();
         session
-            .with_right(&mut |text| told.push(text.to_owned()), |session| {
+            .with_right(&mut |text| notices.push(text.to_owned()), |session| {
                 session.set_value("T_ROB1", "Part", "tcMode", "20")
             })
             .unwrap();
-        assert!(told[0].contains("on the pendant"), "{told:?}");
+        assert!(notices[0].contains("on the pendant"), "{notices:?}");
         for operator in [Operator::Denies, Operator::Silent] {
             double.with(|c| c.operator = operator);
             assert_eq!(set(&mut session, "tcMode", "19").unwrap_err().code(), "link::operator");

@@ -37,14 +37,14 @@ fn fault(random: &mut impl Rng) -> Fault {
 
 /// What a sequence said was done.
 #[derive(Default)]
-struct Said {
+struct Outcomes {
     opened: u32,
     done: u32,
     refused: u32,
     uncertain: u32,
 }
 
-impl Said {
+impl Outcomes {
     fn count<T>(&mut self, ended: &Result<T, LinkError>) -> bool {
         match ended {
             Ok(_) => self.done += 1,
@@ -61,7 +61,7 @@ impl Said {
 }
 
 /// One sequence: a login, a file, a module, a value, each asked for once; what is called done is looked for at the controller.
-fn sequence(seed: u64, personality: Personality, said: &mut Said) {
+fn sequence(seed: u64, personality: Personality, outcomes: &mut Outcomes) {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let double = double(personality);
     double.with(|c| {
@@ -86,10 +86,10 @@ fn sequence(seed: u64, personality: Personality, said: &mut Said) {
         is_free(&double, seed, None);
         return;
     };
-    said.opened += 1;
+    outcomes.opened += 1;
     let text = MODULE.replace("64.7", &format!("{}", seed % 90));
     let written = session.write_file("Part.mod", text.as_bytes());
-    if said.count(&written) {
+    if outcomes.count(&written) {
         let kept = double.with(|c| c.files.get("Part.mod").cloned());
         assert_eq!(
             kept.as_deref(),
@@ -98,14 +98,14 @@ fn sequence(seed: u64, personality: Personality, said: &mut Said) {
         );
         let loaded =
             session.with_right(&mut |_| {}, |s| s.exchange_module("T_ROB1", "Part", "Part.mod", true));
-        if said.count(&loaded) {
+        if outcomes.count(&loaded) {
             let there = double.with(|c| c.module("Part").map(|m| m.text.clone()));
             assert_eq!(there.as_deref(), Some(text.as_str()), "seed {seed}: a module was called loaded");
         }
     }
     let value = format!("{}", seed % 21);
     let set = session.with_right(&mut |_| {}, |s| s.set_value("T_ROB1", "Part", "tcMode", &value));
-    if said.count(&set) {
+    if outcomes.count(&set) {
         let kept = double.with(|c| c.value("Part", "tcMode"));
         assert_eq!(kept.as_deref(), Some(value.as_str()), "seed {seed}: a value was called written");
     }
@@ -142,15 +142,15 @@ fn is_free(double: &Double, seed: u64, ended: Option<&Result<(), LinkError>>) {
 #[test]
 fn a_thousand_sequences_of_faults_leave_nothing_held_and_nothing_half() {
     // Most of the time is waiting for answers that do not come.
-    let mut said = Said::default();
-    let parts: Vec<Said> = std::thread::scope(|scope| {
+    let mut outcomes = Outcomes::default();
+    let parts: Vec<Outcomes> = std::thread::scope(|scope| {
         let part = |n: u64| {
             scope.spawn(move || {
-                let mut said = Said::default();
+                let mut outcomes = Outcomes::default();
                 for seed in (n..SEQUENCES).step_by(LINES as usize) {
-                    sequence(seed, Personality::ALL[(seed % 3) as usize], &mut said);
+                    sequence(seed, Personality::ALL[(seed % 3) as usize], &mut outcomes);
                 }
-                said
+                outcomes
             })
         };
         let running: Vec<_> = (0..LINES).map(part).collect();
@@ -160,15 +160,17 @@ fn a_thousand_sequences_of_faults_leave_nothing_held_and_nothing_half() {
             .collect()
     });
     for part in parts {
-        said.opened += part.opened;
-        said.done += part.done;
-        said.refused += part.refused;
-        said.uncertain += part.uncertain;
+        outcomes.opened += part.opened;
+        outcomes.done += part.done;
+        outcomes.refused += part.refused;
+        outcomes.uncertain += part.uncertain;
     }
     println!(
         "{} logins, {} done, {} refused, {} said to be uncertain",
-        said.opened, said.done, said.refused, said.uncertain
+        outcomes.opened, outcomes.done, outcomes.refused, outcomes.uncertain
     );
     // Enough of each, or the faults test nothing.
-    assert!(said.opened > 500 && said.done > 300 && said.refused > 300 && said.uncertain > 30);
+    assert!(
+        outcomes.opened > 500 && outcomes.done > 300 && outcomes.refused > 300 && outcomes.uncertain > 30
+    );
 }

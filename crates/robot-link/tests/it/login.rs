@@ -34,9 +34,9 @@ fn what_is_left_of_memory_is_told_where_it_is_offered() {
         let double = double(personality);
         let mut session = open(&double);
         let left = session.free_memory().unwrap();
-        let told: Vec<_> =
+        let memory: Vec<_> =
             left.rapid.iter().map(|p| (p.name.as_str(), p.value.as_str(), p.unit.as_str())).collect();
-        assert_eq!(told, [("Total memory", "33554432", "bytes"), ("Free memory", "30408704", "bytes")]);
+        assert_eq!(memory, [("Total memory", "33554432", "bytes"), ("Free memory", "30408704", "bytes")]);
         let disks: Vec<_> =
             left.disks.iter().map(|d| (d.name.as_str(), d.free_bytes, d.total_bytes)).collect();
         // As ABB's manual of RobotWare 6 shows it; 7 and 8 list volumes without sizes.
