@@ -17,7 +17,7 @@ use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
 use std::sync::Arc;
 
-/// A compensation that waits for its program.
+/// Robot, deformation and options with which programs are compensated: [`run`](Self::run) takes a program.
 ///
 /// ```
 /// use driftpost::{Compensation, Deformation, ProgramFiles, Robot};

@@ -5,7 +5,7 @@ use crate::report::{self, LocatedDiagnostic};
 use rapid_program::program::{Overrides, Program};
 use std::io::{self, Write};
 
-/// A look at a program that waits for its files.
+/// Lists a program's motions, and which of them can be compensated as far as their text tells.
 ///
 /// ```
 /// use driftpost::ProgramFiles;
@@ -24,7 +24,7 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// A look at a program as it is.
+    /// An inspection with the program's own tools and work objects.
     #[must_use]
     pub fn new() -> Self {
         Self::default()

@@ -1,6 +1,6 @@
 //! What a controller is and how it stands: system, tasks, modules, memory, and the data of corrected programs.
 
-use super::own_data::OwnData;
+use super::emitted_state::EmittedState;
 use robot_link::{FreeMemory, Identity, LinkError, LoadedModule, Session};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -10,7 +10,7 @@ pub struct LinkInfo {
     identity: Identity,
     /// The loaded modules, by task.
     modules: Vec<(String, Vec<LoadedModule>)>,
-    own: Vec<OwnData>,
+    own: Vec<EmittedState>,
     left: FreeMemory,
 }
 
@@ -24,7 +24,7 @@ impl LinkInfo {
         let (mut modules, mut own) = (Vec::new(), Vec::new());
         for task in &identity.tasks {
             let loaded = session.modules(&task.name)?;
-            own.extend(OwnData::of_task(session, &task.name, &loaded)?);
+            own.extend(EmittedState::of_task(session, &task.name, &loaded)?);
             modules.push((task.name.clone(), loaded));
         }
         let left = session.free_memory()?;
@@ -102,7 +102,7 @@ impl LinkInfo {
                     .collect::<Vec<_>>(),
             },
             "tasks": tasks.collect::<Vec<_>>(),
-            "corrected": self.own.iter().map(OwnData::json).collect::<Vec<_>>(),
+            "corrected": self.own.iter().map(EmittedState::json).collect::<Vec<_>>(),
         })
     }
 }

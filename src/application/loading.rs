@@ -1,6 +1,6 @@
 //! What `link push --load` would meet in the task: nothing of the module's name, a corrected module, or what must stay.
 
-use super::sent_module::SentModule;
+use super::module_upload::ModuleUpload;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{LinkError, LoadedModule, Session};
 
@@ -11,17 +11,17 @@ pub struct Loading {
     /// The modules of the task.
     pub loaded: Vec<LoadedModule>,
     /// For each module that is sent.
-    meets: Vec<Meets>,
+    existing: Vec<ExistingModule>,
 }
 
 /// What a module that is sent meets.
-enum Meets {
+enum ExistingModule {
     /// No module of its name is loaded.
-    Nothing,
+    Absent,
     /// A corrected one of its name is, and goes.
     Corrected,
     /// Why it cannot be loaded: something of other people's stays.
-    Stays(Diagnostic),
+    Foreign(Diagnostic),
 }
 
 impl Loading {
@@ -29,33 +29,37 @@ impl Loading {
     ///
     /// # Errors
     /// `link::which-task`; no or an incomplete answer.
-    pub fn of(sent: &[SentModule], task: Option<&str>, session: &mut Session) -> Result<Self, LoadingError> {
+    pub fn of(
+        sent: &[ModuleUpload],
+        task: Option<&str>,
+        session: &mut Session,
+    ) -> Result<Self, LoadingError> {
         let task = of_task(task, session)?;
         let loaded = session.modules(&task)?;
-        let meets = sent
+        let existing = sent
             .iter()
-            .map(|module| meets(module, sent, (&task, &loaded), session))
+            .map(|module| existing_module(module, sent, (&task, &loaded), session))
             .collect::<Result<_, LinkError>>()?;
-        Ok(Self { task, loaded, meets })
+        Ok(Self { task, loaded, existing })
     }
 
     /// What becomes of each module, before it is asked for.
     #[must_use]
-    pub fn text(&self, sent: &[SentModule]) -> String {
-        let one = |(module, meets): (&SentModule, &Meets)| {
+    pub fn text(&self, sent: &[ModuleUpload]) -> String {
+        let one = |(module, existing): (&ModuleUpload, &ExistingModule)| {
             let (module, task) = (&module.module, &self.task);
-            match meets {
-                Meets::Nothing => format!("{module}: --load puts it into {task} as a new module\n"),
-                Meets::Corrected => format!(
+            match existing {
+                ExistingModule::Absent => format!("{module}: --load puts it into {task} as a new module\n"),
+                ExistingModule::Corrected => format!(
                     "{module}: --load puts it into {task} in place of the corrected module of this name\n"
                 ),
-                Meets::Stays(why) => {
+                ExistingModule::Foreign(why) => {
                     let help = why.help.as_ref().map_or_else(String::new, |help| format!("  {help}\n"));
                     format!("{module}: --load would be refused: {}\n{help}", why.message)
                 }
             }
         };
-        sent.iter().zip(&self.meets).map(one).collect()
+        sent.iter().zip(&self.existing).map(one).collect()
     }
 
     /// For each module whether one of its name is taken out first.
@@ -63,12 +67,12 @@ impl Loading {
     /// # Errors
     /// `link::not-ours`, `link::names-taken`: the first that cannot be loaded.
     pub fn replaces(&self) -> Result<Vec<bool>, Diagnostic> {
-        let of = |meets: &Meets| match meets {
-            Meets::Nothing => Ok(false),
-            Meets::Corrected => Ok(true),
-            Meets::Stays(why) => Err(why.clone()),
+        let of = |existing: &ExistingModule| match existing {
+            ExistingModule::Absent => Ok(false),
+            ExistingModule::Corrected => Ok(true),
+            ExistingModule::Foreign(why) => Err(why.clone()),
         };
-        self.meets.iter().map(of).collect()
+        self.existing.iter().map(of).collect()
     }
 }
 
@@ -126,14 +130,14 @@ fn of_task(named: Option<&str>, session: &mut Session) -> Result<String, Loading
 }
 
 /// A module that is not ours is never taken out; what another module declares cannot be declared once more.
-fn meets(
-    module: &SentModule,
-    sent: &[SentModule],
+fn existing_module(
+    module: &ModuleUpload,
+    sent: &[ModuleUpload],
     (task, loaded): (&str, &[LoadedModule]),
     session: &mut Session,
-) -> Result<Meets, LinkError> {
+) -> Result<ExistingModule, LinkError> {
     let is = |loaded: &LoadedModule, name: &str| loaded.name.eq_ignore_ascii_case(name);
-    let mut found = Meets::Nothing;
+    let mut found = ExistingModule::Absent;
     if loaded.iter().any(|l| is(l, &module.module)) {
         if !is_corrected(module, task, session)? {
             let text = format!(
@@ -141,9 +145,9 @@ fn meets(
                 module.module
             );
             let help = "save it on the pendant if need be and unload it there, then run again";
-            return Ok(Meets::Stays(Diagnostic::error("link::not-ours", text).help(help)));
+            return Ok(ExistingModule::Foreign(Diagnostic::error("link::not-ours", text).help(help)));
         }
-        found = Meets::Corrected;
+        found = ExistingModule::Corrected;
     }
     // Modules that are sent too are as they will be, which the controller judges when it loads them.
     let stays = |l: &&LoadedModule| !sent.iter().any(|module| is(l, &module.module));
@@ -156,7 +160,7 @@ fn meets(
                     module.module, other.name
                 );
                 let help = "is that the same program under another module name? save it on the pendant if need be and unload it there";
-                return Ok(Meets::Stays(Diagnostic::error("link::names-taken", text).help(help)));
+                return Ok(ExistingModule::Foreign(Diagnostic::error("link::names-taken", text).help(help)));
             }
         }
     }
@@ -164,7 +168,7 @@ fn meets(
 }
 
 /// Whether the module of the name that is loaded holds data of ours.
-fn is_corrected(module: &SentModule, task: &str, session: &mut Session) -> Result<bool, LinkError> {
+fn is_corrected(module: &ModuleUpload, task: &str, session: &mut Session) -> Result<bool, LinkError> {
     for name in &module.own {
         if session.property(task, &module.module, name)?.is_some() {
             return Ok(true);

@@ -16,6 +16,9 @@ mod compensation_checks;
 mod diagnosis;
 #[cfg(feature = "cli")]
 mod earlier_result;
+mod emitted_settings;
+#[cfg(feature = "link")]
+mod emitted_state;
 mod exam;
 mod fit;
 mod inspection;
@@ -25,12 +28,11 @@ mod link_check;
 mod link_info;
 #[cfg(feature = "link")]
 mod loading;
-mod made_with;
 mod model_check;
+#[cfg(feature = "link")]
+mod module_upload;
 mod named;
 mod other_files;
-#[cfg(feature = "link")]
-mod own_data;
 mod page;
 mod planning;
 mod program_comparison;
@@ -38,8 +40,6 @@ mod program_files;
 #[cfg(feature = "mcap")]
 mod recording;
 mod restoration;
-#[cfg(feature = "link")]
-mod sent_module;
 mod simulation;
 mod state_estimation;
 mod synthesis;
@@ -60,6 +60,7 @@ pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
 pub use compensated::{Compensated, Refusal};
 pub use compensation::Compensation;
 pub use diagnosis::{Diagnosed, Diagnosis, DiagnosisError};
+pub use emitted_settings::{EmittedSettings, Origin};
 pub use fit::{Fit, Fitted};
 pub use inspection::{Inspected, Inspection};
 #[cfg(feature = "link")]
@@ -68,16 +69,15 @@ pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, Targe
 pub use link_info::LinkInfo;
 #[cfg(feature = "link")]
 pub use loading::{Loading, LoadingError, link_message};
-pub use made_with::{MadeWith, Origin};
 pub use model_check::{ModelCheck, ModelChecked};
+#[cfg(feature = "link")]
+pub use module_upload::ModuleUpload;
 pub use named::Named;
 pub use other_files::{PlacedProgram, ReadOther};
 pub use planning::{Planned, Planning, PlanningError};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles};
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
-#[cfg(feature = "link")]
-pub use sent_module::SentModule;
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
 pub use synthesis::{
@@ -94,11 +94,11 @@ pub(crate) use compensated::write_file_diff;
 #[cfg(feature = "cli")]
 pub(crate) use earlier_result::EarlierResult;
 #[cfg(feature = "cli")]
-pub(crate) use made_with::{joints_rad, temperatures_c};
+pub(crate) use emitted_settings::{joints_rad, temperatures_c};
+#[cfg(all(feature = "cli", feature = "link"))]
+pub(crate) use emitted_state::{EmittedState, is_emitted_name};
 #[cfg(feature = "cli")]
 pub(crate) use named::sha256;
-#[cfg(all(feature = "cli", feature = "link"))]
-pub(crate) use own_data::{OwnData, is_own_name};
 #[cfg(all(feature = "cli", feature = "link"))]
 pub(crate) use program_files::check_modules;
 #[cfg(feature = "cli")]

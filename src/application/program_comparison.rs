@@ -1,6 +1,6 @@
 //! Two programs compared: line by line, motion by motion and bucket by bucket, and all that is no target.
 
-use super::made_with::MadeWith;
+use super::emitted_settings::EmittedSettings;
 use super::named::Named;
 use super::other_files::{PlacedProgram, other_files};
 use super::program_files::check_modules;
@@ -39,7 +39,7 @@ use std::sync::Arc;
 pub struct ProgramComparison<'f> {
     /// The one program, as a rule the original.
     pub before: PlacedProgram<'f>,
-    /// The other.
+    /// The program after the change, which is compared with the first.
     pub after: PlacedProgram<'f>,
     /// Tools for names that no module declares; the modules' own are taken where none is given.
     pub tools: Vec<(String, String)>,
@@ -67,17 +67,17 @@ impl<'f> ProgramComparison<'f> {
     /// Files that are no modules, an arm that cannot be had, for its reason; each with its place.
     pub fn run(
         &self,
-        mut arm: impl FnMut(&MadeWith) -> Result<ArmOfTask, Diagnostic>,
+        mut arm: impl FnMut(&EmittedSettings) -> Result<ArmOfTask, Diagnostic>,
     ) -> Result<ComparedPrograms, Box<LocatedDiagnostic>> {
-        let overrides = self.made_with(None).overrides(&self.tools, &self.wobjs);
+        let overrides = self.emitted_settings(None).overrides(&self.tools, &self.wobjs);
         let (before, after) = (read(&self.before, &overrides)?, read(&self.after, &overrides)?);
         let pairs = FilePairs::new((&before, &self.before.places), (&after, &self.after.places));
         // Each task of a backup moves a robot of its own.
         let (mut comparison, mut settled) = (Comparison::default(), vec![None; before.motions.len()]);
         for task in tasks(&before, &after) {
-            let made_with = self.made_with(task.as_deref());
-            let arm = arm(&made_with)?;
-            let start_rad = made_with.start_rad(self.start_rad)?;
+            let emitted_settings = self.emitted_settings(task.as_deref());
+            let arm = arm(&emitted_settings)?;
+            let start_rad = emitted_settings.start_rad(self.start_rad)?;
             let hint = self.joints_hint.as_deref();
             let found =
                 compare(&before, &after, &pairs, &arm.0, (start_rad, hint)).map_err(Diagnostic::from)?;
@@ -85,7 +85,7 @@ impl<'f> ProgramComparison<'f> {
                 is_of_task(&program.file(program.motions[motion].file).path, task.as_deref())
             };
             let found = found.retained(|motion| of_task(&before, *motion), |motion| of_task(&after, *motion));
-            let of_robot = self.settled(&before, &found, &made_with, &arm, start_rad)?;
+            let of_robot = self.settled(&before, &found, &emitted_settings, &arm, start_rad)?;
             let own = of_robot.into_iter().enumerate().filter(|(motion, _)| of_task(&before, *motion));
             own.for_each(|(motion, correction)| settled[motion] = correction);
             comparison.extend(found);
@@ -95,8 +95,8 @@ impl<'f> ProgramComparison<'f> {
         Ok(ComparedPrograms { before, after, pairs, comparison, settled, elsewhere, other_files })
     }
 
-    fn made_with(&self, task: Option<&str>) -> MadeWith {
-        MadeWith::of(&[&self.after.files, &self.before.files], task)
+    fn emitted_settings(&self, task: Option<&str>) -> EmittedSettings {
+        EmittedSettings::of(&[&self.after.files, &self.before.files], task)
     }
 
     /// How far each motion is corrected once all has settled, metres and radians, where the second program asks a model at run
@@ -105,7 +105,7 @@ impl<'f> ProgramComparison<'f> {
         &self,
         before: &Program,
         found: &Comparison,
-        made_with: &MadeWith,
+        emitted_settings: &EmittedSettings,
         (robot, deformed): &ArmOfTask,
         start_rad: Option<[f64; 6]>,
     ) -> Result<Vec<Option<[f64; 2]>>, Diagnostic> {
@@ -116,8 +116,8 @@ impl<'f> ProgramComparison<'f> {
         let options = Options {
             form: FormChoice::Live,
             model: identified.as_ref().map(|named| Arc::new(named.model.clone())),
-            joint_temperature_c: made_with.joint_temperature_c()?,
-            payload_kg: made_with.payload_kg()?,
+            joint_temperature_c: emitted_settings.joint_temperature_c()?,
+            payload_kg: emitted_settings.payload_kg()?,
             max_correction_m: f64::INFINITY,
             max_correction_rad: f64::INFINITY,
             start_rad,

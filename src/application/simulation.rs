@@ -1,6 +1,6 @@
 //! Execution of a program on the deformed robot.
 
-use super::made_with::MadeWith;
+use super::emitted_settings::EmittedSettings;
 use super::program_files::{ProgramFiles, check_names};
 use crate::report::simulation;
 use rapid_program::compensate::CompensateError;
@@ -134,8 +134,8 @@ impl Simulation {
             check_names(&files.sources())?;
         }
         let set = self.set.iter().map(|(name, _)| ("--set", name.as_str()));
-        let made_with = MadeWith::of(&[program], self.task.as_deref());
-        let modules_own = made_with.one("thermometer").ok().flatten();
+        let emitted_settings = EmittedSettings::of(&[program], self.task.as_deref());
+        let modules_own = emitted_settings.one("thermometer").ok().flatten();
         let thermometer = self.options.thermometer.as_deref().filter(|name| Some(*name) != modules_own);
         let thermometer = thermometer.map(|name| ("--thermometer", name));
         let signals = match course {

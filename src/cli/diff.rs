@@ -4,7 +4,7 @@ use super::files::Output;
 use super::inspect::Format;
 use super::program_input::ProgramInput;
 use super::shared::ProgramSettings;
-use super::{Console, Outcome, made_with, model};
+use super::{Console, Outcome, emitted_settings, model};
 use driftpost::application::ProgramComparison;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -54,10 +54,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     (job.tools, job.wobjs) = (tool.clone(), wobj.clone());
     job.start_rad = start_joints.map(|joints| joints.0);
     job.joints_hint = args.joints_hint.as_deref().map(model::joints_hint).transpose()?.map(Arc::new);
-    let found = job.run(|made_with| {
-        let robot = made_with::robot(made_with, robot.as_deref())?;
+    let found = job.run(|emitted_settings| {
+        let robot = emitted_settings::robot(emitted_settings, robot.as_deref())?;
         // A model that is not at hand is no reason to compare nothing: the figures are left out.
-        Ok((robot, made_with::deformed(made_with, None).ok().flatten()))
+        Ok((robot, emitted_settings::deformed(emitted_settings, None).ok().flatten()))
     })?;
     if !json.is_standard() {
         match args.format {

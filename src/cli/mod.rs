@@ -8,9 +8,9 @@
 mod console;
 mod copies;
 mod destination;
+pub mod emitted_settings;
 pub mod files;
 mod interrupt;
-pub mod made_with;
 pub mod measured;
 pub mod minutes;
 pub mod model;

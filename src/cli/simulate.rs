@@ -7,8 +7,8 @@ use super::number::{at_least_one, positive};
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
-use super::{Console, Outcome, made_with, model, simulate_hints as hints};
-use driftpost::application::{Course, MadeWith, Named, ProgramFiles, Simulation};
+use super::{Console, Outcome, emitted_settings, model, simulate_hints as hints};
+use driftpost::application::{Course, EmittedSettings, Named, ProgramFiles, Simulation};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
@@ -187,16 +187,16 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
             tasks.join(", ")
         ));
     }
-    let made_with = MadeWith::of(&[program], task.as_deref());
-    let robot = made_with::robot(&made_with, args.settings.robot.as_deref())?;
+    let emitted_settings = EmittedSettings::of(&[program], task.as_deref());
+    let robot = emitted_settings::robot(&emitted_settings, args.settings.robot.as_deref())?;
     if let Some(joints) = args.settings.start_joints {
         joints.check(&robot)?;
     }
-    let (deformation, identified) = truth(args, &made_with)?;
+    let (deformation, identified) = truth(args, &emitted_settings)?;
     let mut job = Simulation::new(TrueRobot::new(robot, deformation));
     if let Some(identified) = identified {
         job = job
-            .with_model(&identified.model, joint_temperature_c(args, &made_with))
+            .with_model(&identified.model, joint_temperature_c(args, &emitted_settings))
             .map_err(Diagnostic::from)?;
     }
     job.options = SessionOptions {
@@ -205,7 +205,7 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
         paths: true,
         thermometer: match &args.thermometer {
             Some(name) => Some(name.clone()),
-            None => made_with.one("thermometer")?.map(str::to_owned),
+            None => emitted_settings.one("thermometer")?.map(str::to_owned),
         },
         renamed: BTreeMap::new(),
         warming: args.warming.map(Into::into),
@@ -218,8 +218,8 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
         );
     }
     job.task.clone_from(&args.task);
-    job.overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
-    job.start_rad = made_with.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
+    job.overrides = emitted_settings.overrides(&args.settings.tool, &args.settings.wobj);
+    job.start_rad = emitted_settings.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
     job.set.clone_from(&args.set);
     job.tolerance_mm = args.tolerance_mm;
     Ok(job)
@@ -238,10 +238,15 @@ fn course(args: &Args) -> Result<Course, Diagnostic> {
 }
 
 /// How the robot really stands, as the options say, else as the emitted modules do: its deformation, and the identified model of it.
-fn truth(args: &Args, made_with: &MadeWith) -> Result<(Deformation, Option<Named<Identified>>), Diagnostic> {
+fn truth(
+    args: &Args,
+    emitted_settings: &EmittedSettings,
+) -> Result<(Deformation, Option<Named<Identified>>), Diagnostic> {
     let (table, growth) = (args.deformation.as_deref(), args.growth.as_deref());
     let by_options = table.is_some() || args.model.is_some();
-    if let Some(of_modules) = if by_options { None } else { made_with::deformed(made_with, growth)? } {
+    if let Some(of_modules) =
+        if by_options { None } else { emitted_settings::deformed(emitted_settings, growth)? }
+    {
         return Ok(of_modules);
     }
     let Some(path) = &args.model else { return Ok((model::deformation(table, growth)?, None)) };
@@ -250,6 +255,6 @@ fn truth(args: &Args, made_with: &MadeWith) -> Result<(Deformation, Option<Named
 }
 
 /// How warm the joints are, as the options say, else as the emitted modules do.
-fn joint_temperature_c(args: &Args, made_with: &MadeWith) -> Option<[f64; 6]> {
-    args.temperature_c.map(|t| t.0).or_else(|| made_with.joint_temperature_c().ok().flatten())
+fn joint_temperature_c(args: &Args, emitted_settings: &EmittedSettings) -> Option<[f64; 6]> {
+    args.temperature_c.map(|t| t.0).or_else(|| emitted_settings.joint_temperature_c().ok().flatten())
 }

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 fn word(outcome: Option<TouchOutcome>) -> &'static str {
     match outcome {
         Some(TouchOutcome::Taken) => "taken",
-        Some(TouchOutcome::TakenAnew) => "taken, the state begins anew",
+        Some(TouchOutcome::Reset) => "taken, the state begins anew",
         Some(TouchOutcome::Refused) => "refused: over three sigma",
         None => "refused: off the drift's line",
     }
@@ -108,7 +108,7 @@ pub fn json(state: &RobotState, points: &[String]) -> Value {
         })).collect::<Vec<_>>(),
         "touches": state.touches.iter().map(|t| json!({
             "line": t.line, "point": points.get(t.point), "t_min": t.t_min, "seen": t.seen, "off_sigmas": t.off_sigmas,
-            "taken": matches!(t.outcome, Some(TouchOutcome::Taken | TouchOutcome::TakenAnew)), "outcome": word(t.outcome),
+            "taken": matches!(t.outcome, Some(TouchOutcome::Taken | TouchOutcome::Reset)), "outcome": word(t.outcome),
             "share": t.share[0], "sigma": t.share[1], "smoothed": t.smoothed[0], "smoothed_sigma": t.smoothed[1],
         })).collect::<Vec<_>>(),
         "plan": state.plan.iter().map(|p| json!({

@@ -131,7 +131,7 @@ struct Followed {
     wrong: [bool; 2],
 }
 
-fn go_on(seed: u64, number: u64, robot: &SerialArm) -> Option<Followed> {
+fn continue_measuring(seed: u64, number: u64, robot: &SerialArm) -> Option<Followed> {
     let (recipe, set, tries) = draw(seed, number, robot)?;
     let truth = &set.truth;
     if !matches!(truth.kind, QuestionKind::One | QuestionKind::Two) {
@@ -184,7 +184,9 @@ pub fn follow(seed: u64, sets: u64) -> (usize, [usize; 2], [usize; 2]) {
     let mut all: Vec<Followed> = Vec::new();
     for from in (0..sets).step_by(AT_ONCE) {
         let to = sets.min(from + AT_ONCE as u64);
-        all.par_extend((from..to).into_par_iter().filter_map(|number| go_on(seed, number, &robot)));
+        all.par_extend(
+            (from..to).into_par_iter().filter_map(|number| continue_measuring(seed, number, &robot)),
+        );
         if all.len() >= OPEN {
             break;
         }

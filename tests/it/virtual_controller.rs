@@ -323,9 +323,9 @@ ENDMODULE"#,
     );
     let to = "MoveAbsJ [[0,0,0,0,40,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n";
     c.put_file("PART.MOD", format!("MODULE PART\nPROC part()\n{to}{to}ENDPROC\nENDMODULE").as_bytes());
-    assert_eq!(c.motions_but(&[]), 1);
+    assert_eq!(c.motion_count_except(&[]), 1);
     assert!(c.call("main", 1).unwrap().is_good());
-    assert_eq!((c.motions_but(&[]), c.motions_but(&["PART"])), (3, 1));
+    assert_eq!((c.motion_count_except(&[]), c.motion_count_except(&["PART"])), (3, 1));
 }
 
 #[test]

@@ -70,7 +70,7 @@ impl FileFaults {
         }
     }
 
-    fn is(&self, wanted: RowFault) -> bool {
+    fn has_fault(&self, wanted: RowFault) -> bool {
         self.of_rows.is_some_and(|(fault, _)| fault == wanted)
     }
 
@@ -89,7 +89,7 @@ impl FileFaults {
             Some((RowFault::Metres, from)) if k >= from => [point_m.x, point_m.y, point_m.z],
             _ => [point_m.x, point_m.y, point_m.z].map(mm_from_m),
         };
-        if self.is(RowFault::Inches) {
+        if self.has_fault(RowFault::Inches) {
             x /= MM_PER_INCH;
         }
         if self.swapped { [y, x, z] } else { [x, y, z] }
@@ -155,7 +155,7 @@ impl RunRecord<'_> {
             let _ = write!(out, ",{:.2}", now.t_min);
         }
         for (j, q) in now.q_rad.into_iter().enumerate() {
-            let in_radians = j == RADIANS && faults.is(RowFault::Radians);
+            let in_radians = j == RADIANS && faults.has_fault(RowFault::Radians);
             let cell = match self.run.arm.slides(j) {
                 true => mm_from_m(q),
                 false if in_radians => q,

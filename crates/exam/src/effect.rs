@@ -179,7 +179,22 @@ impl Effect {
     /// Its name in the measurement format; `None` for effects outside the library.
     #[must_use]
     pub fn name(&self) -> Option<&'static str> {
-        Some(match self {
+        let is_outside = matches!(
+            self,
+            Self::RowFault { .. }
+                | Self::SquareWave { .. }
+                | Self::CablePull { .. }
+                | Self::LocalBump { .. }
+                | Self::SmoothFunction(_)
+                | Self::CrossTerm { .. }
+        );
+        (!is_outside).then(|| self.spec_name())
+    }
+
+    /// The name under which a user asks for it, those outside the library too.
+    #[must_use]
+    pub const fn spec_name(&self) -> &'static str {
+        match self {
             Self::JointOffset { .. } => "joint_offset",
             Self::LinkGeometry { .. } => "link_geometry",
             Self::JointCompliance { .. } => "joint_compliance",
@@ -202,15 +217,13 @@ impl Effect {
             Self::PayloadMass => "payload_mass",
             Self::JointRounding => "joint_rounding",
             Self::SwappedAxes => "swapped_axes",
-            Self::RowFault { .. }
-            | Self::SquareWave { .. }
-            | Self::CablePull { .. }
-            | Self::LocalBump { .. }
-            | Self::SmoothFunction(_)
-            | Self::CrossTerm { .. } => {
-                return None;
-            }
-        })
+            Self::RowFault { .. } => "row_fault",
+            Self::SquareWave { .. } => "square_wave",
+            Self::CablePull { .. } => "cable_pull",
+            Self::LocalBump { .. } => "local_bump",
+            Self::SmoothFunction(_) => "smooth_function",
+            Self::CrossTerm { .. } => "cross_term",
+        }
     }
 
     /// The joint it sits in, from 1.

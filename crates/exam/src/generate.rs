@@ -192,7 +192,7 @@ fn injected(
             matches!(effect, Effect::JointRounding | Effect::SwappedAxes | Effect::RowFault { .. });
         let effect = match effect {
             Effect::SmoothFunction(function) => {
-                Effect::SmoothFunction(outside::redrawn(run, *function, rng)?)
+                Effect::SmoothFunction(outside::sample_outside_library(run, *function, rng)?)
             }
             other => *other,
         };

@@ -18,18 +18,18 @@ pub(super) fn finds_a_cause(answer: &Answer) -> bool {
 }
 
 /// Whether a cause is the `k`-th effect of the truth.
-pub(super) fn is(truth: &Truth, k: usize, cause: &Cause) -> bool {
+pub(super) fn names_effect(truth: &Truth, k: usize, cause: &Cause) -> bool {
     truth.effects.get(k).is_some_and(|t| t.effect.name() == Some(cause.effect.as_str()))
 }
 
 /// The first cause is the first effect.
 pub(super) fn first_right(truth: &Truth, answer: &Answer) -> bool {
-    answer.causes.first().is_some_and(|c| is(truth, 0, c))
+    answer.causes.first().is_some_and(|c| names_effect(truth, 0, c))
 }
 
 /// A cause is one of the effects.
 pub(super) fn any_right(truth: &Truth, cause: &Cause) -> bool {
-    (0..truth.effects.len()).any(|k| is(truth, k, cause))
+    (0..truth.effects.len()).any(|k| names_effect(truth, k, cause))
 }
 
 /// A cause is named first, with nine parts in ten, and is none of the effects.

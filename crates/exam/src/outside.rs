@@ -9,8 +9,8 @@ use super::smooth::SmoothFunction;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::FRAC_PI_2;
 
-/// An effect that takes more than this share of a shape's square explains it.
-const LARGEST_SHARE: f64 = 0.5;
+/// An effect that takes more than this fraction of a shape's square explains it.
+const LARGEST_EXPLAINED_FRACTION: f64 = 0.5;
 /// Functions drawn before a run is given up.
 const TRIES: usize = 20;
 /// Gear lines that are compared, per turn.
@@ -18,7 +18,7 @@ const LINES: std::ops::RangeInclusive<u32> = 1..=12;
 
 /// `function`, or another of its family (another seed), that no effect of the library explains over the run; `None` where
 /// hardly any is.
-pub(super) fn redrawn(
+pub(super) fn sample_outside_library(
     run: &MeasuredRun<'_>,
     function: SmoothFunction,
     rng: &mut Rng,
@@ -27,7 +27,9 @@ pub(super) fn redrawn(
     let mut function = function;
     for _ in 0..TRIES {
         let shape = field(run, Effect::SmoothFunction(function));
-        if shape.norm() > 0.0 && library.iter().all(|effect| share(effect, &shape) < LARGEST_SHARE) {
+        if shape.norm() > 0.0
+            && library.iter().all(|effect| explained_fraction(effect, &shape) < LARGEST_EXPLAINED_FRACTION)
+        {
             return Some(function);
         }
         function = function.reseeded(rng);
@@ -42,8 +44,8 @@ fn field(run: &MeasuredRun<'_>, effect: Effect) -> DVector<f64> {
     left_by_registration(&run.flanges, &run.nominal_m, &off_m)
 }
 
-/// Share of the square of `shape` that the best mixture of `columns` takes.
-fn share(columns: &DMatrix<f64>, shape: &DVector<f64>) -> f64 {
+/// The fraction of the square of `shape` that the best mixture of `columns` takes.
+fn explained_fraction(columns: &DMatrix<f64>, shape: &DVector<f64>) -> f64 {
     let svd = columns.clone().svd(true, true);
     let Ok(solved) = svd.solve(shape, 1e-9 * svd.singular_values.max().max(1e-300)) else { return 0.0 };
     1.0 - (shape - columns * solved).norm_squared() / shape.norm_squared()
@@ -117,8 +119,8 @@ mod tests {
             length,
             seed: 5,
         };
-        assert_eq!(redrawn(&run, of(60.0), &mut Rng::new(1, 0)), None);
-        let found = redrawn(&run, of(0.3), &mut Rng::new(1, 0)).unwrap();
+        assert_eq!(sample_outside_library(&run, of(60.0), &mut Rng::new(1, 0)), None);
+        let found = sample_outside_library(&run, of(0.3), &mut Rng::new(1, 0)).unwrap();
         assert_eq!((found.domain, found.length), (Domain::JointAngle(3), 0.3));
     }
 }

@@ -4,8 +4,8 @@
 
 use super::answer::Answer;
 use super::marking::{
-    any_right, confident_and_wrong, finds_a_cause, first_right, gives_a_set, is, is_weak, names_a_cause, rho,
-    says_outside, shrink_share,
+    any_right, confident_and_wrong, finds_a_cause, first_right, gives_a_set, is_weak, names_a_cause,
+    names_effect, rho, says_outside, shrink_share,
 };
 use super::measure::{Criterion, Measure, wilson90};
 use super::truth::{QuestionKind, Truth};
@@ -83,7 +83,7 @@ impl Grader<'_> {
             .filter(|set| set.truth.kind == QuestionKind::One && names_a_cause(&set.answer))
             .filter_map(|set| {
                 let cause = set.answer.causes.first()?;
-                Some((cause.posterior?.clamp(0.0, 1.0), is(&set.truth, 0, cause)))
+                Some((cause.posterior?.clamp(0.0, 1.0), names_effect(&set.truth, 0, cause)))
             })
             .collect();
         let sets = stated.len();
@@ -131,7 +131,7 @@ impl Grader<'_> {
             self.rate(
                 &Criterion::high("one of the first two right, rho = .5, N = 30", 0.90, 0.90),
                 |t, _| is_weak(t),
-                |t, a| a.causes.iter().take(2).any(|c| is(t, 0, c)),
+                |t, a| a.causes.iter().take(2).any(|c| names_effect(t, 0, c)),
             ),
         ]
     }
@@ -161,7 +161,7 @@ impl Grader<'_> {
     fn ambiguity(&self) -> Vec<Measure> {
         vec![
             self.rate(&Criterion::high("ambiguity set holds the truth", 0.90, 0.95), gives_a_set, |t, a| {
-                a.causes.iter().any(|c| is(t, 0, c))
+                a.causes.iter().any(|c| names_effect(t, 0, c))
             }),
             self.ambiguity_size(),
         ]
@@ -191,7 +191,7 @@ impl Grader<'_> {
             self.rate(
                 &Criterion::high("two effects: both found", 0.75, 0.90),
                 |t, _| t.kind == QuestionKind::Two,
-                |t, a| finds_a_cause(a) && (0..2).all(|k| a.causes.iter().any(|c| is(t, k, c))),
+                |t, a| finds_a_cause(a) && (0..2).all(|k| a.causes.iter().any(|c| names_effect(t, k, c))),
             ),
             self.rate(
                 &Criterion::low("spurious cause beside the true ones", 0.10, 0.05),

@@ -149,7 +149,7 @@ pub(super) struct CompiledExits {
     /// It does on some way.
     pub leaves: bool,
     /// What decides on the ways there.
-    pub deciding: Vec<Expr>,
+    pub exit_conditions: Vec<Expr>,
     /// Procedures that are called and may leave in turn.
     pub calls: Vec<CompiledCall>,
 }
@@ -160,7 +160,7 @@ pub(super) struct CompiledCall {
     /// The procedure's name in lower case.
     pub name: Name,
     /// What decides on the way there, and what is handed over.
-    pub deciding: Vec<Expr>,
+    pub exit_conditions: Vec<Expr>,
 }
 
 /// An operation and where it stands in the source.

@@ -268,7 +268,7 @@ impl<'f> Compiler<'f> {
             _ => None,
         };
         let exits = self.exits(&exits::of_loop(body, &label));
-        if !exits.deciding.is_empty() || !exits.calls.is_empty() {
+        if !exits.exit_conditions.is_empty() || !exits.calls.is_empty() {
             self.push(Op::LoopEnter(exits.into()), range);
         }
     }
@@ -277,9 +277,13 @@ impl<'f> Compiler<'f> {
         let all = |of: &[&tree::Expr]| of.iter().map(|expr| self.expr(expr)).collect();
         let calls = found.calls.iter().map(|call| CompiledCall {
             name: lower_case_name(self.file, call.name),
-            deciding: all(&call.deciding),
+            exit_conditions: all(&call.exit_conditions),
         });
-        CompiledExits { leaves: found.leaves, deciding: all(&found.deciding), calls: calls.collect() }
+        CompiledExits {
+            leaves: found.leaves,
+            exit_conditions: all(&found.exit_conditions),
+            calls: calls.collect(),
+        }
     }
 
     fn declaration(&mut self, decl: &tree::DataDecl) {

@@ -110,7 +110,7 @@ impl Controller {
 
     /// How many motion instructions the program's modules hold, but for routines of these names.
     #[must_use]
-    pub fn motions_but(&self, names: &[&str]) -> usize {
+    pub fn motion_count_except(&self, names: &[&str]) -> usize {
         let counts = |name: &str| !names.iter().any(|other| other.eq_ignore_ascii_case(name));
         // A module that comes and goes is one of the program, however often it came.
         let modules = self.program.modules.iter().enumerate();
@@ -165,10 +165,10 @@ impl Controller {
     }
 
     /// Go on from where the program was stopped, to its end or for so many moves more.
-    pub fn go_on(&mut self, moves: Option<u64>) -> Outcome {
+    pub fn resume(&mut self, moves: Option<u64>) -> Outcome {
         self.machine.limits.begin(self.step_limit);
         self.machine.limits.moves_left = moves;
-        let outcome = self.interpreter().go_on();
+        let outcome = self.interpreter().resume_run();
         self.machine.limits.moves_left = None;
         outcome
     }

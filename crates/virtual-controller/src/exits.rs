@@ -4,13 +4,13 @@ use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, Callee, Expr, IfStmt, Stmt, StmtKind};
 use std::collections::BTreeSet;
 
-/// How a body is left.
+/// The exits of a loop's or routine's body, and the conditions on which they are taken.
 #[derive(Debug, Default)]
 pub(super) struct BodyExits<'t> {
     /// It is left on some way.
     pub leaves: bool,
     /// What decides on the ways to where it is left.
-    pub deciding: Vec<&'t Expr>,
+    pub exit_conditions: Vec<&'t Expr>,
     /// Calls of procedures, which may leave it in turn.
     pub calls: Vec<LeavingCall<'t>>,
 }
@@ -21,7 +21,7 @@ pub(super) struct LeavingCall<'t> {
     /// Where the procedure's name stands.
     pub name: TextRange,
     /// What decides on the way there, and what is handed over.
-    pub deciding: Vec<&'t Expr>,
+    pub exit_conditions: Vec<&'t Expr>,
 }
 
 /// How a loop's body leaves the loop: by RETURN, EXIT, RAISE or a GOTO to a label outside.
@@ -73,8 +73,8 @@ impl<'t, J: Fn(&Stmt) -> bool> ExitSearch<'t, J> {
                         ArgKind::Positional(value) | ArgKind::Named { value: Some(value), .. } => Some(value),
                         ArgKind::Named { value: None, .. } | ArgKind::Conditional { .. } => None,
                     });
-                    let deciding = self.way.iter().copied().chain(handed).collect();
-                    self.out.calls.push(LeavingCall { name, deciding });
+                    let exit_conditions = self.way.iter().copied().chain(handed).collect();
+                    self.out.calls.push(LeavingCall { name, exit_conditions });
                 }
             }
             StmtKind::While(looped) => self.way.push(&looped.cond),
@@ -92,7 +92,7 @@ impl<'t, J: Fn(&Stmt) -> bool> ExitSearch<'t, J> {
 
     fn leave(&mut self) {
         self.out.leaves = true;
-        self.out.deciding.extend(&self.way);
+        self.out.exit_conditions.extend(&self.way);
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) fn value(ty: &Type, numbers: &[f64]) -> Value {
     predefined::filled(ty, &mut numbers.iter().map(|&x| x as f32))
 }
 
-/// Who holds what, and where.
+/// Tool and work object of a move: their frames, and which of both the robot holds.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setup {
     /// The robot holds the tool; otherwise it holds the work object and the tool is stationary.

@@ -218,7 +218,7 @@ impl Session {
         let own = |name| self.options.own_name(name);
         let touches = self.program.has_data(own("tcTouchSaid"));
         let of_touch = ["tcProbe", "tcSearch"].map(own);
-        let motions = self.program.motions_but(if touches { &of_touch } else { &[] });
+        let motions = self.program.motion_count_except(if touches { &of_touch } else { &[] });
         self.report.executed = [self.executed.len(), motions];
         self.report
     }

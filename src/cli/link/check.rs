@@ -6,9 +6,9 @@ use crate::cli::files::Output;
 use crate::cli::number::positive;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::shared::ProgramSettings;
-use crate::cli::{Console, Outcome, made_with};
+use crate::cli::{Console, Outcome, emitted_settings};
 use crate::report::LocatedDiagnostic;
-use driftpost::application::{LinkCheck, LinkCheckError, LinkChecked, MadeWith};
+use driftpost::application::{EmittedSettings, LinkCheck, LinkCheckError, LinkChecked};
 use rapid_program::program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Unit;
@@ -59,10 +59,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let given = ProgramInput::read(std::slice::from_ref(&args.program))?;
     let program = given.program();
-    let made_with = MadeWith::of(&[&program], None);
-    let robot = made_with::robot(&made_with, args.settings.robot.as_deref())?;
-    let overrides = made_with.overrides(&args.settings.tool, &args.settings.wobj);
-    let start_rad = made_with.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
+    let emitted_settings = EmittedSettings::of(&[&program], None);
+    let robot = emitted_settings::robot(&emitted_settings, args.settings.robot.as_deref())?;
+    let overrides = emitted_settings.overrides(&args.settings.tool, &args.settings.wobj);
+    let start_rad = emitted_settings.start_rad(args.settings.start_joints.map(|joints| joints.0))?;
     let sources = program.sources();
     if let Err(message) = check_modules(&sources) {
         console.explain(&[LocatedDiagnostic::new(message, &sources)], true);

@@ -1,7 +1,7 @@
 //! `driftpost link get` and `set`: the data of corrected programs, and of nothing else.
 
 use super::connection::Connection;
-use crate::application::is_own_name;
+use crate::application::is_emitted_name;
 use crate::cli::{Console, Outcome};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Session;
@@ -93,7 +93,7 @@ pub fn set(args: &SetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 fn check(name: &str) -> Result<(), Diagnostic> {
-    if is_own_name(name) {
+    if is_emitted_name(name) {
         return Ok(());
     }
     let text = format!("{name} is none of the data of a corrected program");

@@ -2,11 +2,11 @@
 
 use super::connection::Connection;
 use super::question::is_yes;
-use crate::application::{OwnData, check_modules};
+use crate::application::{EmittedState, check_modules};
 use crate::cli::program_input::ProgramInput;
 use crate::cli::{Console, Outcome};
 use crate::report::{self, LocatedDiagnostic};
-use driftpost::application::{Loading, LoadingError, SentModule};
+use driftpost::application::{Loading, LoadingError, ModuleUpload};
 use robot_link::{Execution, LinkError, Session};
 use std::path::PathBuf;
 
@@ -60,7 +60,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         console.explain(&[LocatedDiagnostic::new(message, &sources)], true);
         return Ok(Outcome::Refused);
     }
-    let modules = sources.iter().map(SentModule::of).collect::<Result<Vec<_>, _>>()?;
+    let modules = sources.iter().map(ModuleUpload::of).collect::<Result<Vec<_>, _>>()?;
     let mut session = args.connection.open(console)?;
     let mut there = Vec::new();
     for module in &modules {
@@ -95,7 +95,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 }
 
 /// Says what would become of what is there.
-fn shown(module: &SentModule, session: &mut Session, console: &mut Console) -> anyhow::Result<There> {
+fn shown(module: &ModuleUpload, session: &mut Session, console: &mut Console) -> anyhow::Result<There> {
     let Some(bytes) = session.file(&module.file)? else {
         writeln!(console.out(), "{}: new in HOME, {} bytes", module.file, module.bytes.len())?;
         return Ok(There::Nothing);
@@ -117,7 +117,7 @@ fn shown(module: &SentModule, session: &mut Session, console: &mut Console) -> a
 /// Says what loading would meet; where the task is not known, that.
 fn would_load(
     args: &Args,
-    modules: &[SentModule],
+    modules: &[ModuleUpload],
     session: &mut Session,
     console: &mut Console,
 ) -> anyhow::Result<()> {
@@ -131,7 +131,7 @@ fn would_load(
 }
 
 /// What is met, where RAPID stands still and everything can be loaded.
-fn may_load(args: &Args, modules: &[SentModule], session: &mut Session) -> anyhow::Result<Loading> {
+fn may_load(args: &Args, modules: &[ModuleUpload], session: &mut Session) -> anyhow::Result<Loading> {
     let loading = Loading::of(modules, args.task.as_deref(), session).map_err(in_command)?;
     match session.execution()? {
         Execution::Stopped => {}
@@ -144,7 +144,7 @@ fn may_load(args: &Args, modules: &[SentModule], session: &mut Session) -> anyho
 /// Exchanges the modules, asked for again.
 fn load(
     args: &Args,
-    modules: &[SentModule],
+    modules: &[ModuleUpload],
     loading: &Loading,
     session: &mut Session,
     console: &mut Console,
@@ -156,7 +156,7 @@ fn load(
         console.note("nothing was loaded: it was not confirmed (--confirmed in scripts)");
         return Ok(Outcome::Refused);
     }
-    let before = OwnData::of_task(session, task, &loading.loaded)?;
+    let before = EmittedState::of_task(session, task, &loading.loaded)?;
     let mut on_notice = |text: &str| console.note(text);
     session.with_right(&mut on_notice, |session| {
         let mut all = modules.iter().zip(&replaces);

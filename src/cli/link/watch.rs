@@ -1,7 +1,7 @@
 //! `driftpost link watch`: state, bucket or share, minute and messages of corrected programs, as they change.
 
 use super::connection::Connection;
-use crate::application::OwnData;
+use crate::application::EmittedState;
 use crate::cli::number::positive;
 use crate::cli::page::ReportArgs;
 use crate::cli::{Console, Outcome, files};
@@ -59,7 +59,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut own = Vec::new();
     for task in session.tasks()? {
         let modules = session.modules(&task.name)?;
-        own.extend(OwnData::of_task(&mut session, &task.name, &modules)?);
+        own.extend(EmittedState::of_task(&mut session, &task.name, &modules)?);
     }
     if own.is_empty() {
         let text = "no corrected program is loaded";
@@ -90,7 +90,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 /// Looks again and again, until it is interrupted or has seen enough.
 fn watch_values(
     args: &Args,
-    own: &mut [OwnData],
+    own: &mut [EmittedState],
     session: &mut Session,
     subscription: &mut Option<Subscription>,
     watch: &mut Watch,
@@ -131,9 +131,9 @@ impl Watch {
         (self.start.elapsed().as_secs_f64() * 10.0).round() / 10.0
     }
 
-    fn write(&mut self, args: &Args, own: &[OwnData], console: &mut Console) -> anyhow::Result<u64> {
+    fn write(&mut self, args: &Args, own: &[EmittedState], console: &mut Console) -> anyhow::Result<u64> {
         let t_s = self.t_s();
-        let record = |own: &OwnData| {
+        let record = |own: &EmittedState| {
             let mut object = own.json();
             object["t_s"] = t_s.into();
             object
@@ -194,7 +194,7 @@ impl LivePage {
     }
 }
 
-fn subscribe(own: &[OwnData], session: &mut Session, console: &mut Console) -> Option<Subscription> {
+fn subscribe(own: &[EmittedState], session: &mut Session, console: &mut Console) -> Option<Subscription> {
     let all = own.iter().flat_map(|own| {
         own.values.iter().map(|(name, _)| (own.task.clone(), own.module.clone(), name.clone()))
     });

@@ -60,10 +60,10 @@ fn a_step_back_over_a_move_asks_for_the_target_before_it_anew() {
     assert!(close(joints(&c), at[0]));
     assert_eq!(c.step_back(), BackStep::Refused("no move of this routine stands before it".into()));
     // Forward again from where it stands: the last stop once more, by the same targets.
-    assert_eq!(c.go_on(Some(3)), Outcome::Stopped);
+    assert_eq!(c.resume(Some(3)), Outcome::Stopped);
     assert!(close(joints(&c), at[3]));
     assert_eq!(c.signal("dogrip"), Some(1.0));
-    assert_eq!(c.go_on(None), Outcome::Finished);
+    assert_eq!(c.resume(None), Outcome::Finished);
     assert_eq!(c.step_back(), BackStep::Refused("no program is stopped".into()));
 }
 
@@ -97,5 +97,5 @@ fn what_cannot_be_gone_through_backwards_stops_it() {
     // No motion in count: the move behind it goes back; count itself has no BACKWARD section.
     assert_eq!(c.step_back(), BackStep::Moved);
     refused(c.step_back(), "count has no BACKWARD section");
-    assert_eq!(c.go_on(None), Outcome::Finished);
+    assert_eq!(c.resume(None), Outcome::Finished);
 }

@@ -44,7 +44,7 @@ pub enum TouchOutcome {
     /// The filter took the touch.
     Taken,
     /// It agrees with the one that was refused before it: the state was wrong, and begins anew with it.
-    TakenAnew,
+    Reset,
     /// It is too far from what was expected.
     Refused,
 }
@@ -127,7 +127,7 @@ impl ThermalFilter {
                 self.refused = Some(off);
                 return TouchOutcome::Refused;
             }
-            outcome = TouchOutcome::TakenAnew;
+            outcome = TouchOutcome::Reset;
             let square = off * off;
             self.covariance[(0, 0)] += square;
             self.covariance[(1, 1)] += square;
@@ -208,7 +208,7 @@ mod tests {
         let before = f.clone();
         assert_eq!(f.touch(1.5, 0.01), TouchOutcome::Refused);
         assert_eq!((f.state, f.covariance), (before.state, before.covariance));
-        assert_eq!(f.touch(1.45, 0.01), TouchOutcome::TakenAnew);
+        assert_eq!(f.touch(1.45, 0.01), TouchOutcome::Reset);
         assert!((f.share() - 1.45).abs() < 0.02);
     }
 }

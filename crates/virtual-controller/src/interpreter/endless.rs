@@ -10,28 +10,28 @@ use rapid_syntax::diagnostic::TextRange;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// A loop is looked at each time that it was passed so often.
-const LOOKED_AT: u64 = 8;
-/// Looks between which nothing at all changes, after which nothing ever will.
-const STILL_LOOKS: u64 = 3;
+/// Passes after which a loop is examined once more.
+const PASSES_BETWEEN_EXAMINATIONS: u64 = 8;
+/// Examinations between which nothing at all changes, after which nothing ever will.
+const UNCHANGED_EXAMINATIONS: u64 = 3;
 /// Passes, or moves, in which nothing changes that the loop's conditions ask for: too many for any work.
 const PATIENCE: u64 = 10_000;
 /// Names that a message lists at most.
 const LISTED: usize = 4;
 
 /// What is known of a loop at its back jump.
-pub(super) enum Waiting {
+pub(super) enum LoopProgress {
     /// The loop may end.
-    No,
+    MayEnd,
     /// Nothing at all changes in it.
-    Still,
+    Unchanging,
     /// Nothing changes that its conditions ask for, for long; whether it moves the arm.
-    Long { moves: bool },
+    ExitUnchanging { moves: bool },
 }
 
-/// The ways out of a loop, as they are collected.
+/// Operands of a loop's exit conditions, as they are collected.
 struct ExitSearch {
-    asked: Vec<(Option<usize>, Expr)>,
+    operands: Vec<(Option<usize>, Expr)>,
     /// Of routines that were looked at: whether they leave what calls them.
     leaving: BTreeMap<usize, bool>,
 }
@@ -40,103 +40,107 @@ impl ExitSearch {
     fn ask(&mut self, expressions: &[Expr], of: Option<usize>) {
         let mut found = Vec::new();
         expressions.iter().for_each(|expr| leaves(expr, &mut found));
-        // Locals of a routine that is not in execution are worth nothing yet.
+        // Locals of a routine that is not in execution have no value yet.
         let is_there = |leaf: &&&Expr| of.is_none() || matches!(leaf.kind, ExprKind::Name(_));
-        self.asked.extend(found.iter().filter(is_there).map(|leaf| (of, (*leaf).clone())));
+        self.operands.extend(found.iter().filter(is_there).map(|leaf| (of, (*leaf).clone())));
     }
 }
 
 impl Interpreter<'_> {
-    /// Whether the loop from `to` to the operation in work waits in vain; counts this pass.
-    pub(super) fn waiting(&mut self, to: usize) -> Waiting {
-        let Some(frame) = self.machine.stack.frames.last_mut() else { return Waiting::No };
+    /// Whether the loop from `to` to the operation in work can still end; counts this pass.
+    pub(super) fn loop_progress(&mut self, to: usize) -> LoopProgress {
+        let Some(frame) = self.machine.stack.frames.last_mut() else { return LoopProgress::MayEnd };
         let (code, at) = (frame.code.clone(), frame.current);
         let poll = frame.polls.entry(at).or_default();
         poll.passes += 1;
-        if poll.passes % LOOKED_AT != 0 {
-            return Waiting::No;
+        if poll.passes % PASSES_BETWEEN_EXAMINATIONS != 0 {
+            return LoopProgress::MayEnd;
         }
-        let mut asked = Vec::new();
-        conditions(code.instructions.get(to..=at).unwrap_or_default(), &mut asked);
-        let values: Vec<Option<Value>> = asked.into_iter().map(|leaf| self.present(leaf)).collect();
+        let mut operands = Vec::new();
+        conditions(code.instructions.get(to..=at).unwrap_or_default(), &mut operands);
+        let values: Vec<Option<Value>> = operands.into_iter().map(|leaf| self.present(leaf)).collect();
         let (changes, moves) = (self.machine.changes, self.machine.limits.moves_made);
         let q_rad = self.arm.as_ref().and_then(|arm| arm.q_rad());
         let timer = self.machine.interrupts.list.iter().any(|interrupt| interrupt.timer.is_some());
         let frame = self.machine.stack.frames.last_mut();
-        let Some(poll) = frame.and_then(|frame| frame.polls.get_mut(&at)) else { return Waiting::No };
+        let Some(poll) = frame.and_then(|frame| frame.polls.get_mut(&at)) else {
+            return LoopProgress::MayEnd;
+        };
         let is_still = !timer && (poll.changes, poll.q_rad) == (Some(changes), q_rad);
         poll.still = if is_still { poll.still + 1 } else { 0 };
         (poll.changes, poll.q_rad) = (Some(changes), q_rad);
         if poll.values != values {
             (poll.values, poll.since) = (values, [poll.passes, moves]);
         }
-        if poll.still >= STILL_LOOKS {
-            Waiting::Still
+        if poll.still >= UNCHANGED_EXAMINATIONS {
+            LoopProgress::Unchanging
         } else if poll.passes - poll.since[0] >= PATIENCE || moves - poll.since[1] >= PATIENCE {
-            Waiting::Long { moves: moves > poll.since[1] }
+            LoopProgress::ExitUnchanging { moves: moves > poll.since[1] }
         } else {
-            Waiting::No
+            LoopProgress::MayEnd
         }
     }
 
-    /// Whether, since the last pass of the loop that begins at `top`, something has changed that decides whether it
+    /// Whether, since the last pass of the loop that begins at `top`, an operand has changed of the conditions on which it
     /// is left from inside: a loop whose exits ask for what stays as it is counts as endless.
-    pub(super) fn nears_its_end(&mut self, top: usize) -> bool {
+    pub(super) fn exit_operands_changed(&mut self, top: usize) -> bool {
         let Some(frame) = self.machine.stack.frames.last() else { return false };
-        let Some(asked) = frame.deciding.get(&top).map(|deciding| deciding.asked.clone()) else {
+        let Some(operands) =
+            frame.exit_conditions.get(&top).map(|exit_conditions| exit_conditions.operands.clone())
+        else {
             return false;
         };
-        let now = self.worth(&asked);
+        let now = self.operand_values(&operands);
         let Some(frame) = self.machine.stack.frames.last_mut() else { return false };
-        let Some(deciding) = frame.deciding.get_mut(&top) else { return false };
-        std::mem::replace(&mut deciding.values, now.clone()) != now
+        let Some(exit_conditions) = frame.exit_conditions.get_mut(&top) else { return false };
+        std::mem::replace(&mut exit_conditions.values, now.clone()) != now
     }
 
-    /// What decides whether the loop at whose beginning the program is is left from inside, by itself or by what it calls.
-    pub(super) fn deciding(&mut self, exits: &CompiledExits) -> ExitConditions {
-        let mut ways = ExitSearch { asked: Vec::new(), leaving: BTreeMap::new() };
-        self.ways_out(exits, (self.machine.stack.scope.0, None), &mut ways);
-        let asked: Rc<[_]> = ways.asked.into();
-        let values = self.worth(&asked);
-        ExitConditions { asked, values }
+    /// The conditions on which the loop that begins here is left from inside, by itself or by what it calls.
+    pub(super) fn exit_conditions(&mut self, exits: &CompiledExits) -> ExitConditions {
+        let mut search = ExitSearch { operands: Vec::new(), leaving: BTreeMap::new() };
+        self.collect_exit_operands(exits, (self.machine.stack.scope.0, None), &mut search);
+        let operands: Rc<[_]> = search.operands.into();
+        let values = self.operand_values(&operands);
+        ExitConditions { operands, values }
     }
 
-    /// Collects what decides on the ways out of a body whose names are those of a module, and of what it calls; whether there
-    /// is one. Names are looked up in `of`, `None` for those of the routine in execution.
-    fn ways_out(
+    /// Collects the operands of the exit conditions of a body whose names are those of a module, and of what it calls; whether
+    /// there is an exit. Names are looked up in `of`, `None` for those of the routine in execution.
+    fn collect_exit_operands(
         &self,
         exits: &CompiledExits,
         (module, of): (usize, Option<usize>),
-        ways: &mut ExitSearch,
+        search: &mut ExitSearch,
     ) -> bool {
-        ways.ask(&exits.deciding, of);
+        search.ask(&exits.exit_conditions, of);
         let mut leaves = exits.leaves;
-        for CompiledCall { name, deciding: way } in &exits.calls {
+        for CompiledCall { name, exit_conditions: way } in &exits.calls {
             let Some(callee) = self.program.routine(module, name) else { continue };
-            let known = ways.leaving.get(&callee).copied();
+            let known = search.leaving.get(&callee).copied();
             let callee_leaves = known.unwrap_or_else(|| {
-                ways.leaving.insert(callee, false); // a circle of calls adds nothing
+                search.leaving.insert(callee, false); // a circle of calls adds nothing
                 let Some(code) = self.program.code(callee) else { return false };
                 let home = self.program.module_of(callee);
-                let leaves = self.ways_out(&code.exits, (home, Some(home)), ways);
-                ways.leaving.insert(callee, leaves);
+                let leaves = self.collect_exit_operands(&code.exits, (home, Some(home)), search);
+                search.leaving.insert(callee, leaves);
                 leaves
             });
             if callee_leaves {
                 leaves = true;
-                ways.ask(way, of);
+                search.ask(way, of);
             }
         }
         leaves
     }
 
-    /// What names are worth now.
-    fn worth(&mut self, asked: &[(Option<usize>, Expr)]) -> Vec<Option<Value>> {
+    /// The present values of operands.
+    fn operand_values(&mut self, operands: &[(Option<usize>, Expr)]) -> Vec<Option<Value>> {
         let one = |(module, leaf): &(Option<usize>, Expr)| match module {
             None => self.present(leaf),
             Some(module) => self.in_module(*module, |c| c.present(leaf)),
         };
-        asked.iter().map(one).collect()
+        operands.iter().map(one).collect()
     }
 
     /// The end of a run in a loop that waits in vain: the loop from `to` to the operation in work.
@@ -145,10 +149,10 @@ impl Interpreter<'_> {
             return Fault::Ended(Outcome::OutOfSteps { at: SourceLine::default(), moving: false });
         };
         let body = frame.code.instructions.get(to..=frame.current).unwrap_or_default();
-        let mut asked = Vec::new();
-        conditions(body, &mut asked);
+        let mut operands = Vec::new();
+        conditions(body, &mut operands);
         let mut names: Vec<String> = Vec::new();
-        for leaf in asked {
+        for leaf in operands {
             if let ExprKind::Name(NameRef { name, spelt, .. }) = &leaf.kind
                 && !self.is_constant(name)
                 && !names.iter().any(|known| known.eq_ignore_ascii_case(spelt))
@@ -167,7 +171,7 @@ impl Interpreter<'_> {
         datum.map_or(is_predefined, |datum| self.access(&DataRef::data(datum)) == Access::Constant)
     }
 
-    /// What a name or a local is worth now; `None` where that takes work to find out.
+    /// The present value of a name or a local; `None` where that takes work to find out.
     fn present(&mut self, leaf: &Expr) -> Option<Value> {
         if let ExprKind::Name(NameRef { name, .. }) = &leaf.kind
             && let Some(level) = self.machine.signals.levels.get(name)
@@ -180,11 +184,11 @@ impl Interpreter<'_> {
 }
 
 /// What the conditions of some operations ask for.
-fn conditions<'c>(body: &'c [Instruction], asked: &mut Vec<&'c Expr>) {
+fn conditions<'c>(body: &'c [Instruction], operands: &mut Vec<&'c Expr>) {
     for instruction in body {
         match &instruction.op {
-            Op::JumpUnless(condition, _) => leaves(condition, asked),
-            Op::Store(_, value) => leaves(value, asked),
+            Op::JumpUnless(condition, _) => leaves(condition, operands),
+            Op::Store(_, value) => leaves(value, operands),
             _ => {}
         }
     }

@@ -1,7 +1,7 @@
 //! Execution of statements: one operation after another, errors to their handlers, interrupts between.
 
 use super::Interpreter;
-use super::endless::Waiting;
+use super::endless::LoopProgress;
 use crate::code::{Callee, Code, Expr, Op};
 use crate::loaded::RoutineKind;
 use crate::machine::{Binding, Frame, LimitReached, Slot};
@@ -71,16 +71,16 @@ impl Interpreter<'_> {
             },
             Op::Jump(to) => {
                 let is_back = self.machine.stack.frames.last().is_some_and(|frame| *to <= frame.current);
-                if is_back && !matches!(self.waiting(*to), Waiting::No) {
+                if is_back && !matches!(self.loop_progress(*to), LoopProgress::MayEnd) {
                     return Err(self.endless(*to));
                 }
                 self.machine.stack.jump(*to);
                 Ok(())
             }
             Op::LoopEnter(exits) => {
-                let deciding = self.deciding(exits);
+                let exit_conditions = self.exit_conditions(exits);
                 if let Some(frame) = self.machine.stack.frames.last_mut() {
-                    frame.deciding.insert(frame.current, deciding);
+                    frame.exit_conditions.insert(frame.current, exit_conditions);
                 }
                 Ok(())
             }
@@ -178,23 +178,25 @@ impl Interpreter<'_> {
         let inside = self.machine.stack.frames.iter().any(inside_loop);
         let allowed = self.machine.limits.passes;
         if inside {
-            match self.waiting(to) {
-                Waiting::No => {}
-                Waiting::Long { moves: true } => return Err(Fault::Ended(Outcome::Passes)),
-                Waiting::Still | Waiting::Long { moves: false } => return Err(self.endless(to)),
+            match self.loop_progress(to) {
+                LoopProgress::MayEnd => {}
+                LoopProgress::ExitUnchanging { moves: true } => return Err(Fault::Ended(Outcome::Passes)),
+                LoopProgress::Unchanging | LoopProgress::ExitUnchanging { moves: false } => {
+                    return Err(self.endless(to));
+                }
             }
         }
-        let nears_its_end = self.nears_its_end(to);
+        let exit_operands_changed = self.exit_operands_changed(to);
         let Some(frame) = self.machine.stack.frames.last_mut() else { return Ok(()) };
         let at = frame.current;
         let passes = frame.passes.entry(at).or_insert(0);
         *passes += 1;
-        let allowed = if nears_its_end { allowed.max(LEAVING_PASSES) } else { allowed };
+        let allowed = if exit_operands_changed { allowed.max(LEAVING_PASSES) } else { allowed };
         if *passes >= if inside { allowed.max(INNER_PASSES) } else { allowed } {
             return Err(Fault::Ended(Outcome::Passes));
         }
         // A loop is entered once, however often it is passed.
-        frame.pc = to + usize::from(frame.deciding.contains_key(&to));
+        frame.pc = to + usize::from(frame.exit_conditions.contains_key(&to));
         Ok(())
     }
 
@@ -219,7 +221,7 @@ impl Interpreter<'_> {
             trap,
             effort: self.machine.meter.total,
             passes: BTreeMap::new(),
-            deciding: BTreeMap::new(),
+            exit_conditions: BTreeMap::new(),
             polls: BTreeMap::new(),
         });
         self.machine.stack.scope = (module, base);

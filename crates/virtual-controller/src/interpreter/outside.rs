@@ -17,7 +17,7 @@ impl Interpreter<'_> {
     }
 
     /// Goes on where the program was stopped.
-    pub fn go_on(&mut self) -> Outcome {
+    pub fn resume_run(&mut self) -> Outcome {
         let result = self.run(0);
         self.ended(result, StackMark::bottom())
     }

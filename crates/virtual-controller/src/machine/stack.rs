@@ -51,7 +51,7 @@ pub(crate) struct Frame {
     /// Passes of each endless loop, by the instruction that jumps back.
     pub passes: BTreeMap<usize, u64>,
     /// What decides whether a loop is left, when its present pass began, by the loop's first instruction.
-    pub deciding: BTreeMap<usize, ExitConditions>,
+    pub exit_conditions: BTreeMap<usize, ExitConditions>,
     /// What is known of each loop that may wait in vain, by the instruction that jumps back.
     pub polls: BTreeMap<usize, WaitLoop>,
 }
@@ -60,8 +60,8 @@ pub(crate) struct Frame {
 #[derive(Debug)]
 pub(crate) struct ExitConditions {
     /// The names that it hangs on, each with the module in which it is looked up; `None`: in the loop's own routine.
-    pub asked: Rc<[(Option<usize>, Expr)]>,
-    /// What they were worth when the present pass began; `None` where that takes work to find out.
+    pub operands: Rc<[(Option<usize>, Expr)]>,
+    /// Their values when the present pass began; `None` where that takes work to find out.
     pub values: Vec<Option<Value>>,
 }
 

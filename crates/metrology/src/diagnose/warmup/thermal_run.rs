@@ -153,7 +153,7 @@ impl ThermalRun {
                 transition: std::mem::replace(&mut pending, Transition::identity()),
                 expected,
                 left: StateEstimate::of(&filter),
-                begins_anew: outcome == Some(TouchOutcome::TakenAnew),
+                begins_anew: outcome == Some(TouchOutcome::Reset),
             });
             let after = [filter.share(), filter.sigma()];
             let (line, point, t_min) = (touch.line, touch.point, touch.t_min);

@@ -13,7 +13,7 @@ const LAST_MESSAGE: &str = "tcSaid";
 
 /// The data of one corrected module.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OwnData {
+pub struct EmittedState {
     /// Name of the task.
     pub task: String,
     /// The module that holds them: the corrected one, or `tcCore`.
@@ -24,7 +24,7 @@ pub struct OwnData {
     pub last_message: Option<String>,
 }
 
-impl OwnData {
+impl EmittedState {
     /// Those of all modules of a task.
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl OwnData {
 
 /// Whether a name is one of ours: `tc`, then a capital letter, as in `tcMode` or `tcState{2}`.
 #[must_use]
-pub fn is_own_name(name: &str) -> bool {
+pub fn is_emitted_name(name: &str) -> bool {
     name.strip_prefix("tc").is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_uppercase()))
 }
 
@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn a_line_shows_values_and_what_was_said() {
-        let own = OwnData {
+        let own = EmittedState {
             task: "T_ROB1".into(),
             module: "Part".into(),
             values: vec![("tcMode".into(), "-1".into()), ("tcMinute".into(), "64.7".into())],
@@ -124,7 +124,7 @@ mod tests {
         };
         assert_eq!(own.line(), "tcMode -1, tcMinute 64.7; it said: originals");
         assert_eq!(own.json()["values"]["tcMinute"], 64.7);
-        assert!(is_own_name("tcMode") && is_own_name("tcState{2}"));
-        assert!(!is_own_name("tc30") && !is_own_name("tcp") && !is_own_name("doGrip"));
+        assert!(is_emitted_name("tcMode") && is_emitted_name("tcState{2}"));
+        assert!(!is_emitted_name("tc30") && !is_emitted_name("tcp") && !is_emitted_name("doGrip"));
     }
 }

@@ -1,6 +1,6 @@
 //! A module that is sent to a controller: its file, its name, and the names of its data that tell what it meets there.
 
-use super::own_data::is_own_name;
+use super::emitted_state::is_emitted_name;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::tree::{FileItem, ModuleItem, Scope};
@@ -11,7 +11,7 @@ const ASKED: usize = 8;
 const ASKED_ELSEWHERE: usize = 4;
 
 /// A module to be sent, with what a controller is asked of it.
-pub struct SentModule {
+pub struct ModuleUpload {
     /// Name of its file, without folders.
     pub file: String,
     /// Name of the module.
@@ -24,7 +24,7 @@ pub struct SentModule {
     pub(super) global: Vec<String>,
 }
 
-impl SentModule {
+impl ModuleUpload {
     /// The first module of a file.
     ///
     /// # Errors
@@ -45,7 +45,7 @@ impl SentModule {
                 _ => None,
             })
         };
-        let own = data().map(|(name, _)| name).filter(|name| is_own_name(name)).take(ASKED).collect();
+        let own = data().map(|(name, _)| name).filter(|name| is_emitted_name(name)).take(ASKED).collect();
         let global = data().filter(|(_, scope)| *scope != Scope::Local).map(|(name, _)| name);
         Ok(Self {
             file: source.path.rsplit('/').next().unwrap_or(&source.path).to_owned(),

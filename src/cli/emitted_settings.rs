@@ -3,7 +3,7 @@
 use super::files;
 use super::model;
 use crate::application::sha256;
-use driftpost::application::{MadeWith, Named, Origin};
+use driftpost::application::{EmittedSettings, Named, Origin};
 use rapid_program::emit::Provenance;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
@@ -18,8 +18,8 @@ pub type Deformed = (Deformation, Option<Named<Identified>>);
 ///
 /// # Errors
 /// What is wrong with a name or a file, or that it is not there.
-pub fn robot(made_with: &MadeWith, option: Option<&str>) -> Result<Robot, Diagnostic> {
-    match (option, made_with.robot()) {
+pub fn robot(emitted_settings: &EmittedSettings, option: Option<&str>) -> Result<Robot, Diagnostic> {
+    match (option, emitted_settings.robot()) {
         (Some(name), _) => model::robot_of_program(name),
         (None, origin) => match origin? {
             Origin::BuiltIn(name) => model::robot_of_program(&name),
@@ -34,12 +34,15 @@ pub fn robot(made_with: &MadeWith, option: Option<&str>) -> Result<Robot, Diagno
 ///
 /// # Errors
 /// A file that is not there, or what is wrong in it.
-pub fn deformed(made_with: &MadeWith, growth: Option<&str>) -> Result<Option<Deformed>, Diagnostic> {
-    let (table, identified) = (made_with.deformation()?, made_with.model()?);
+pub fn deformed(
+    emitted_settings: &EmittedSettings,
+    growth: Option<&str>,
+) -> Result<Option<Deformed>, Diagnostic> {
+    let (table, identified) = (emitted_settings.deformation()?, emitted_settings.model()?);
     if table.is_none() && identified.is_none() {
         return Ok(None);
     }
-    let growth = growth.or(made_with.one("growth")?);
+    let growth = growth.or(emitted_settings.one("growth")?);
     let file = |name: &str, origin: &Option<Origin<'_>>| match origin {
         Some(Origin::File { source, module }) => found(name, source, Path::new(module)).map(Some),
         _ => Ok(None),

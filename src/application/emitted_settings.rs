@@ -12,7 +12,7 @@ use robot_model::units::rad_from_deg;
 
 /// Settings of emitted modules by the names of options.
 #[derive(Clone, Debug, Default)]
-pub struct MadeWith {
+pub struct EmittedSettings {
     settings: Vec<Setting>,
 }
 
@@ -38,7 +38,7 @@ pub enum Origin<'m> {
     },
 }
 
-impl MadeWith {
+impl EmittedSettings {
     /// What the modules of some programs say, the first program's before the others'; where a task is named, those of its folder.
     #[must_use]
     pub fn of(programs: &[&ProgramFiles], task: Option<&str>) -> Self {
@@ -219,13 +219,13 @@ mod tests {
         job.options.start_rad = Some([0.0, 0.0, 0.0, 0.0, rad_from_deg(30.0), 0.0]);
         let made = job.run(&cube).unwrap();
         let emitted = ProgramFiles::new(made.loaded());
-        let made_with = MadeWith::of(&[&emitted, &cube], None);
-        assert_eq!(made_with.robot(), Ok(Origin::BuiltIn("irb140".to_owned())));
-        assert_eq!(made_with.deformation(), Ok(Some(Origin::BuiltIn("paper, Table 2".to_owned()))));
-        assert_eq!((made_with.model(), made_with.payload_kg()), (Ok(None), Ok(None)));
-        assert_eq!(made_with.start_rad(None), Ok(job.options.start_rad));
-        assert_eq!(made_with.start_rad(Some([0.1; 6])), Ok(Some([0.1; 6])));
-        let bare = MadeWith::of(&[&cube], None);
+        let emitted_settings = EmittedSettings::of(&[&emitted, &cube], None);
+        assert_eq!(emitted_settings.robot(), Ok(Origin::BuiltIn("irb140".to_owned())));
+        assert_eq!(emitted_settings.deformation(), Ok(Some(Origin::BuiltIn("paper, Table 2".to_owned()))));
+        assert_eq!((emitted_settings.model(), emitted_settings.payload_kg()), (Ok(None), Ok(None)));
+        assert_eq!(emitted_settings.start_rad(None), Ok(job.options.start_rad));
+        assert_eq!(emitted_settings.start_rad(Some([0.1; 6])), Ok(Some([0.1; 6])));
+        let bare = EmittedSettings::of(&[&cube], None);
         assert_eq!(bare.robot(), Ok(Origin::BuiltIn("irb140".to_owned())));
         assert_eq!(bare.deformation(), Ok(None));
     }
@@ -237,8 +237,9 @@ mod tests {
             value: value.into(),
             module: module.into(),
         };
-        let made_with = MadeWith { settings: vec![setting("exp:30", "a.mod"), setting("exp:40", "b.mod")] };
-        let error = made_with.one("growth").unwrap_err();
+        let emitted_settings =
+            EmittedSettings { settings: vec![setting("exp:30", "a.mod"), setting("exp:40", "b.mod")] };
+        let error = emitted_settings.one("growth").unwrap_err();
         assert_eq!(error.code, "made-with::differs");
         assert!(error.message.ends_with("a.mod with exp:30, b.mod with exp:40"), "{error}");
     }
