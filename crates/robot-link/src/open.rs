@@ -41,30 +41,7 @@ impl Session {
         let key = host.to_string();
         let known = pins.of(&key).cloned();
         let certificate = PinnedCertificate::new(known.as_ref().and_then(|pin| pin.certificate.clone()));
-        let mut session = Self {
-            settings: settings.clone(),
-            dialect: Dialect::Rw6,
-            host: key.clone(),
-            root: root.to_owned(),
-            agent: wire::agent(Arc::clone(&certificate)),
-            certificate,
-            cookies: Cookies::new(),
-            held: None,
-            login: 0,
-            replaced: Vec::new(),
-            operator_asked: false,
-            is_station: false,
-            station: None,
-            home: None,
-            system: None,
-            credentials: credentials.clone(),
-            challenge: None,
-            last_end: None,
-            is_ending: false,
-            is_in: false,
-            is_xhtml: false,
-            notices: Vec::new(),
-        };
+        let mut session = Self::not_yet_in(&key, root, credentials, certificate, settings);
         // Without TLS where a certificate is known: someone stands between.
         let is_tls = root.starts_with("https");
         if let Some(Pin { certificate: Some(first), .. }) = known.as_ref().filter(|_| !is_tls) {
@@ -109,6 +86,40 @@ impl Session {
             }
         }
         Ok(session)
+    }
+
+    /// A session before its login; nothing is known of the controller yet.
+    fn not_yet_in(
+        host: &str,
+        root: &str,
+        credentials: &Credentials,
+        certificate: Arc<PinnedCertificate>,
+        settings: &Settings,
+    ) -> Self {
+        Self {
+            settings: settings.clone(),
+            dialect: Dialect::Rw6,
+            host: host.to_owned(),
+            root: root.to_owned(),
+            agent: wire::agent(Arc::clone(&certificate)),
+            certificate,
+            cookies: Cookies::new(),
+            held: None,
+            login: 0,
+            replaced: Vec::new(),
+            operator_asked: false,
+            is_station: false,
+            station: None,
+            home: None,
+            system: None,
+            credentials: credentials.clone(),
+            challenge: None,
+            last_end: None,
+            is_ending: false,
+            is_in: false,
+            is_xhtml: false,
+            notices: Vec::new(),
+        }
     }
 
     fn certificate_error(&self, known: Option<&Pin>) -> Option<LinkError> {

@@ -25,21 +25,7 @@ pub(crate) fn calculate(
     media: MediaType,
 ) -> Result<Reply, Rejection> {
     let parts = request.parts();
-    let (unit, action) = match (c.personality, parts.as_slice()) {
-        (Personality::Rw6, ["rw", "motionsystem", "mechunits", unit]) => {
-            (*unit, request.query("action").unwrap_or_default())
-        }
-        (Personality::Rw7 | Personality::Rw8, ["rw", "motionsystem", "mechunits", unit, action]) => {
-            (*unit, *action)
-        }
-        _ => return Err(NOT_KNOWN),
-    };
-    let wanted = match action {
-        "CalcPoseFromJoints" | "pose-from-joints" => Calculation::Forward,
-        "JointsFromCartesian" | "joints-from-cartesian" => Calculation::Inverse,
-        "AllJointSolutions" | "all-joints-solution" => Calculation::All,
-        _ => return Err(NOT_KNOWN),
-    };
+    let (unit, wanted) = asked(c, request, &parts)?;
     if !c.offers_kinematics {
         return Err((400, -1_073_435_901, "option missing"));
     }
@@ -86,6 +72,30 @@ pub(crate) fn calculate(
         }
     })?;
     Ok(page::page(media, &[joints("joints-from-cartesian", &q)], page::OK, None))
+}
+
+/// The mechanical unit that a request names, and what is to be calculated for it.
+fn asked<'r>(
+    c: &Controller,
+    request: &'r Incoming,
+    parts: &[&'r str],
+) -> Result<(&'r str, Calculation), Rejection> {
+    let (unit, action) = match (c.personality, parts) {
+        (Personality::Rw6, ["rw", "motionsystem", "mechunits", unit]) => {
+            (*unit, request.query("action").unwrap_or_default())
+        }
+        (Personality::Rw7 | Personality::Rw8, ["rw", "motionsystem", "mechunits", unit, action]) => {
+            (*unit, *action)
+        }
+        _ => return Err(NOT_KNOWN),
+    };
+    let wanted = match action {
+        "CalcPoseFromJoints" | "pose-from-joints" => Calculation::Forward,
+        "JointsFromCartesian" | "joints-from-cartesian" => Calculation::Inverse,
+        "AllJointSolutions" | "all-joints-solution" => Calculation::All,
+        _ => return Err(NOT_KNOWN),
+    };
+    Ok((unit, wanted))
 }
 
 fn array<const N: usize>(list: Vec<f64>) -> Result<[f64; N], Rejection> {

@@ -36,15 +36,7 @@ fn one(class: &'static str, fields: &[(&'static str, &str)]) -> Result<Vec<Entry
 fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<Entry>, Rejection> {
     let is_six = c.personality == Personality::Rw6;
     match request.parts().as_slice() {
-        ["rw", "system"] => one(
-            if is_six { "sys-system-li" } else { "sys-system" },
-            &[
-                ("name", "Double"),
-                ("rwversion", c.personality.version()),
-                ("sysid", &c.system_id),
-                ("major", &c.personality.version()[..1]),
-            ],
-        ),
+        ["rw", "system"] => system(c),
         ["rw", "system", "options"] => Ok(["RobotWare Base", "616-1 PC Interface", "608-1 World Zones"]
             .iter()
             .map(|option| entry("sys-option-li", option, &[("option", option)]))
@@ -60,25 +52,7 @@ fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<En
         ["rw", "rapid", "execution"] => {
             one("rap-execution", &[("ctrlexecstate", c.execution), ("cycle", "forever")])
         }
-        ["rw", "rapid", "tasks"] => {
-            let state = if c.execution == "running" { "started" } else { "stopped" };
-            let task = |name: &str, moves: &str| {
-                let fields = [
-                    ("name", name),
-                    ("type", "norm"),
-                    ("taskstate", "link"),
-                    ("excstate", state),
-                    ("active", "On"),
-                    ("motiontask", moves),
-                ];
-                entry("rap-task-li", name, &fields)
-            };
-            let mut tasks = vec![task(TASK, "TRUE"), task("T_BACK", "FALSE")];
-            if c.personality == Personality::Rw8 {
-                tasks.push(entry("rap-tasks-spy-li", "spy", &[("spy", "off")]));
-            }
-            Ok(tasks)
-        }
+        ["rw", "rapid", "tasks"] => Ok(tasks(c)),
         ["rw", "rapid", "modules"] if is_six => modules(c, request.query("task").unwrap_or_default()),
         ["rw", "rapid", "tasks", task, "modules"] if !is_six => modules(c, task),
         ["rw", "rapid", "symbol", "data", "RAPID", task, module, name] if is_six => {
@@ -103,25 +77,11 @@ fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<En
         ),
         ["rw", "motionsystem", "mechunits", unit, "jointtarget"] => {
             known_unit(unit)?;
-            let joints = c.joints_deg.map(rapid::number);
-            let names = ["rax_1", "rax_2", "rax_3", "rax_4", "rax_5", "rax_6"];
-            let mut fields: Vec<(&'static str, &str)> =
-                names.into_iter().zip(joints.iter().map(String::as_str)).collect();
-            fields.push(("eax_a", "9E+09"));
-            one("ms-jointtarget", &fields)
+            jointtarget(c)
         }
         ["rw", "motionsystem", "mechunits", unit, "robtarget"] => {
             known_unit(unit)?;
-            if !matches!(request.query("coordinate"), Some("Base" | "Wobj" | "Tool" | "Word")) {
-                return Err((400, -1_073_445_879, "invalid argument"));
-            }
-            let ((p, q), _) = solver.forward(&c.joints_deg.map(rad_from_deg), NO_TOOL);
-            let shown_m = p.iter().zip(solver.planted.display_shift_m).map(|(p, shift)| p + shift);
-            let texts: Vec<String> = shown_m.map(mm_from_m).chain(q).map(rapid::number).collect();
-            let names = ["x", "y", "z", "q1", "q2", "q3", "q4"];
-            let fields: Vec<(&'static str, &str)> =
-                names.into_iter().zip(texts.iter().map(String::as_str)).collect();
-            one("ms-robtargets", &fields)
+            robtarget(c, solver, request)
         }
         ["fileservice"] => Ok(volumes(c)),
         ["rw", "devices", "SW_RESOURCES", path @ ..] => devices(c, path),
@@ -131,6 +91,62 @@ fn entries(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<En
         ),
         _ => Err(NOT_KNOWN),
     }
+}
+
+/// Name, RobotWare and identity of the system.
+fn system(c: &Controller) -> Result<Vec<Entry>, Rejection> {
+    let class = if c.personality == Personality::Rw6 { "sys-system-li" } else { "sys-system" };
+    let fields = [
+        ("name", "Double"),
+        ("rwversion", c.personality.version()),
+        ("sysid", &c.system_id),
+        ("major", &c.personality.version()[..1]),
+    ];
+    one(class, &fields)
+}
+
+/// The task that moves the arm, and one in the background; RobotWare 8 lists a spy beside them.
+fn tasks(c: &Controller) -> Vec<Entry> {
+    let state = if c.execution == "running" { "started" } else { "stopped" };
+    let task = |name: &str, moves: &str| {
+        let fields = [
+            ("name", name),
+            ("type", "norm"),
+            ("taskstate", "link"),
+            ("excstate", state),
+            ("active", "On"),
+            ("motiontask", moves),
+        ];
+        entry("rap-task-li", name, &fields)
+    };
+    let mut tasks = vec![task(TASK, "TRUE"), task("T_BACK", "FALSE")];
+    if c.personality == Personality::Rw8 {
+        tasks.push(entry("rap-tasks-spy-li", "spy", &[("spy", "off")]));
+    }
+    tasks
+}
+
+/// The joints at which the arm stands, degrees.
+fn jointtarget(c: &Controller) -> Result<Vec<Entry>, Rejection> {
+    let joints = c.joints_deg.map(rapid::number);
+    let names = ["rax_1", "rax_2", "rax_3", "rax_4", "rax_5", "rax_6"];
+    let mut fields: Vec<(&'static str, &str)> =
+        names.into_iter().zip(joints.iter().map(String::as_str)).collect();
+    fields.push(("eax_a", "9E+09"));
+    one("ms-jointtarget", &fields)
+}
+
+/// The flange's pose as the controller shows it, mm and a quaternion.
+fn robtarget(c: &Controller, solver: &Solver, request: &Incoming) -> Result<Vec<Entry>, Rejection> {
+    if !matches!(request.query("coordinate"), Some("Base" | "Wobj" | "Tool" | "Word")) {
+        return Err((400, -1_073_445_879, "invalid argument"));
+    }
+    let ((p, q), _) = solver.forward(&c.joints_deg.map(rad_from_deg), NO_TOOL);
+    let shown_m = p.iter().zip(solver.planted.display_shift_m).map(|(p, shift)| p + shift);
+    let texts: Vec<String> = shown_m.map(mm_from_m).chain(q).map(rapid::number).collect();
+    let names = ["x", "y", "z", "q1", "q2", "q3", "q4"];
+    let fields: Vec<(&'static str, &str)> = names.into_iter().zip(texts.iter().map(String::as_str)).collect();
+    one("ms-robtargets", &fields)
 }
 
 /// RobotWare 6 lists disks with their sizes, 7 and 8 volumes without.

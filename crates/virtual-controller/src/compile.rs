@@ -152,7 +152,6 @@ impl<'f> Compiler<'f> {
         self.depth -= 1;
     }
 
-    #[allow(clippy::too_many_lines)]
     fn statement(&mut self, stmt: &tree::Stmt) {
         use tree::StmtKind as S;
         let range = stmt.range;
@@ -162,31 +161,8 @@ impl<'f> Compiler<'f> {
                 let op = Op::Assign(self.expr(&assign.target), self.expr(&assign.value));
                 self.push(op, range);
             }
-            S::Call(call) => {
-                let callee = match &call.callee {
-                    tree::Callee::Name(n) => {
-                        Callee::Name(lower_case_name(self.file, *n), latin1(self.file, *n).into())
-                    }
-                    tree::Callee::Late(e) => Callee::Late(self.expr(e)),
-                };
-                let args = self.args(&call.args);
-                self.push(Op::Call(Rc::new(Call { callee, args })), range);
-            }
-            S::If(branch) => {
-                let mut ends = Vec::new();
-                for (cond, body) in &branch.arms {
-                    let cond_range = cond.range;
-                    let cond = self.expr(cond);
-                    let test = self.push(Op::JumpUnless(cond, 0), cond_range);
-                    self.block(body);
-                    ends.push(self.push(Op::Jump(0), range));
-                    self.patch_jump(test);
-                }
-                if let Some(body) = &branch.otherwise {
-                    self.block(body);
-                }
-                ends.into_iter().for_each(|at| self.patch_jump(at));
-            }
+            S::Call(call) => self.call(range, call),
+            S::If(branch) => self.branch(range, branch),
             S::CompactIf(branch) => {
                 let cond = self.expr(&branch.cond);
                 let test = self.push(Op::JumpUnless(cond, 0), range);
@@ -194,48 +170,13 @@ impl<'f> Compiler<'f> {
                 self.patch_jump(test);
             }
             S::For(looped) => self.for_loop(range, looped),
-            S::While(looped) => {
-                let endless = matches!(unparen(&looped.cond).kind, tree::ExprKind::Bool(true));
-                let top = self.instructions.len();
-                if endless {
-                    self.enter_loop(&looped.body, range);
-                }
-                let cond = self.expr(&looped.cond);
-                let test = self.push(Op::JumpUnless(cond, 0), range);
-                self.block(&looped.body);
-                self.push(if endless { Op::LoopBack(top) } else { Op::Jump(top) }, range);
-                self.patch_jump(test);
-            }
-            S::Test(test) => {
-                let kept = self.slot();
-                let value = self.expr(&test.value);
-                self.push(Op::Store(kept, value), range);
-                let mut ends = Vec::new();
-                for (values, body) in &test.cases {
-                    let values: Vec<Expr> = values.iter().map(|v| self.expr(v)).collect();
-                    let hit = self.push(Op::JumpIfIn(kept, values, 0), range);
-                    let miss = self.push(Op::Jump(0), range);
-                    self.patch_jump(hit);
-                    self.block(body);
-                    ends.push(self.push(Op::Jump(0), range));
-                    self.patch_jump(miss);
-                }
-                if let Some(body) = &test.default {
-                    self.block(body);
-                }
-                ends.into_iter().for_each(|at| self.patch_jump(at));
-            }
+            S::While(looped) => self.while_loop(range, looped),
+            S::Test(test) => self.test(range, test),
             S::Label(name) => {
                 let at = self.instructions.len();
                 self.labels.insert(lower_case_name(self.file, *name), at);
             }
-            S::Goto(name) => {
-                let at = self.push(Op::Jump(usize::MAX), range);
-                if let Some(step) = self.instructions.get_mut(at) {
-                    step.counts = true;
-                }
-                self.gotos.push((at, lower_case_name(self.file, *name), self.depth == 1));
-            }
+            S::Goto(name) => self.goto(range, *name),
             S::Return(value) => {
                 let value = value.as_ref().map(|v| self.expr(v));
                 self.push(Op::Return(value), range);
@@ -257,6 +198,74 @@ impl<'f> Compiler<'f> {
             }
             S::Empty | S::Comment => {}
         }
+    }
+
+    fn call(&mut self, range: TextRange, call: &tree::CallStmt) {
+        let callee = match &call.callee {
+            tree::Callee::Name(n) => {
+                Callee::Name(lower_case_name(self.file, *n), latin1(self.file, *n).into())
+            }
+            tree::Callee::Late(e) => Callee::Late(self.expr(e)),
+        };
+        let args = self.args(&call.args);
+        self.push(Op::Call(Rc::new(Call { callee, args })), range);
+    }
+
+    fn branch(&mut self, range: TextRange, branch: &tree::IfStmt) {
+        let mut ends = Vec::new();
+        for (cond, body) in &branch.arms {
+            let cond_range = cond.range;
+            let cond = self.expr(cond);
+            let test = self.push(Op::JumpUnless(cond, 0), cond_range);
+            self.block(body);
+            ends.push(self.push(Op::Jump(0), range));
+            self.patch_jump(test);
+        }
+        if let Some(body) = &branch.otherwise {
+            self.block(body);
+        }
+        ends.into_iter().for_each(|at| self.patch_jump(at));
+    }
+
+    fn while_loop(&mut self, range: TextRange, looped: &tree::WhileStmt) {
+        let endless = matches!(unparen(&looped.cond).kind, tree::ExprKind::Bool(true));
+        let top = self.instructions.len();
+        if endless {
+            self.enter_loop(&looped.body, range);
+        }
+        let cond = self.expr(&looped.cond);
+        let test = self.push(Op::JumpUnless(cond, 0), range);
+        self.block(&looped.body);
+        self.push(if endless { Op::LoopBack(top) } else { Op::Jump(top) }, range);
+        self.patch_jump(test);
+    }
+
+    fn test(&mut self, range: TextRange, test: &tree::TestStmt) {
+        let kept = self.slot();
+        let value = self.expr(&test.value);
+        self.push(Op::Store(kept, value), range);
+        let mut ends = Vec::new();
+        for (values, body) in &test.cases {
+            let values: Vec<Expr> = values.iter().map(|v| self.expr(v)).collect();
+            let hit = self.push(Op::JumpIfIn(kept, values, 0), range);
+            let miss = self.push(Op::Jump(0), range);
+            self.patch_jump(hit);
+            self.block(body);
+            ends.push(self.push(Op::Jump(0), range));
+            self.patch_jump(miss);
+        }
+        if let Some(body) = &test.default {
+            self.block(body);
+        }
+        ends.into_iter().for_each(|at| self.patch_jump(at));
+    }
+
+    fn goto(&mut self, range: TextRange, name: TextRange) {
+        let at = self.push(Op::Jump(usize::MAX), range);
+        if let Some(step) = self.instructions.get_mut(at) {
+            step.counts = true;
+        }
+        self.gotos.push((at, lower_case_name(self.file, name), self.depth == 1));
     }
 
     /// Have what decides whether a loop is left from inside looked at when it is entered.

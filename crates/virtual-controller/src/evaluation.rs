@@ -10,22 +10,9 @@ impl Session {
     /// Evaluates every move of a pass; `arm_at` gives the true arm at the program's move of an index.
     pub fn evaluate(&mut self, pass: ExecutedPass, t_min: f64, arm_at: &mut dyn FnMut(usize) -> DeformedArm) {
         let ExecutedPass { intended, executed, at_min, failure } = pass;
+        let mismatch = MoveComparator::same_moves(&intended, &executed).err();
+        let mut pass = Pass { failure, mismatch, ..self.pass_before_moves(t_min, at_min) };
         let evaluator = MoveComparator { closed: &self.closed, nominal: &self.nominal };
-        let mut pass = Pass {
-            t_min,
-            at_min,
-            n: 0,
-            before: ErrorStatistics::default(),
-            after: ErrorStatistics::default(),
-            corrected: ErrorStatistics::default(),
-            path_after_m: None,
-            index: self.program.number(self.options.own_name("tcI")).ok(),
-            program_min: self.program.number(self.options.own_name("tcMinute")).ok(),
-            worst: None,
-            failure,
-            unreached: 0,
-            mismatch: MoveComparator::same_moves(&intended, &executed).err(),
-        };
         let mut now: Option<(f64, DeformedArm)> = None;
         let mut unchanged = Vec::new();
         for (i, (a, b)) in intended.iter().zip(&executed).enumerate() {
@@ -51,14 +38,7 @@ impl Session {
                 self.changed.insert((b.at.file.clone(), b.at.line));
             }
             if pass.worst.as_ref().is_none_or(|w| after.position_m > w.error_m) {
-                let (file, line) = (b.at.file.clone(), b.at.line);
-                pass.worst = Some(WorstMove {
-                    t_min,
-                    file,
-                    line,
-                    target: b.target.clone(),
-                    error_m: after.position_m,
-                });
+                pass.worst = Some(WorstMove::of(b, t_min, after.position_m));
             }
             if self.options.paths
                 && let Some(path) = evaluator.path_error_m(&truth, a, b)
@@ -68,10 +48,7 @@ impl Session {
         }
         let corrected = pass.n - unchanged.len();
         if corrected > 0 {
-            for (b, error_m) in unchanged {
-                let worst = self.report.unchanged.entry((b.at.file.clone(), b.at.line)).or_insert(0.0);
-                *worst = worst.max(error_m);
-            }
+            self.note_unchanged(&unchanged);
         }
         for (statistics, n) in
             [(&mut pass.before, pass.n), (&mut pass.after, pass.n), (&mut pass.corrected, corrected)]
@@ -80,6 +57,33 @@ impl Session {
         }
         self.note_switch(&pass, executed, arm_at);
         self.finish(pass);
+    }
+
+    /// A pass of which no move has been looked at.
+    fn pass_before_moves(&mut self, t_min: f64, at_min: f64) -> Pass {
+        Pass {
+            t_min,
+            at_min,
+            n: 0,
+            before: ErrorStatistics::default(),
+            after: ErrorStatistics::default(),
+            corrected: ErrorStatistics::default(),
+            path_after_m: None,
+            index: self.program.number(self.options.own_name("tcI")).ok(),
+            program_min: self.program.number(self.options.own_name("tcMinute")).ok(),
+            worst: None,
+            failure: None,
+            unreached: 0,
+            mismatch: None,
+        }
+    }
+
+    /// Notes the largest error of moves that are as in the original, by the line that they stand in.
+    fn note_unchanged(&mut self, unchanged: &[(&Move, f64)]) {
+        for (b, error_m) in unchanged {
+            let worst = self.report.unchanged.entry((b.at.file.clone(), b.at.line)).or_insert(0.0);
+            *worst = worst.max(*error_m);
+        }
     }
 
     /// Notes how far targets jumped where the program has changed its bucket since the last pass.
@@ -127,5 +131,12 @@ fn is_same(a: Option<&[f64; 6]>, b: Option<&[f64; 6]>) -> bool {
         (Some(a), Some(b)) => a.iter().zip(b).all(|(a, b)| (a - b).abs() < ROUNDING_RAD),
         (None, None) => true,
         _ => false,
+    }
+}
+
+impl WorstMove {
+    fn of(executed: &Move, t_min: f64, error_m: f64) -> Self {
+        let (file, line) = (executed.at.file.clone(), executed.at.line);
+        Self { t_min, file, line, target: executed.target.clone(), error_m }
     }
 }

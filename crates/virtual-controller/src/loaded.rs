@@ -294,13 +294,7 @@ impl LoadedProgram {
                 }
             }
             ModuleItem::Routine(r) => {
-                let kind = match r.kind {
-                    tree::RoutineKind::Proc => RoutineKind::Proc,
-                    tree::RoutineKind::Func(ty) => {
-                        RoutineKind::Func(self.type_named(id, &lower_case_name(file, ty)))
-                    }
-                    tree::RoutineKind::Trap => RoutineKind::Trap,
-                };
+                let kind = self.routine_kind(id, file, r);
                 let routine = self.routines.len();
                 self.routines.push(Routine {
                     module: id,
@@ -319,6 +313,14 @@ impl LoadedProgram {
             _ => {}
         }
         Ok(())
+    }
+
+    fn routine_kind(&self, id: usize, file: &SourceFile, routine: &tree::Routine) -> RoutineKind {
+        match routine.kind {
+            tree::RoutineKind::Proc => RoutineKind::Proc,
+            tree::RoutineKind::Func(ty) => RoutineKind::Func(self.type_named(id, &lower_case_name(file, ty))),
+            tree::RoutineKind::Trap => RoutineKind::Trap,
+        }
     }
 
     /// Take a module out of memory; the data whose values are lost with it.

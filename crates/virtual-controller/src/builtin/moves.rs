@@ -190,20 +190,25 @@ pub(crate) fn execute(
         vm.machine.limits.steps.spend(STEPS_OF_A_MOVE);
     }
     if args.callee.starts_with("search") {
-        let found_q_rad = match search {
-            Some(Search { found_q_rad: None, .. }) => {
-                return raise("err_whlsearch", "the search came to its end and found nothing");
-            }
-            Some(search) => search.found_q_rad,
-            None => None,
-        };
-        store_found(vm, args, found_q_rad)?;
+        store_search(vm, args, search)?;
     }
     vm.machine.limits.count_move();
     match form.procedure {
         Some(at) => string(vm, args.at(at)?).map(Some),
         None => Ok(None),
     }
+}
+
+/// Stores what a search has found, or raises the error of one that came to its end.
+fn store_search(vm: &mut Interpreter<'_>, args: &Args<'_>, search: Option<Search>) -> Result<(), Fault> {
+    let found_q_rad = match search {
+        Some(Search { found_q_rad: None, .. }) => {
+            return raise("err_whlsearch", "the search came to its end and found nothing");
+        }
+        Some(search) => search.found_q_rad,
+        None => None,
+    };
+    store_found(vm, args, found_q_rad)
 }
 
 /// A straight search for something that stands in the cell.

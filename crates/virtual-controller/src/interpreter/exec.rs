@@ -2,7 +2,7 @@
 
 use super::Interpreter;
 use super::endless::LoopProgress;
-use crate::code::{Callee, Code, Expr, Op};
+use crate::code::{Call, Callee, Code, Expr, Op};
 use crate::loaded::RoutineKind;
 use crate::machine::{Binding, Frame, LimitReached, Slot};
 use crate::outcome::{Fault, Outcome, fatal, raise};
@@ -58,16 +58,7 @@ impl Interpreter<'_> {
             Op::Assign(target, value) => self.assign(target, value),
             Op::Call(call) => match &call.callee {
                 Callee::Name(name, spelt) => self.call_procedure(name, spelt, call),
-                Callee::Late(expr) => {
-                    let name = self.eval(expr, Some(&Type::Str))?;
-                    let Some(name) = name.string().map(str::to_lowercase) else {
-                        return fatal("late binding with something that is no string");
-                    };
-                    if self.program.routine(self.machine.stack.scope.0, &name).is_none() {
-                        return raise("err_refunkprc", format!("no procedure {name}"));
-                    }
-                    self.call_procedure(&name.as_str().into(), &name, call)
-                }
+                Callee::Late(expr) => self.call_late(expr, call),
             },
             Op::Jump(to) => {
                 let is_back = self.machine.stack.frames.last().is_some_and(|frame| *to <= frame.current);
@@ -91,35 +82,7 @@ impl Interpreter<'_> {
                 }
                 Ok(())
             }
-            Op::ForInit { var, end, step, from, to, by } => {
-                let (from, to) = (self.eval_num(from)?, self.eval_num(to)?);
-                let by = match by {
-                    Some(by) => self.eval_num(by)?,
-                    None if from > to => -1.0,
-                    None => 1.0,
-                };
-                self.machine.stack.set_local(*var, Value::Num(from));
-                self.machine.stack.set_local(*end, Value::Num(to));
-                self.machine.stack.set_local(*step, Value::Num(by));
-                Ok(())
-            }
-            Op::ForTest { var, end, step, exit } => {
-                let (at, end, by) = (
-                    self.machine.stack.local_num(*var),
-                    self.machine.stack.local_num(*end),
-                    self.machine.stack.local_num(*step),
-                );
-                if (by >= 0.0 && at > end) || (by < 0.0 && at < end) {
-                    self.machine.stack.jump(*exit);
-                }
-                Ok(())
-            }
-            Op::ForStep { var, step, top } => {
-                let next = self.machine.stack.local_num(*var) + self.machine.stack.local_num(*step);
-                self.machine.stack.set_local(*var, Value::Num(next));
-                self.machine.stack.jump(*top);
-                Ok(())
-            }
+            Op::ForInit { .. } | Op::ForTest { .. } | Op::ForStep { .. } => self.for_operation(op),
             Op::Store(slot, expr) => {
                 let value = match self.eval(expr, None)? {
                     Value::Literal(x) => Value::num(x),
@@ -140,6 +103,52 @@ impl Interpreter<'_> {
             }
             Op::End => self.end_of_routine(),
         }
+    }
+
+    /// Calls the procedure whose name an expression gives.
+    fn call_late(&mut self, expr: &Expr, call: &Call) -> Result<(), Fault> {
+        let name = self.eval(expr, Some(&Type::Str))?;
+        let Some(name) = name.string().map(str::to_lowercase) else {
+            return fatal("late binding with something that is no string");
+        };
+        if self.program.routine(self.machine.stack.scope.0, &name).is_none() {
+            return raise("err_refunkprc", format!("no procedure {name}"));
+        }
+        self.call_procedure(&name.as_str().into(), &name, call)
+    }
+
+    /// The beginning, the test and the step of a FOR.
+    fn for_operation(&mut self, op: &Op) -> Result<(), Fault> {
+        match op {
+            Op::ForInit { var, end, step, from, to, by } => {
+                let (from, to) = (self.eval_num(from)?, self.eval_num(to)?);
+                let by = match by {
+                    Some(by) => self.eval_num(by)?,
+                    None if from > to => -1.0,
+                    None => 1.0,
+                };
+                self.machine.stack.set_local(*var, Value::Num(from));
+                self.machine.stack.set_local(*end, Value::Num(to));
+                self.machine.stack.set_local(*step, Value::Num(by));
+            }
+            Op::ForTest { var, end, step, exit } => {
+                let (at, end, by) = (
+                    self.machine.stack.local_num(*var),
+                    self.machine.stack.local_num(*end),
+                    self.machine.stack.local_num(*step),
+                );
+                if (by >= 0.0 && at > end) || (by < 0.0 && at < end) {
+                    self.machine.stack.jump(*exit);
+                }
+            }
+            Op::ForStep { var, step, top } => {
+                let next = self.machine.stack.local_num(*var) + self.machine.stack.local_num(*step);
+                self.machine.stack.set_local(*var, Value::Num(next));
+                self.machine.stack.jump(*top);
+            }
+            _ => {}
+        }
+        Ok(())
     }
 
     fn assign(&mut self, target: &Expr, value: &Expr) -> Result<(), Fault> {
