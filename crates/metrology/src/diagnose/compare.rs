@@ -106,14 +106,7 @@ pub fn compare_measurements(
     options: &DiagnosisOptions,
 ) -> Result<MeasurementComparison, CompareError> {
     let chain = SerialChain::nominal(robot);
-    let stations = |m: &Measurements| {
-        let checked = check_rows(m, robot);
-        match checked.fault {
-            Some(fault) => Err(CompareError::Fault { reason: fault.reason }),
-            None => Ok(gather(m, &checked.used, None)),
-        }
-    };
-    let (old, new) = (stations(before)?, stations(after)?);
+    let (old, new) = (stations(before, robot)?, stations(after, robot)?);
     let pairs = paired(&old, &new, before, after, &chain);
     if pairs.len() < FEWEST {
         return Err(CompareError::TooFew { pairs: pairs.len() });
@@ -132,16 +125,12 @@ pub fn compare_measurements(
     let moved: Vec<Vector3<f64>> = (0..pairs.len())
         .map(|i| now.residual_m(&second[i], &flange[i]) - was.residual_m(&first[i], &flange[i]))
         .collect();
-    let shown: Vec<Station> = second
-        .iter()
-        .zip(&flange)
-        .zip(&moved)
-        .map(|((s, pose), moved)| Station {
-            reading: Reading::Point { position_m: was.predicted_m(s, pose) + moved },
-            orientation: None,
-            ..s.clone()
-        })
-        .collect();
+    let show = |((s, pose), moved): ((&Station, &Isometry3<f64>), &Vector3<f64>)| Station {
+        reading: Reading::Point { position_m: was.predicted_m(s, pose) + moved },
+        orientation: None,
+        ..s.clone()
+    };
+    let shown: Vec<Station> = second.iter().zip(&flange).zip(&moved).map(show).collect();
     let fit = register(&shown, &flange, old.targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
     let left: Vec<Vector3<f64>> =
         shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
@@ -157,15 +146,6 @@ pub fn compare_measurements(
     let is_same = moved.iter().all(|by| by.norm() < SAME_M);
     let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
     let arm_is_changed = !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData);
-    let line =
-        |m: &Measurements, s: &Station| s.rows.first().and_then(|&r| m.rows.get(r)).map_or(0, |r| r.line);
-    let mut worst: Vec<(u64, u64, f64)> = pairs
-        .iter()
-        .zip(&left)
-        .map(|(p, left)| (line(before, p.before), line(after, p.after), left.norm()))
-        .collect();
-    worst.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.0.cmp(&b.0)));
-    worst.truncate(LISTED);
     let n = pairs.len() as f64;
     Ok(MeasurementComparison {
         pairs: pairs.len(),
@@ -174,10 +154,38 @@ pub fn compare_measurements(
         noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
         tools_moved_m,
         base_moved: was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base,
-        worst,
+        worst: worst_changes(&pairs, &left, before, after),
         diagnosis,
         is_changed: (tool_is_changed || arm_is_changed) && !is_same,
     })
+}
+
+/// The stations of a file whose rows do not contradict the robot.
+fn stations(measurements: &Measurements, robot: &SerialArm) -> Result<Stations, CompareError> {
+    let checked = check_rows(measurements, robot);
+    match checked.fault {
+        Some(fault) => Err(CompareError::Fault { reason: fault.reason }),
+        None => Ok(gather(measurements, &checked.used, None)),
+    }
+}
+
+/// The pairs with the largest change, largest first: line before, line after, metres.
+fn worst_changes(
+    pairs: &[Pair<'_>],
+    changes_m: &[Vector3<f64>],
+    before: &Measurements,
+    after: &Measurements,
+) -> Vec<(u64, u64, f64)> {
+    let line =
+        |m: &Measurements, s: &Station| s.rows.first().and_then(|&r| m.rows.get(r)).map_or(0, |r| r.line);
+    let mut worst: Vec<(u64, u64, f64)> = pairs
+        .iter()
+        .zip(changes_m)
+        .map(|(p, change)| (line(before, p.before), line(after, p.after), change.norm()))
+        .collect();
+    worst.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.0.cmp(&b.0)));
+    worst.truncate(LISTED);
+    worst
 }
 
 /// Each station before with the first one after that is alike and free.

@@ -1,5 +1,6 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
+use super::dataset::{Dataset, Observation, Twist};
 use super::evidence::NuisanceModel;
 use super::linear_fit::solve;
 use super::measured_robot::MeasuredRobot;
@@ -54,62 +55,8 @@ pub(super) fn find(
     let grid = Grid::of(measurements)?;
     let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
-    // Uniform over one step.
-    let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
-    // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
-    let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
-    for observation in &linear.dataset.observations {
-        for (j, q) in observation.q_rad.iter().enumerate() {
-            *times.entry((j, q.to_bits())).or_default() += 1;
-        }
-    }
-    let often = (OFTEN * linear.dataset.observations.len() as f64).max(4.0) as usize;
-    let shapes: Vec<Matrix3<f64>> = linear
-        .dataset
-        .observations
-        .iter()
-        .map(|observation| {
-            linear
-                .dataset
-                .turning()
-                .filter(|j| grid.joints.contains(j))
-                .filter(|&j| times.get(&(j, observation.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
-                .map(|j| {
-                    let v = observation.jacobian_column(j);
-                    let v = Vector3::new(v[0], v[1], v[2]);
-                    v * v.transpose() * variance
-                })
-                .sum()
-        })
-        .collect();
-    let n = linear.dataset.observations.len() as f64;
-    let log_likelihood = |residuals: &[Vector3<f64>], share: f64, noise_m2: f64| -> f64 {
-        shapes
-            .iter()
-            .zip(residuals)
-            .map(|(shape, e)| {
-                let c = shape * share + Matrix3::identity() * noise_m2.max(1e-14);
-                c.cholesky()
-                    .map_or(f64::NEG_INFINITY, |l| -0.5 * e.dot(&l.solve(e)) - 0.5 * l.determinant().ln())
-            })
-            .sum()
-    };
-    let mean_square =
-        |residuals: &[Vector3<f64>]| residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * n);
-    let plain = |residuals: &[Vector3<f64>]| log_likelihood(residuals, 0.0, mean_square(residuals));
-    let rounded = |residuals: &[Vector3<f64>]| {
-        let plain_m2 = mean_square(residuals);
-        [0.05, 0.15, 0.4, 0.7]
-            .into_iter()
-            .map(|k| log_likelihood(residuals, 0.9, k * plain_m2))
-            .chain([log_likelihood(
-                residuals,
-                0.9,
-                model.noise.known.map_or(1e-10, |known| known.sigma_m * known.sigma_m),
-            )])
-            .fold(f64::NEG_INFINITY, f64::max)
-    };
-    let points = |twists: &[super::dataset::Twist]| -> Vec<Vector3<f64>> {
+    let scatter = RoundedScatter::of(&linear.dataset, &grid, model.noise.known.map(|known| known.sigma_m));
+    let points = |twists: &[Twist]| -> Vec<Vector3<f64>> {
         twists.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
     };
     // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
@@ -119,37 +66,118 @@ pub(super) fn find(
         &workspace.design.residuals(&solve(&workspace.design, &groups, &[], Some(ratio)).coefficients),
     );
     let best = points(&model.residuals);
-    let expected_m2 = shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * n);
+    let expected_m2 = scatter.expected_m2();
     // Lines of a gear follow the rounding of joints that stood at few angles: what they take is weighed with their price.
-    let gain_nats = rounded(&bare) - plain(&bare);
-    let best_m2 = mean_square(&best);
+    let gain_nats = scatter.rounded(&bare) - scatter.plain(&bare);
+    let best_m2 = scatter.mean_square(&best);
     let as_large = best_m2 < 4.0 * expected_m2 && 4.0 * best_m2 > expected_m2;
     let contradicted =
         model.noise.known.is_some_and(|known| best_m2 > (MORE_SCATTER * known.sigma_m).powi(2));
     let clear_nats = if as_large && contradicted { clear_nats.min(BY_SIZE_NATS) } else { clear_nats };
     let without_causes = gain_nats > clear_nats && gain_nats > fitted.log_odds();
-    let beside_causes = best_m2 > 0.3 * expected_m2 && rounded(&best) > plain(&best) + clear_nats;
-    let plain_m2 = mean_square(&bare);
+    let beside_causes =
+        best_m2 > 0.3 * expected_m2 && scatter.rounded(&best) > scatter.plain(&best) + clear_nats;
+    let plain_m2 = scatter.mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
     (without_causes || beside_causes).then(|| {
-        let step_deg = grid.step_deg;
-        let scatter_mm = mm_from_m((3.0 * plain_m2).sqrt());
-        let columns = grid.columns(robot);
-        let rounded = match grid.joints.len() == linear.dataset.turning().count() {
-            true => "the joints are".to_owned(),
-            false => format!("{columns} alone {}", if grid.joints.len() == 1 { "is" } else { "are" }),
-        };
-        Fault::of_all(
-            FaultKind::RoundedJoints,
-            Some(&columns),
-            format!(
-                "{rounded} rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
-                 ({scatter_mm:.2} mm rms): export the joints with at least 3 decimals"
-            ),
-        )
+        let all_joints = grid.joints.len() == linear.dataset.turning().count();
+        rounded_joints(&grid, robot, all_joints, mm_from_m((3.0 * plain_m2).sqrt()))
     })
+}
+
+/// The fault itself; `scatter_mm`: rms of the points.
+fn rounded_joints(grid: &Grid, robot: &SerialArm, all_joints: bool, scatter_mm: f64) -> Fault {
+    let step_deg = grid.step_deg;
+    let columns = grid.columns(robot);
+    let rounded = match all_joints {
+        true => "the joints are".to_owned(),
+        false => format!("{columns} alone {}", if grid.joints.len() == 1 { "is" } else { "are" }),
+    };
+    Fault::of_all(
+        FaultKind::RoundedJoints,
+        Some(&columns),
+        format!(
+            "{rounded} rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
+             ({scatter_mm:.2} mm rms): export the joints with at least 3 decimals"
+        ),
+    )
+}
+
+/// What rounding joints does to the measured points, and how likely residuals are with it and without.
+struct RoundedScatter {
+    /// Covariance of each observation's point, m^2.
+    shapes: Vec<Matrix3<f64>>,
+    /// The noise of one coordinate where it is known, metres.
+    known_sigma_m: Option<f64>,
+}
+
+impl RoundedScatter {
+    fn of(dataset: &Dataset, grid: &Grid, known_sigma_m: Option<f64>) -> Self {
+        // Uniform over one step.
+        let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
+        // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
+        let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
+        for observation in &dataset.observations {
+            for (j, q) in observation.q_rad.iter().enumerate() {
+                *times.entry((j, q.to_bits())).or_default() += 1;
+            }
+        }
+        let often = (OFTEN * dataset.observations.len() as f64).max(4.0) as usize;
+        let shape = |observation: &Observation| {
+            dataset
+                .turning()
+                .filter(|j| grid.joints.contains(j))
+                .filter(|&j| times.get(&(j, observation.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
+                .map(|j| {
+                    let v = observation.jacobian_column(j);
+                    let v = Vector3::new(v[0], v[1], v[2]);
+                    v * v.transpose() * variance
+                })
+                .sum()
+        };
+        Self { shapes: dataset.observations.iter().map(shape).collect(), known_sigma_m }
+    }
+
+    /// Square of one coordinate that this rounding leads one to expect.
+    fn expected_m2(&self) -> f64 {
+        self.shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * self.shapes.len() as f64)
+    }
+
+    /// Mean square of one coordinate of `residuals`.
+    fn mean_square(&self, residuals: &[Vector3<f64>]) -> f64 {
+        residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * self.shapes.len() as f64)
+    }
+
+    /// ln likelihood of residuals that are plain noise.
+    fn plain(&self, residuals: &[Vector3<f64>]) -> f64 {
+        self.log_likelihood(residuals, 0.0, self.mean_square(residuals))
+    }
+
+    /// The same where joints are rounded, with the likeliest of some sizes of noise beside that.
+    fn rounded(&self, residuals: &[Vector3<f64>]) -> f64 {
+        let plain_m2 = self.mean_square(residuals);
+        let known_m2 = self.known_sigma_m.map_or(1e-10, |sigma_m| sigma_m * sigma_m);
+        [0.05, 0.15, 0.4, 0.7]
+            .into_iter()
+            .map(|k| self.log_likelihood(residuals, 0.9, k * plain_m2))
+            .chain([self.log_likelihood(residuals, 0.9, known_m2)])
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// With a share of the rounding's covariance beside noise of one variance.
+    fn log_likelihood(&self, residuals: &[Vector3<f64>], share: f64, noise_m2: f64) -> f64 {
+        self.shapes
+            .iter()
+            .zip(residuals)
+            .map(|(shape, e)| {
+                let c = shape * share + Matrix3::identity() * noise_m2.max(1e-14);
+                c.cholesky()
+                    .map_or(f64::NEG_INFINITY, |l| -0.5 * e.dot(&l.solve(e)) - 0.5 * l.determinant().ln())
+            })
+            .sum()
+    }
 }
 
 /// Joints that are written on the multiples of one step.

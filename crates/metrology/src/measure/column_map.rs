@@ -183,13 +183,7 @@ impl ColumnMap {
             mapped.push((our_name.as_str(), find(source)?));
         }
         let pose = match &self.pose {
-            Some(pose) => {
-                let mut at = [0; 6];
-                for (to, source) in at.iter_mut().zip(&pose.columns) {
-                    *to = find(source)?;
-                }
-                Some((pose, at))
-            }
+            Some(pose) => Some((pose, self.pose_columns(pose, &header)?)),
             None => None,
         };
         let base = self.base_rows.as_ref().map(|w| Ok((find(&w.column)?, &w.is))).transpose()?;
@@ -236,6 +230,19 @@ impl ColumnMap {
             table.lines.push(Line { number: line.number, cells });
         }
         Ok(table)
+    }
+
+    /// Positions of the six columns of a pose.
+    fn pose_columns(
+        &self,
+        pose: &PoseColumns,
+        header: &Option<Vec<String>>,
+    ) -> Result<[usize; 6], MeasureError> {
+        let mut at = [0; 6];
+        for (to, source) in at.iter_mut().zip(&pose.columns) {
+            *to = self.find(source, header)?;
+        }
+        Ok(at)
     }
 
     /// Their names and cells.

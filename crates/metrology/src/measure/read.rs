@@ -92,19 +92,7 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
         return Err(MeasureError::NoRows);
     }
     for (column, lines) in without {
-        let shown: Vec<String> = lines.iter().take(MOST_LINES).map(u64::to_string).collect();
-        let more = if lines.len() > MOST_LINES { ", ..." } else { "" };
-        warnings.push(
-            Diagnostic::warning(
-                "measure::no-reading",
-                format!(
-                    "column {column} is empty or no number in {} rows: lines {}{more}",
-                    lines.len(),
-                    shown.join(", ")
-                ),
-            )
-            .help("these rows are left out"),
-        );
+        warnings.push(no_reading(column, &lines));
     }
     let channels = complete_channels(&columns, &mut rows, &with_gaps, &mut warnings);
     Ok(Measurements {
@@ -116,6 +104,18 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
         joint_decimals: decimals,
         warnings,
     })
+}
+
+/// The warning of rows without a reading in a column that has to be there.
+fn no_reading(column: &str, lines: &[u64]) -> Diagnostic {
+    let shown: Vec<String> = lines.iter().take(MOST_LINES).map(u64::to_string).collect();
+    let more = if lines.len() > MOST_LINES { ", ..." } else { "" };
+    let text = format!(
+        "column {column} is empty or no number in {} rows: lines {}{more}",
+        lines.len(),
+        shown.join(", ")
+    );
+    Diagnostic::warning("measure::no-reading", text).help("these rows are left out")
 }
 
 /// How each joint moves, by the unit of its column.

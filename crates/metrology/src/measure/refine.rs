@@ -111,23 +111,7 @@ pub(super) fn gauss_newton(
         }
         let step = damped_solve(&normal, &right);
         fit.iterations = iteration + 1;
-        let turn = UnitQuaternion::from_scaled_axis(Vector3::new(step[3], step[4], step[5]));
-        let shift = Isometry3::from_parts(Translation3::new(step[0], step[1], step[2]), turn);
-        fit.instrument_from_base *= shift;
-        for (k, tool) in fit.tools_m.iter_mut().enumerate() {
-            *tool += Vector3::new(step[6 + 3 * k], step[7 + 3 * k], step[8 + 3 * k]);
-        }
-        for (k, fixed_point) in fit.fixed_points_m.iter_mut().enumerate() {
-            *fixed_point += Vector3::new(
-                step[fixed_points + 3 * k],
-                step[fixed_points + 3 * k + 1],
-                step[fixed_points + 3 * k + 2],
-            );
-        }
-        if let Some(sensor) = &mut fit.flange_from_sensor {
-            let turn = Vector3::new(step[width - 3], step[width - 2], step[width - 1]);
-            *sensor = UnitQuaternion::from_scaled_axis(turn) * *sensor;
-        }
+        take_step(&mut fit, &step);
         if step.norm() < 1e-9 {
             fit.converged = true;
             break;
@@ -139,6 +123,24 @@ pub(super) fn gauss_newton(
     // 1.54 sigma is the middle of a 3-D normal distance.
     fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / 1.54;
     fit
+}
+
+/// Moves what is fitted by a step: base (shift, turn), targets, fixed points, orientation of the sensor.
+fn take_step(fit: &mut Registration, step: &DVector<f64>) {
+    let turn = UnitQuaternion::from_scaled_axis(Vector3::new(step[3], step[4], step[5]));
+    let shift = Isometry3::from_parts(Translation3::new(step[0], step[1], step[2]), turn);
+    fit.instrument_from_base *= shift;
+    let triple = |at: usize| Vector3::new(step[at], step[at + 1], step[at + 2]);
+    for (k, tool) in fit.tools_m.iter_mut().enumerate() {
+        *tool += triple(6 + 3 * k);
+    }
+    let fixed_points = 6 + 3 * fit.tools_m.len();
+    for (k, fixed_point) in fit.fixed_points_m.iter_mut().enumerate() {
+        *fixed_point += triple(fixed_points + 3 * k);
+    }
+    if let Some(sensor) = &mut fit.flange_from_sensor {
+        *sensor = UnitQuaternion::from_scaled_axis(triple(step.len() - 3)) * *sensor;
+    }
 }
 
 fn median_distance(fit: &Registration, stations: &[Station], poses: &[Isometry3<f64>]) -> f64 {

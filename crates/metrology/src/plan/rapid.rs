@@ -11,54 +11,7 @@ const NO_AXES: &str = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 /// The text of the RAPID module.
 #[must_use]
 pub fn rapid(plan: &MeasurementPlan, robot: &Robot) -> String {
-    let mut data = String::new();
-    let mut moves = String::new();
-    let mut loads: Vec<f64> = Vec::new();
-    let mut load = None;
-    let mut known = std::collections::BTreeSet::new();
-    for (k, step) in plan.steps.iter().enumerate() {
-        let row = k + 1;
-        let MeasurementStep::Pose { pose, q_rad, approach_rad, payload_kg, .. } = step else {
-            if let MeasurementStep::Nest { nest } = step {
-                let _ = writeln!(moves, "    dpNest {row},{};", nest + 1); // a String takes everything
-            }
-            continue;
-        };
-        if load != Some(*payload_kg) {
-            load = Some(*payload_kg);
-            let name = if *payload_kg > 0.0 {
-                let which = loads.iter().position(|l| l == payload_kg).unwrap_or_else(|| {
-                    loads.push(*payload_kg);
-                    loads.len() - 1
-                });
-                format!("dpLoad{}", which + 1)
-            } else {
-                "load0".to_owned()
-            };
-            let _ = writeln!(moves, "    dpPayload {};\n    GripLoad {name};", number(*payload_kg));
-        }
-        if known.insert(*pose) {
-            for (name, q) in [("dpA", approach_rad), ("dpP", q_rad)] {
-                let _ = writeln!(
-                    data,
-                    "  LOCAL CONST jointtarget {name}{}:=[{},{NO_AXES}];",
-                    pose + 1,
-                    joints(q)
-                );
-            }
-        }
-        let _ = writeln!(moves, "    MoveAbsJ dpA{}\\NoEOffs,dpFast,fine,tool0;", pose + 1);
-        let _ = writeln!(moves, "    MoveAbsJ dpP{}\\NoEOffs,dpSlow,fine,tool0;", pose + 1);
-        let _ = writeln!(moves, "    dpTake {row};");
-    }
-    for (k, kg) in loads.iter().enumerate() {
-        let _ = writeln!(
-            data,
-            "  ! Put in this payload's real centre of gravity.\n  LOCAL PERS loaddata dpLoad{}:=[{},[0,0,50],[1,0,0,0],0,0,0];",
-            k + 1,
-            number(*kg)
-        );
-    }
+    let Run { data, moves } = Run::of(plan);
     format!(
         "MODULE DriftpostPlan\n\
          \x20 ! Measurement run for {}: {} rows, planned by driftpost {}.\n\
@@ -89,6 +42,68 @@ pub fn rapid(plan: &MeasurementPlan, robot: &Robot) -> String {
         plan.steps.len(),
         env!("CARGO_PKG_VERSION"),
     )
+}
+
+/// What of the module differs from plan to plan.
+struct Run {
+    /// Declarations of poses and payloads.
+    data: String,
+    /// The statements that drive to the poses.
+    moves: String,
+}
+
+impl Run {
+    fn of(plan: &MeasurementPlan) -> Self {
+        let mut data = String::new();
+        let mut moves = String::new();
+        let mut loads: Vec<f64> = Vec::new();
+        let mut load = None;
+        let mut known = std::collections::BTreeSet::new();
+        for (k, step) in plan.steps.iter().enumerate() {
+            let row = k + 1;
+            let MeasurementStep::Pose { pose, q_rad, approach_rad, payload_kg, .. } = step else {
+                if let MeasurementStep::Nest { nest } = step {
+                    let _ = writeln!(moves, "    dpNest {row},{};", nest + 1); // a String takes everything
+                }
+                continue;
+            };
+            if load != Some(*payload_kg) {
+                load = Some(*payload_kg);
+                let name = if *payload_kg > 0.0 {
+                    let which = loads.iter().position(|l| l == payload_kg).unwrap_or_else(|| {
+                        loads.push(*payload_kg);
+                        loads.len() - 1
+                    });
+                    format!("dpLoad{}", which + 1)
+                } else {
+                    "load0".to_owned()
+                };
+                let _ = writeln!(moves, "    dpPayload {};\n    GripLoad {name};", number(*payload_kg));
+            }
+            if known.insert(*pose) {
+                for (name, q) in [("dpA", approach_rad), ("dpP", q_rad)] {
+                    let _ = writeln!(
+                        data,
+                        "  LOCAL CONST jointtarget {name}{}:=[{},{NO_AXES}];",
+                        pose + 1,
+                        joints(q)
+                    );
+                }
+            }
+            let _ = writeln!(moves, "    MoveAbsJ dpA{}\\NoEOffs,dpFast,fine,tool0;", pose + 1);
+            let _ = writeln!(moves, "    MoveAbsJ dpP{}\\NoEOffs,dpSlow,fine,tool0;", pose + 1);
+            let _ = writeln!(moves, "    dpTake {row};");
+        }
+        for (k, kg) in loads.iter().enumerate() {
+            let _ = writeln!(
+                data,
+                "  ! Put in this payload's real centre of gravity.\n  LOCAL PERS loaddata dpLoad{}:=[{},[0,0,50],[1,0,0,0],0,0,0];",
+                k + 1,
+                number(*kg)
+            );
+        }
+        Self { data, moves }
+    }
 }
 
 fn ascii(text: &str) -> String {

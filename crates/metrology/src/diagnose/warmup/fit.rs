@@ -162,18 +162,6 @@ fn fit_without(
     stops: &[Standstill],
 ) -> Result<DriftFit, FitError> {
     let points: Vec<Point> = all.iter().map(|point| point.without(aside)).collect();
-    let mut grid = Vec::new();
-    for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
-        for tau_min in taus_min() {
-            let law = law.with_tau_min(tau_min);
-            if stops.is_empty() {
-                grid.push(ThermalHistory { law, tau_cool_min: None });
-            } else {
-                let cooling = |tau_cool| ThermalHistory { law, tau_cool_min: Some(tau_cool) };
-                grid.extend(cool_taus_min(tau_min).map(cooling));
-            }
-        }
-    }
     let sums =
         |history: &ThermalHistory| points.iter().map(|p| p.sums(history, stops)).collect::<Vec<Sums>>();
     let weigh = |grid: Vec<ThermalHistory>| -> Vec<WeighedHistory> {
@@ -183,7 +171,7 @@ fn fit_without(
             })
             .collect()
     };
-    let coarse = weigh(grid);
+    let coarse = weigh(coarse_grid(!stops.is_empty()));
     let Some(likeliest) = coarse.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)) else {
         return Err(FitError::TooFew { touches: touches.touches.len(), points: points.len() });
     };
@@ -193,44 +181,21 @@ fn fit_without(
     let other_law = share_of_other_law(&coarse, likeliest);
     // Round the likeliest, as wide as the evidence is and fine enough for it.
     let weighed = weigh(history::finer_grid(&coarse, likeliest));
-    let most = weighed.iter().map(|w| w.log_evidence).fold(f64::NEG_INFINITY, f64::max);
-    let fits: Vec<FittedHistory> = weighed
-        .into_par_iter()
-        .filter(|w| w.log_evidence > most - NEGLIGIBLE_NATS)
-        .filter_map(|w| Some(FittedHistory { history: w.history, posterior: posterior(&sums(&w.history))? }))
-        .collect();
-    let most = fits.iter().map(|f| f.posterior.log_evidence).fold(f64::NEG_INFINITY, f64::max);
-    let weights: Vec<f64> = fits.iter().map(|f| (f.posterior.log_evidence - most).exp()).collect();
-    let total: f64 = weights.iter().sum();
-    let weights: Vec<f64> = weights.into_iter().map(|w| w / total).collect();
+    let fits = fitted(weighed, &sums);
+    let weights = weights(&fits);
     let best = weights.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i);
     let Some(FittedHistory { history, posterior: chosen }) = fits.get(best).cloned() else {
         return Err(FitError::TooFew { touches: touches.touches.len(), points: points.len() });
     };
-    let spread = |of: fn(&ThermalHistory) -> Option<f64>, about: f64| -> f64 {
-        fits.iter()
-            .zip(&weights)
-            .map(|(f, w)| w * of(&f.history).map_or(0.0, |v| (v - about).powi(2)))
-            .sum::<f64>()
-            .sqrt()
-    };
-    // The values belong to the likeliest law; how well they are known takes in all of them.
-    let mut covariance = DMatrix::zeros(PARAMETERS, PARAMETERS);
-    for (fit, weight) in fits.iter().zip(&weights).filter(|(_, w)| **w > 1e-6) {
-        let one = &fit.posterior;
-        let away = &one.mean - &chosen.mean;
-        covariance += (&one.covariance + &away * away.transpose()) * *weight;
-    }
+    let spread = |of: fn(&ThermalHistory) -> Option<f64>, about: f64| spread(&fits, &weights, of, about);
+    let covariance = covariance_about(&chosen, &fits, &weights);
     let mut settled = [0.0; PARAMETERS];
     settled.copy_from_slice(chosen.mean.as_slice());
-    let touched = points
-        .iter()
-        .map(|p| TouchedPoint {
-            name: touches.points.get(p.index).cloned().unwrap_or_default(),
-            q_rad: p.q_rad,
-            settled_m: p.sums(&history, stops).settled_m(),
-        })
-        .collect();
+    let touched = |p: &Point| TouchedPoint {
+        name: touches.points.get(p.index).cloned().unwrap_or_default(),
+        q_rad: p.q_rad,
+        settled_m: p.sums(&history, stops).settled_m(),
+    };
     let residuals = touch_residuals(all, aside, &touches.points, &history, stops, &settled);
     let minute = |touch: Option<&Touch>| touch.map_or(0.0, |touch| touch.t_min);
     let warm_up = WarmUp {
@@ -243,12 +208,75 @@ fn fit_without(
         settled,
         covariance,
         prior: chosen.prior,
-        points: touched,
+        points: points.iter().map(touched).collect(),
         residuals,
         span_min: [minute(touches.touches.first()), minute(touches.touches.last())],
         touches: touches.touches.len() - aside.len(),
     };
     Ok(DriftFit { warm_up, gain_nats })
+}
+
+/// Laws with their time constants all over their ranges; `cooling`: with time constants of cooling, too.
+fn coarse_grid(cooling: bool) -> Vec<ThermalHistory> {
+    let mut grid = Vec::new();
+    for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
+        for tau_min in taus_min() {
+            let law = law.with_tau_min(tau_min);
+            if cooling {
+                let with = |tau_cool| ThermalHistory { law, tau_cool_min: Some(tau_cool) };
+                grid.extend(cool_taus_min(tau_min).map(with));
+            } else {
+                grid.push(ThermalHistory { law, tau_cool_min: None });
+            }
+        }
+    }
+    grid
+}
+
+/// The posterior under each history that is not negligible beside the likeliest.
+fn fitted(
+    weighed: Vec<WeighedHistory>,
+    sums: &(impl Fn(&ThermalHistory) -> Vec<Sums> + Sync),
+) -> Vec<FittedHistory> {
+    let most = weighed.iter().map(|w| w.log_evidence).fold(f64::NEG_INFINITY, f64::max);
+    weighed
+        .into_par_iter()
+        .filter(|w| w.log_evidence > most - NEGLIGIBLE_NATS)
+        .filter_map(|w| Some(FittedHistory { history: w.history, posterior: posterior(&sums(&w.history))? }))
+        .collect()
+}
+
+/// How far the histories lie about one of their numbers, as a standard deviation; a history that has none does not count.
+fn spread(
+    fits: &[FittedHistory],
+    weights: &[f64],
+    of: fn(&ThermalHistory) -> Option<f64>,
+    about: f64,
+) -> f64 {
+    fits.iter()
+        .zip(weights)
+        .map(|(f, w)| w * of(&f.history).map_or(0.0, |v| (v - about).powi(2)))
+        .sum::<f64>()
+        .sqrt()
+}
+
+/// Probabilities of the histories, whose sum is 1.
+fn weights(fits: &[FittedHistory]) -> Vec<f64> {
+    let most = fits.iter().map(|f| f.posterior.log_evidence).fold(f64::NEG_INFINITY, f64::max);
+    let weights: Vec<f64> = fits.iter().map(|f| (f.posterior.log_evidence - most).exp()).collect();
+    let total: f64 = weights.iter().sum();
+    weights.into_iter().map(|w| w / total).collect()
+}
+
+/// The covariance of the settled deformation: the values belong to the likeliest law, how well they are known takes in all of them.
+fn covariance_about(chosen: &Posterior, fits: &[FittedHistory], weights: &[f64]) -> DMatrix<f64> {
+    let mut covariance = DMatrix::zeros(PARAMETERS, PARAMETERS);
+    for (fit, weight) in fits.iter().zip(weights).filter(|(_, w)| **w > 1e-6) {
+        let one = &fit.posterior;
+        let away = &one.mean - &chosen.mean;
+        covariance += (&one.covariance + &away * away.transpose()) * *weight;
+    }
+    covariance
 }
 
 /// Probability of the law that is not the likeliest's.
