@@ -5,6 +5,7 @@
 //! closed) stays done. What branches or jumps is not gone through backwards, and neither is a procedure without
 //! BACKWARD section. An arc is gone back on the straight line.
 
+use super::ids::RoutineId;
 use crate::builtin::moves::{self, MoveForm};
 use crate::code::{Call, Callee, Code, Op};
 use crate::interpreter::Interpreter;
@@ -68,7 +69,7 @@ impl Interpreter<'_> {
     }
 
     /// A procedure has its BACKWARD section executed.
-    fn go_back_through(&mut self, routine: usize, spelt: &str, call: &Call) -> Result<BackStep, Fault> {
+    fn go_back_through(&mut self, routine: RoutineId, spelt: &str, call: &Call) -> Result<BackStep, Fault> {
         let Some(start) = self.code(routine)?.backward else {
             return refused(format!("{spelt} has no BACKWARD section"));
         };
@@ -114,7 +115,7 @@ impl Interpreter<'_> {
     }
 
     /// Whether a procedure moves the arm, itself or by what it calls.
-    fn has_moves(&mut self, routine: usize) -> Result<bool, Fault> {
+    fn has_moves(&mut self, routine: RoutineId) -> Result<bool, Fault> {
         let mut seen = vec![routine];
         let mut next = 0;
         while let Some(&routine) = seen.get(next) {

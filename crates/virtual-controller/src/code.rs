@@ -3,6 +3,7 @@
 //! Flat, so that GOTO, RETRY and TRYNEXT are a change of one number and hostile nesting cannot overflow
 //! the stack.
 
+use super::ids::ModuleId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{BinaryOp, UnaryOp};
 use std::cell::Cell;
@@ -47,7 +48,7 @@ pub(super) struct NameRef {
 /// The data that a name means in a module, for as long as no module comes or goes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
-    pub module: usize,
+    pub module: Option<ModuleId>,
     pub changes: u64,
     pub datum: Option<usize>,
 }

@@ -7,8 +7,10 @@ use super::calendar::Calendar;
 use super::code::{Callee, Op};
 use super::effort::EffortRange;
 use super::entry;
+use super::ids::{ModuleId, RoutineId};
 use super::interpreter::Interpreter;
 use super::loaded::LoadedProgram;
+use super::machine::StepLimit;
 use super::machine::{DataRef, DataState, Disk, Machine};
 use super::outcome::{Fault, Message, Outcome, SimulateError};
 use super::sphere::Sphere;
@@ -19,7 +21,7 @@ use robot_model::robot::Robot;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Steps that one call may take before it counts as endless, where nothing else is said.
-const STEP_LIMIT: u64 = 50_000_000;
+const STEP_LIMIT: StepLimit = StepLimit::new(50_000_000);
 
 /// A virtual controller with one task: the program that is loaded, the state of the machine, and an arm.
 #[derive(Debug)]
@@ -28,7 +30,7 @@ pub struct Controller {
     machine: Machine,
     arm: Option<ControllerArm>,
     /// Steps one call may take before it counts as endless.
-    pub step_limit: u64,
+    pub step_limit: StepLimit,
 }
 
 impl Default for Controller {
@@ -114,8 +116,9 @@ impl Controller {
         let counts = |name: &str| !names.iter().any(|other| other.eq_ignore_ascii_case(name));
         // A module that comes and goes is one of the program, however often it came.
         let modules = self.program.modules.iter().enumerate();
-        let last: BTreeMap<_, usize> = modules.map(|(id, m)| ((&*m.file.path, &*m.name), id)).collect();
-        let last: BTreeSet<usize> = last.into_values().collect();
+        let last: BTreeMap<_, ModuleId> =
+            modules.map(|(id, m)| ((&*m.file.path, &*m.name), ModuleId::new(id))).collect();
+        let last: BTreeSet<ModuleId> = last.into_values().collect();
         let routines = self
             .program
             .routines
@@ -123,11 +126,12 @@ impl Controller {
             .enumerate()
             .filter(|(_, r)| last.contains(&r.module) && counts(&r.name));
         let motions = routines.filter_map(|(id, routine)| {
-            let code = self.program.code(id)?;
+            let code = self.program.code(RoutineId::new(id))?;
             let is_motion = |op: &Op| match op {
                 Op::Call(call) => match &call.callee {
                     Callee::Name(name, _) => {
-                        moves::form(name).is_some() && self.program.routine(routine.module, name).is_none()
+                        moves::form(name).is_some()
+                            && self.program.routine(Some(routine.module), name).is_none()
                     }
                     Callee::Late(_) => false,
                 },
@@ -353,7 +357,8 @@ impl Controller {
     /// outside, by name as declared, since the last time this was asked for. What such a function calls
     /// itself is part of it; what stands in its own arguments is not.
     pub fn take_efforts(&mut self) -> BTreeMap<String, EffortRange> {
-        let name = |routine: usize| self.program.routines.get(routine).map(|r| r.name.to_string());
+        let name =
+            |routine: RoutineId| self.program.routines.get(routine.index()).map(|r| r.name.to_string());
         let efforts = self.machine.meter.take_ranges().into_iter();
         efforts.filter_map(|(routine, range)| Some((name(routine)?, range))).collect()
     }

@@ -5,6 +5,7 @@
 //! the way included, and what they calculate. Not counted are declarations (what their initial values
 //! calculate is), values of module data, which a controller has since it loaded them, and interrupts.
 
+use super::ids::RoutineId;
 use std::collections::BTreeMap;
 
 /// How much was executed, by kind.
@@ -47,14 +48,14 @@ pub(super) struct EffortMeter {
     /// All that was executed so far; what a function takes is a difference of it.
     pub total: Effort,
     /// What functions in arguments of motions took, by routine.
-    by_routine: BTreeMap<usize, EffortRange>,
+    by_routine: BTreeMap<RoutineId, EffortRange>,
     /// Arguments of a motion are being evaluated.
     pub is_on: bool,
 }
 
 impl EffortMeter {
     /// A call of a routine took what was executed since `before`.
-    pub fn add_call(&mut self, routine: usize, before: Effort) {
+    pub fn add_call(&mut self, routine: RoutineId, before: Effort) {
         let spent = self.total.each(before, u64::saturating_sub);
         self.by_routine
             .entry(routine)
@@ -67,7 +68,7 @@ impl EffortMeter {
     }
 
     /// What was counted by routine since the last time this was asked for.
-    pub fn take_ranges(&mut self) -> BTreeMap<usize, EffortRange> {
+    pub fn take_ranges(&mut self) -> BTreeMap<RoutineId, EffortRange> {
         std::mem::take(&mut self.by_routine)
     }
 }

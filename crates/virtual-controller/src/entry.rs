@@ -1,6 +1,7 @@
 //! Where a program begins.
 
 use super::code::{Callee, ExprKind, Op};
+use super::ids::RoutineId;
 use super::loaded::{LoadedProgram, RoutineKind};
 use super::outcome::SimulateError;
 use std::collections::BTreeSet;
@@ -11,17 +12,17 @@ use std::collections::BTreeSet;
 /// # Errors
 /// [`SimulateError::NoEntry`] names the candidates.
 pub(super) fn entry(program: &LoadedProgram) -> Result<String, SimulateError> {
-    if let Some(main) = program.routine_anywhere("main").and_then(|r| program.routines.get(r)) {
+    if let Some(main) = program.routine_anywhere("main").and_then(|r| program.routines.get(r.index())) {
         return Ok(main.name.to_string());
     }
     let is_emitted = program.datum_anywhere("tcmode").is_some();
     let mut called: BTreeSet<String> = BTreeSet::new();
     let mut candidates = Vec::new();
     for (id, routine) in program.routines.iter().enumerate() {
-        if !program.modules.get(routine.module).is_some_and(|m| m.loaded) {
+        if !program.modules.get(routine.module.index()).is_some_and(|m| m.loaded) {
             continue;
         }
-        let Some(code) = program.code(id) else { continue };
+        let Some(code) = program.code(RoutineId::new(id)) else { continue };
         for instruction in &code.instructions {
             if let Op::Call(call) = &instruction.op {
                 match &call.callee {

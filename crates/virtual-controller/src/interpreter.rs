@@ -16,6 +16,7 @@ pub(super) use arguments::Args;
 
 use super::arm::ControllerArm;
 use super::code::{Call, Name};
+use super::ids::{ModuleId, RoutineId};
 use super::loaded::LoadedProgram;
 use super::machine::Machine;
 use super::outcome::{Fault, SourceLine};
@@ -85,7 +86,7 @@ impl Interpreter<'_> {
     }
 
     /// Runs a function or what calls one; counted where a motion's argument or the outside asks.
-    pub fn measured<T>(&mut self, routine: usize, run: impl FnOnce(&mut Self) -> T) -> T {
+    pub fn measured<T>(&mut self, routine: RoutineId, run: impl FnOnce(&mut Self) -> T) -> T {
         if !std::mem::replace(&mut self.machine.meter.is_on, false) {
             return run(self);
         }
@@ -97,8 +98,8 @@ impl Interpreter<'_> {
     }
 
     /// Does something with names looked up in a module instead of the running routine.
-    fn in_module<T>(&mut self, module: usize, f: impl FnOnce(&mut Self) -> T) -> T {
-        let scope = (module, self.machine.stack.slots.len());
+    fn in_module<T>(&mut self, module: ModuleId, f: impl FnOnce(&mut Self) -> T) -> T {
+        let scope = (Some(module), self.machine.stack.slots.len());
         let scope = std::mem::replace(&mut self.machine.stack.scope, scope);
         let (effort, is_metered) =
             (self.machine.meter.total, std::mem::replace(&mut self.machine.meter.is_on, false));

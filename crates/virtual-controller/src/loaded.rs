@@ -5,6 +5,7 @@
 
 use super::code::{Code, Found, Name, NameRef};
 use super::compile::{self, latin1, lower_case_name};
+use super::ids::{ModuleId, RoutineId};
 use super::outcome::SourceLine;
 use super::predefined::{self, Types};
 use super::value::{RecordType, Type};
@@ -21,7 +22,7 @@ pub(super) struct Module {
     pub name: String,
     pub file: Rc<SourceFile>,
     pub data: BTreeMap<Name, usize>,
-    pub routines: BTreeMap<Name, usize>,
+    pub routines: BTreeMap<Name, RoutineId>,
     pub types: BTreeMap<Name, Type>,
     /// Loaded by the program while it runs: vanishes when the program pointer goes to main.
     pub dynamic: Option<String>,
@@ -41,7 +42,7 @@ pub(super) struct Datum {
 #[derive(Clone, Copy, Debug)]
 pub(super) enum DatumOrigin {
     /// In a module: item of the file, and item of that module.
-    Module { module: usize, at: (usize, usize) },
+    Module { module: ModuleId, at: (usize, usize) },
     /// Nowhere: tool0, wobj0 and load0 are PERS that every controller has.
     Controller,
 }
@@ -49,7 +50,7 @@ pub(super) enum DatumOrigin {
 /// A routine of a module.
 #[derive(Debug)]
 pub(super) struct Routine {
-    pub module: usize,
+    pub module: ModuleId,
     pub name: Rc<str>,
     pub kind: RoutineKind,
     pub at: (usize, usize),
@@ -103,7 +104,7 @@ pub(super) struct LoadedProgram {
     /// How often modules came or went.
     changes: u64,
     global_data: BTreeMap<Name, usize>,
-    global_routines: BTreeMap<Name, usize>,
+    global_routines: BTreeMap<Name, RoutineId>,
     global_types: BTreeMap<Name, Type>,
 }
 
@@ -139,34 +140,34 @@ impl LoadedProgram {
     }
 
     /// What a routine is.
-    pub fn kind(&self, routine: usize) -> Option<&RoutineKind> {
-        self.routines.get(routine).map(|r| &r.kind)
+    pub fn kind(&self, routine: RoutineId) -> Option<&RoutineKind> {
+        self.routines.get(routine.index()).map(|r| &r.kind)
     }
 
-    /// The module a routine stands in; none (`usize::MAX`) where there is no such routine.
-    pub fn module_of(&self, routine: usize) -> usize {
-        self.routines.get(routine).map_or(usize::MAX, |r| r.module)
+    /// The module a routine stands in; `None` where there is no such routine.
+    pub fn module_of(&self, routine: RoutineId) -> Option<ModuleId> {
+        self.routines.get(routine.index()).map(|r| r.module)
     }
 
     /// The executable form of a routine, made when it is first asked for.
-    pub fn code(&self, routine: usize) -> Option<Rc<Code>> {
-        let routine = self.routines.get(routine)?;
+    pub fn code(&self, routine: RoutineId) -> Option<Rc<Code>> {
+        let routine = self.routines.get(routine.index())?;
         if let Some(code) = routine.code.get() {
             return Some(code.clone());
         }
-        let module = self.modules.get(routine.module)?;
+        let module = self.modules.get(routine.module.index())?;
         let code = Rc::new(compile::routine(&module.file, module.routine(routine.at)?));
         Some(routine.code.get_or_init(|| code).clone())
     }
 
     /// Whether a routine is a function.
-    pub fn is_function(&self, routine: usize) -> bool {
+    pub fn is_function(&self, routine: RoutineId) -> bool {
         matches!(self.kind(routine), Some(RoutineKind::Func(_)))
     }
 
     /// Where a range of a module stands, for messages.
-    pub fn source_line(&self, module: usize, range: TextRange) -> SourceLine {
-        match self.modules.get(module) {
+    pub fn source_line(&self, module: ModuleId, range: TextRange) -> SourceLine {
+        match self.modules.get(module.index()) {
             Some(m) => SourceLine { file: m.file.path.clone(), line: m.file.line(range) },
             None => SourceLine::default(),
         }
@@ -201,9 +202,9 @@ impl LoadedProgram {
         index: usize,
         module: &tree::Module,
         dynamic: Option<&str>,
-    ) -> Result<usize, String> {
+    ) -> Result<ModuleId, String> {
         self.changes += 1;
-        let id = self.modules.len();
+        let id = ModuleId::new(self.modules.len());
         let name = latin1(file, module.name);
         if self.modules.iter().any(|m| m.loaded && m.name.eq_ignore_ascii_case(&name)) {
             return Err(format!("a module {name} is loaded already"));
@@ -230,7 +231,7 @@ impl LoadedProgram {
         Ok(id)
     }
 
-    fn declare_type(&mut self, id: usize, file: &SourceFile, item: &ModuleItem) {
+    fn declare_type(&mut self, id: ModuleId, file: &SourceFile, item: &ModuleItem) {
         let (name, scope, ty) = match item {
             ModuleItem::Record(r) => {
                 let name = lower_case_name(file, r.name);
@@ -238,19 +239,22 @@ impl LoadedProgram {
                     .components
                     .iter()
                     .map(|(ty, field)| {
-                        (lower_case_name(file, *field), self.type_named(id, &lower_case_name(file, *ty)))
+                        (
+                            lower_case_name(file, *field),
+                            self.type_named(Some(id), &lower_case_name(file, *ty)),
+                        )
                     })
                     .collect();
                 (name.clone(), r.scope, Type::Record(Rc::new(RecordType { name, fields })))
             }
             ModuleItem::Alias(a) => {
-                let ty = self.type_named(id, &lower_case_name(file, a.type_name));
+                let ty = self.type_named(Some(id), &lower_case_name(file, a.type_name));
                 (lower_case_name(file, a.name), a.scope, ty)
             }
             _ => return,
         };
         if scope == Scope::Local {
-            if let Some(m) = self.modules.get_mut(id) {
+            if let Some(m) = self.modules.get_mut(id.index()) {
                 m.types.insert(name, ty);
             }
         } else {
@@ -260,7 +264,7 @@ impl LoadedProgram {
 
     fn declare(
         &mut self,
-        id: usize,
+        id: ModuleId,
         file: &SourceFile,
         at: (usize, usize),
         item: &ModuleItem,
@@ -273,7 +277,7 @@ impl LoadedProgram {
         let (name, spelt) = (lower_case_name(file, range), latin1(file, range));
         let global = scope != Scope::Local;
         let clash = |what: &str| Err(format!("{spelt} is declared twice ({what})"));
-        let Some(module) = self.modules.get(id) else { return Ok(()) };
+        let Some(module) = self.modules.get(id.index()) else { return Ok(()) };
         if module.data.contains_key(&name) || module.routines.contains_key(&name) {
             return clash("in one module");
         }
@@ -282,20 +286,21 @@ impl LoadedProgram {
         }
         match item {
             ModuleItem::Data(d) => {
-                let ty = self.type_named(id, &lower_case_name(file, d.type_name)).array_of(d.dims.len());
+                let ty =
+                    self.type_named(Some(id), &lower_case_name(file, d.type_name)).array_of(d.dims.len());
                 let datum = self.data.len();
                 let origin = DatumOrigin::Module { module: id, at };
                 self.data.push(Datum { name: spelt.into(), kind: d.kind, ty, origin });
                 if global {
                     self.global_data.insert(name.clone(), datum);
                 }
-                if let Some(m) = self.modules.get_mut(id) {
+                if let Some(m) = self.modules.get_mut(id.index()) {
                     m.data.insert(name, datum);
                 }
             }
             ModuleItem::Routine(r) => {
                 let kind = self.routine_kind(id, file, r);
-                let routine = self.routines.len();
+                let routine = RoutineId::new(self.routines.len());
                 self.routines.push(Routine {
                     module: id,
                     name: spelt.into(),
@@ -306,7 +311,7 @@ impl LoadedProgram {
                 if global {
                     self.global_routines.insert(name.clone(), routine);
                 }
-                if let Some(m) = self.modules.get_mut(id) {
+                if let Some(m) = self.modules.get_mut(id.index()) {
                     m.routines.insert(name, routine);
                 }
             }
@@ -315,18 +320,18 @@ impl LoadedProgram {
         Ok(())
     }
 
-    fn routine_kind(&self, id: usize, file: &SourceFile, routine: &tree::Routine) -> RoutineKind {
+    fn routine_kind(&self, id: ModuleId, file: &SourceFile, routine: &tree::Routine) -> RoutineKind {
         match routine.kind {
             tree::RoutineKind::Proc => RoutineKind::Proc,
-            tree::RoutineKind::Func(ty) => RoutineKind::Func(self.type_named(id, &lower_case_name(file, ty))),
+            tree::RoutineKind::Func(ty) => RoutineKind::Func(self.type_named(Some(id), &lower_case_name(file, ty))),
             tree::RoutineKind::Trap => RoutineKind::Trap,
         }
     }
 
     /// Take a module out of memory; the data whose values are lost with it.
-    pub fn unload(&mut self, id: usize) -> Vec<usize> {
+    pub fn unload(&mut self, id: ModuleId) -> Vec<usize> {
         self.changes += 1;
-        let Some(module) = self.modules.get_mut(id) else { return Vec::new() };
+        let Some(module) = self.modules.get_mut(id.index()) else { return Vec::new() };
         module.loaded = false;
         let data = std::mem::take(&mut module.data);
         let routines = std::mem::take(&mut module.routines);
@@ -339,23 +344,28 @@ impl LoadedProgram {
     pub fn unload_dynamic(&mut self) -> Vec<usize> {
         let is_dynamic = |m: &Module| m.loaded && m.dynamic.is_some();
         let ids: Vec<usize> = (0..self.modules.len()).filter(|&id| is_dynamic(&self.modules[id])).collect();
-        ids.into_iter().flat_map(|id| self.unload(id)).collect()
+        ids.into_iter().map(ModuleId::new).flat_map(|id| self.unload(id)).collect()
     }
 
-    /// The type a name means in a module; an unknown one is kept by its name.
-    pub fn type_named(&self, module: usize, name: &str) -> Type {
-        let local = self.modules.get(module).and_then(|m| m.types.get(name));
+    /// A module by its number; without one, none.
+    fn module(&self, id: Option<ModuleId>) -> Option<&Module> {
+        self.modules.get(id?.index())
+    }
+
+    /// The type a name means in a module, or outside of all; an unknown one is kept by its name.
+    pub fn type_named(&self, module: Option<ModuleId>, name: &str) -> Type {
+        let local = self.module(module).and_then(|m| m.types.get(name));
         local.or_else(|| self.global_types.get(name)).cloned().unwrap_or_else(|| Type::Other(name.into()))
     }
 
-    /// Data a name means in a module.
-    pub fn datum(&self, module: usize, name: &str) -> Option<usize> {
-        let local = self.modules.get(module).and_then(|m| m.data.get(name));
+    /// Data a name means in a module, or outside of all.
+    pub fn datum(&self, module: Option<ModuleId>, name: &str) -> Option<usize> {
+        let local = self.module(module).and_then(|m| m.data.get(name));
         local.or_else(|| self.global_data.get(name)).copied()
     }
 
     /// The same for a name in a routine, which is looked up once for as long as no module comes or goes.
-    pub fn named_datum(&self, module: usize, named: &NameRef) -> Option<usize> {
+    pub fn named_datum(&self, module: Option<ModuleId>, named: &NameRef) -> Option<usize> {
         match named.found.get() {
             Some(found) if found.module == module && found.changes == self.changes => found.datum,
             _ => {
@@ -366,13 +376,13 @@ impl LoadedProgram {
         }
     }
 
-    /// The routine a name means in a module; `MODULE:ROUTINE` names one of another module.
-    pub fn routine(&self, module: usize, name: &str) -> Option<usize> {
+    /// The routine a name means in a module, or outside of all; `MODULE:ROUTINE` names one of another module.
+    pub fn routine(&self, module: Option<ModuleId>, name: &str) -> Option<RoutineId> {
         if let Some((module, name)) = name.split_once(':') {
             let home = self.modules.iter().find(|m| m.loaded && m.name.eq_ignore_ascii_case(module))?;
             return home.routines.get(name).copied();
         }
-        let local = self.modules.get(module).and_then(|m| m.routines.get(name));
+        let local = self.module(module).and_then(|m| m.routines.get(name));
         local.or_else(|| self.global_routines.get(name)).copied()
     }
 
@@ -384,8 +394,8 @@ impl LoadedProgram {
     }
 
     /// The same for a routine.
-    pub fn routine_anywhere(&self, name: &str) -> Option<usize> {
+    pub fn routine_anywhere(&self, name: &str) -> Option<RoutineId> {
         let in_some_module = || self.modules.iter().filter(|m| m.loaded).find_map(|m| m.routines.get(name));
-        self.routine(usize::MAX, name).or_else(|| in_some_module().copied())
+        self.routine(None, name).or_else(|| in_some_module().copied())
     }
 }

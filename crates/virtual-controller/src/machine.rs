@@ -11,6 +11,7 @@ mod stack;
 
 pub(super) use data::{Access, DataRef, DataRoot, DataState, DataValues, Selector};
 pub(super) use interrupts::Interrupts;
+pub use limits::StepLimit;
 pub(super) use limits::{LimitReached, RunLimits};
 pub(super) use log::Log;
 pub(super) use outside::{Disk, Signals};

@@ -1,7 +1,7 @@
 //! How programs end that would not: steps, calls and moves without end, loops that wait in vain, passes of the outermost loop.
 
 use super::controller;
-use virtual_controller::{Controller, Outcome};
+use virtual_controller::{Controller, Outcome, StepLimit};
 #[test]
 fn hostile_programs_come_to_an_end() {
     let mut c = controller(
@@ -15,7 +15,7 @@ fn hostile_programs_come_to_an_end() {
          PROC outside()\nVAR num v{3};\nn:=v{4};\nENDPROC\n\
          PROC typed()\nn:=\"text\";\nENDPROC\nENDMODULE",
     );
-    c.step_limit = 100_000;
+    c.step_limit = StepLimit::new(100_000);
     assert_eq!(c.call("forever", 7).unwrap(), Outcome::Passes);
     assert_eq!(c.number("n").unwrap(), 7.0);
     assert!(matches!(c.call("spin", 1).unwrap(), Outcome::OutOfSteps { moving: true, .. }));
@@ -33,7 +33,7 @@ fn a_loop_of_moves_that_never_ends_is_cut_off_early() {
     let text = "MODULE M\nVAR num n;\nPROC main()\nWHILE n>=0 DO\nn:=n+1;\n\
                 MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\nENDWHILE\nENDPROC\nENDMODULE";
     c.load("m.mod", text.as_bytes()).unwrap();
-    c.step_limit = 100_000;
+    c.step_limit = StepLimit::new(100_000);
     assert!(matches!(c.call("main", 1).unwrap(), Outcome::OutOfSteps { moving: true, .. }));
     let moves = c.arm_mut().unwrap().take_moves().len();
     assert!((1_000..3_000).contains(&moves), "{moves}");

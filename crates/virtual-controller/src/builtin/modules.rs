@@ -1,6 +1,7 @@
 //! Modules loaded and unloaded while the program runs.
 
 use super::parameter::{Data, Function, Instruction, Parameter, Unevaluated, function, instruction, string};
+use crate::ids::ModuleId;
 use crate::interpreter::{Args, Interpreter};
 use crate::machine::Disk;
 use crate::outcome::{Fault, fatal, raise};
@@ -87,8 +88,8 @@ fn load(vm: &mut Interpreter<'_>, file: &str) -> Result<(), Fault> {
 fn unload(vm: &mut Interpreter<'_>, file: &str) -> Result<(), Fault> {
     let is_of_file =
         |(_, m): &(usize, &crate::loaded::Module)| m.loaded && m.dynamic.as_deref() == Some(file);
-    let loaded: Vec<usize> =
-        vm.program.modules.iter().enumerate().filter(is_of_file).map(|(id, _)| id).collect();
+    let loaded: Vec<ModuleId> =
+        vm.program.modules.iter().enumerate().filter(is_of_file).map(|(id, _)| ModuleId::new(id)).collect();
     if loaded.is_empty() || vm.machine.stack.frames.iter().any(|f| loaded.contains(&f.module)) {
         return raise("err_unload", format!("{file} cannot be unloaded: not loaded, or in execution"));
     }

@@ -6,6 +6,7 @@ use super::tools::{setup, setup_of, tool_and_object};
 use crate::arm::{ControllerArm, Move, SolvedMove, SpeedOverride};
 use crate::code::{Arg, Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
+use crate::ids::ModuleId;
 use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
 use crate::path::PathKind;
@@ -264,10 +265,11 @@ fn solve(
 
 /// The routine that a move counts as one of: for a module that the program loaded, the one that called it.
 fn routine_in_work(vm: &Interpreter<'_>) -> String {
-    let is_dynamic = |module: usize| vm.program.modules.get(module).is_some_and(|m| m.dynamic.is_some());
+    let is_dynamic =
+        |module: ModuleId| vm.program.modules.get(module.index()).is_some_and(|m| m.dynamic.is_some());
     let frames = &vm.machine.stack.frames;
     let frame = frames.iter().rev().find(|f| !is_dynamic(f.module)).or(frames.last());
-    let routine = frame.and_then(|f| vm.program.routines.get(f.routine));
+    let routine = frame.and_then(|f| vm.program.routines.get(f.routine.index()));
     routine.map_or_else(String::new, |r| r.name.to_string())
 }
 

@@ -2,6 +2,7 @@
 
 use super::Interpreter;
 use crate::code::{Call, Expr, ExprKind, Name, Param};
+use crate::ids::RoutineId;
 use crate::loaded::RoutineKind;
 use crate::machine::{Access, Binding, DataRef, Slot};
 use crate::outcome::{Fault, fatal, raise};
@@ -44,7 +45,7 @@ impl Interpreter<'_> {
     }
 
     /// The slots of a routine's parameters for a call.
-    pub fn bind(&mut self, routine: usize, call: &Call) -> Result<Vec<Slot>, Fault> {
+    pub fn bind(&mut self, routine: RoutineId, call: &Call) -> Result<Vec<Slot>, Fault> {
         let code = self.code(routine)?;
         let module = self.program.module_of(routine);
         let args = self.args("", call);

@@ -189,7 +189,7 @@ impl Interpreter<'_> {
                 None => fatal("data without value"),
             };
         };
-        let Some(m) = self.program.modules.get(module) else { return fatal("no such module") };
+        let Some(m) = self.program.modules.get(module.index()) else { return fatal("no such module") };
         let file = m.file.clone();
         let Some(decl) = m.data_decl(at) else { return fatal("no such declaration") };
         let dims: Vec<Expr> = decl.dims.iter().map(|e| compile::constant(&file, e)).collect();
@@ -235,7 +235,7 @@ impl Interpreter<'_> {
         }
         let DatumOrigin::Module { module, at } = datum.origin else { return Ok(None) };
         let mut ty = datum.ty.clone();
-        let Some(m) = self.program.modules.get(module) else { return Ok(None) };
+        let Some(m) = self.program.modules.get(module.index()) else { return Ok(None) };
         let file = m.file.clone();
         let Some(init) = m.data_decl(at).and_then(|d| d.init.as_ref()) else { return Ok(None) };
         if self.machine.data.keep_constant(init.range.len()) {

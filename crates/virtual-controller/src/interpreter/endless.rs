@@ -2,6 +2,7 @@
 
 use super::Interpreter;
 use crate::code::{Arg, CompiledCall, CompiledExits, Expr, ExprKind, Instruction, NameRef, Op};
+use crate::ids::{ModuleId, RoutineId};
 use crate::machine::{Access, DataRef, ExitConditions};
 use crate::outcome::{Fault, Outcome, SourceLine};
 use crate::predefined;
@@ -30,14 +31,14 @@ pub(super) enum LoopProgress {
 }
 
 /// Operands of a loop's exit conditions, as they are collected.
-struct ExitSearch {
-    operands: Vec<(Option<usize>, Expr)>,
+struct ExitOperandSearch {
+    operands: Vec<(Option<ModuleId>, Expr)>,
     /// Of routines that were looked at: whether they leave what calls them.
-    leaving: BTreeMap<usize, bool>,
+    leaving: BTreeMap<RoutineId, bool>,
 }
 
-impl ExitSearch {
-    fn ask(&mut self, expressions: &[Expr], of: Option<usize>) {
+impl ExitOperandSearch {
+    fn ask(&mut self, expressions: &[Expr], of: Option<ModuleId>) {
         let mut found = Vec::new();
         expressions.iter().for_each(|expr| leaves(expr, &mut found));
         // Locals of a routine that is not in execution have no value yet.
@@ -98,7 +99,7 @@ impl Interpreter<'_> {
 
     /// The conditions on which the loop that begins here is left from inside, by itself or by what it calls.
     pub(super) fn exit_conditions(&mut self, exits: &CompiledExits) -> ExitConditions {
-        let mut search = ExitSearch { operands: Vec::new(), leaving: BTreeMap::new() };
+        let mut search = ExitOperandSearch { operands: Vec::new(), leaving: BTreeMap::new() };
         self.collect_exit_operands(exits, (self.machine.stack.scope.0, None), &mut search);
         let operands: Rc<[_]> = search.operands.into();
         let values = self.operand_values(&operands);
@@ -110,8 +111,8 @@ impl Interpreter<'_> {
     fn collect_exit_operands(
         &self,
         exits: &CompiledExits,
-        (module, of): (usize, Option<usize>),
-        search: &mut ExitSearch,
+        (module, of): (Option<ModuleId>, Option<ModuleId>),
+        search: &mut ExitOperandSearch,
     ) -> bool {
         search.ask(&exits.exit_conditions, of);
         let mut leaves = exits.leaves;
@@ -121,8 +122,8 @@ impl Interpreter<'_> {
             let callee_leaves = known.unwrap_or_else(|| {
                 search.leaving.insert(callee, false); // a circle of calls adds nothing
                 let Some(code) = self.program.code(callee) else { return false };
-                let home = self.program.module_of(callee);
-                let leaves = self.collect_exit_operands(&code.exits, (home, Some(home)), search);
+                let Some(home) = self.program.module_of(callee) else { return false };
+                let leaves = self.collect_exit_operands(&code.exits, (Some(home), Some(home)), search);
                 search.leaving.insert(callee, leaves);
                 leaves
             });
@@ -135,8 +136,8 @@ impl Interpreter<'_> {
     }
 
     /// The present values of operands.
-    fn operand_values(&mut self, operands: &[(Option<usize>, Expr)]) -> Vec<Option<Value>> {
-        let one = |(module, leaf): &(Option<usize>, Expr)| match module {
+    fn operand_values(&mut self, operands: &[(Option<ModuleId>, Expr)]) -> Vec<Option<Value>> {
+        let one = |(module, leaf): &(Option<ModuleId>, Expr)| match module {
             None => self.present(leaf),
             Some(module) => self.in_module(*module, |c| c.present(leaf)),
         };

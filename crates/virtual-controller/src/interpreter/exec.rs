@@ -3,6 +3,7 @@
 use super::Interpreter;
 use super::endless::LoopProgress;
 use crate::code::{Call, Callee, Code, Expr, Op};
+use crate::ids::RoutineId;
 use crate::loaded::RoutineKind;
 use crate::machine::{Binding, Frame, LimitReached, Slot};
 use crate::outcome::{Fault, Outcome, fatal, raise};
@@ -210,12 +211,12 @@ impl Interpreter<'_> {
     }
 
     /// Put a routine with its slots on the stack and evaluate its declarations.
-    pub fn enter(&mut self, routine: usize, slots: Vec<Slot>, trap: bool) -> Result<(), Fault> {
+    pub fn enter(&mut self, routine: RoutineId, slots: Vec<Slot>, trap: bool) -> Result<(), Fault> {
         if self.machine.stack.frames.len() >= 500 {
             return fatal("the chain of calls is too deep");
         }
         let code = self.code(routine)?;
-        let module = self.program.module_of(routine);
+        let Some(module) = self.program.module_of(routine) else { return fatal("no such routine") };
         let base = self.machine.stack.slots.len();
         self.machine.stack.slots.extend(slots);
         self.machine.stack.slots.resize_with(base + code.slots, || Slot::local(Type::Num));
@@ -233,9 +234,9 @@ impl Interpreter<'_> {
             exit_conditions: BTreeMap::new(),
             polls: BTreeMap::new(),
         });
-        self.machine.stack.scope = (module, base);
+        self.machine.stack.scope = (Some(module), base);
         for decl in &code.decls {
-            let ty = self.program.type_named(module, &decl.type_name).array_of(decl.dims.len());
+            let ty = self.program.type_named(Some(module), &decl.type_name).array_of(decl.dims.len());
             let value = self.declared_value("a local", &ty, &decl.dims, decl.init.as_ref())?;
             if let Some(slot) = self.machine.stack.slots.get_mut(base + decl.slot) {
                 slot.constant = decl.kind == DataKind::Const;
@@ -247,7 +248,7 @@ impl Interpreter<'_> {
     }
 
     /// The executable form of a routine, made when it is first called.
-    pub fn code(&self, routine: usize) -> Result<Rc<Code>, Fault> {
+    pub fn code(&self, routine: RoutineId) -> Result<Rc<Code>, Fault> {
         match self.program.code(routine) {
             Some(code) => Ok(code),
             None => fatal("no such routine"),
@@ -343,7 +344,7 @@ impl Interpreter<'_> {
     }
 
     /// Call a function of the program in an expression.
-    pub fn run_function(&mut self, routine: usize, slots: Vec<Slot>) -> Result<Value, Fault> {
+    pub fn run_function(&mut self, routine: RoutineId, slots: Vec<Slot>) -> Result<Value, Fault> {
         let base = self.machine.stack.frames.len();
         let functions =
             self.machine.stack.frames.iter().filter(|f| self.program.is_function(f.routine)).count();

@@ -1,13 +1,14 @@
 //! Runs that are started from the outside, and how they end.
 
 use super::Interpreter;
+use crate::ids::RoutineId;
 use crate::machine::StackMark;
 use crate::outcome::{Fault, Outcome};
 use crate::predefined;
 
 impl Interpreter<'_> {
     /// Runs a routine without arguments to its end.
-    pub fn run_routine(&mut self, routine: usize) -> Outcome {
+    pub fn run_routine(&mut self, routine: RoutineId) -> Outcome {
         let bottom = self.machine.stack.mark();
         self.machine.meter.is_on = self.program.is_function(routine);
         let result = self

@@ -1,11 +1,13 @@
 //! Interrupts: which trap runs when.
 
+use crate::ids::RoutineId;
+
 /// An interrupt that is connected to a trap.
 #[derive(Debug)]
 pub(crate) struct Interrupt {
     pub number: f32,
     /// The routine to run.
-    pub trap: usize,
+    pub trap: RoutineId,
     /// Period and next time in steady seconds, for a timer.
     pub timer: Option<(f64, f64)>,
     pub single: bool,
@@ -27,12 +29,12 @@ impl Interrupts {
     }
 
     /// Connects a trap to an interrupt.
-    pub fn connect(&mut self, number: f32, trap: usize) {
+    pub fn connect(&mut self, number: f32, trap: RoutineId) {
         self.list.push(Interrupt { number, trap, timer: None, single: false, asleep: false });
     }
 
     /// The trap of an interrupt that is due at `now_s` of the steady clock; its timer is set on.
-    pub fn take_due(&mut self, now_s: f64) -> Option<usize> {
+    pub fn take_due(&mut self, now_s: f64) -> Option<RoutineId> {
         let due = |i: &&mut Interrupt| !i.asleep && i.timer.is_some_and(|(_, at_s)| at_s <= now_s);
         let interrupt = self.list.iter_mut().find(due)?;
         interrupt.timer = match interrupt.timer {

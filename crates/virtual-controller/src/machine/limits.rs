@@ -15,13 +15,19 @@ pub(crate) enum LimitReached {
     Moves,
 }
 
-/// How many steps a call may still take before it counts as endless.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct StepLimit(u64);
+/// How many steps a call may take, or may still take, before it counts as endless.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StepLimit(u64);
 
 impl StepLimit {
+    /// A limit of so many steps.
+    #[must_use]
+    pub const fn new(steps: u64) -> Self {
+        Self(steps)
+    }
+
     /// Takes steps that are no statements of their own; as many as there are left.
-    pub fn spend(&mut self, steps: u64) {
+    pub(crate) fn spend(&mut self, steps: u64) {
         self.0 = self.0.saturating_sub(steps);
     }
 }
@@ -48,8 +54,8 @@ impl Default for RunLimits {
 
 impl RunLimits {
     /// A run begins that may take so many steps.
-    pub fn begin(&mut self, steps: u64) {
-        (self.steps, self.idle) = (StepLimit(steps), 0);
+    pub fn begin(&mut self, steps: StepLimit) {
+        (self.steps, self.idle) = (steps, 0);
     }
 
     /// One step more; `outermost` where the program itself goes on, not a function inside of an expression.

@@ -3,6 +3,7 @@
 use super::DataRef;
 use crate::code::{Code, Expr, Name};
 use crate::effort::Effort;
+use crate::ids::{ModuleId, RoutineId};
 use crate::value::{Type, Value};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -36,8 +37,8 @@ pub(crate) enum Binding {
 /// A routine in execution.
 #[derive(Debug)]
 pub(crate) struct Frame {
-    pub routine: usize,
-    pub module: usize,
+    pub routine: RoutineId,
+    pub module: ModuleId,
     pub code: Rc<Code>,
     pub base: usize,
     pub pc: usize,
@@ -60,7 +61,7 @@ pub(crate) struct Frame {
 #[derive(Debug)]
 pub(crate) struct ExitConditions {
     /// The names that it hangs on, each with the module in which it is looked up; `None`: in the loop's own routine.
-    pub operands: Rc<[(Option<usize>, Expr)]>,
+    pub operands: Rc<[(Option<ModuleId>, Expr)]>,
     /// Their values when the present pass began; `None` where that takes work to find out.
     pub values: Vec<Option<Value>>,
 }
@@ -85,8 +86,8 @@ pub(crate) struct WaitLoop {
 pub(crate) struct CallStack {
     pub frames: Vec<Frame>,
     pub slots: Vec<Slot>,
-    /// Module and first slot that names are looked up in.
-    pub scope: (usize, usize),
+    /// Module and first slot that names are looked up in; without a module those of the controller alone.
+    pub scope: (Option<ModuleId>, usize),
     /// What the function that ended last gave.
     pub returned: Option<Value>,
     /// Expressions and function calls in evaluation inside one another.
@@ -94,7 +95,7 @@ pub(crate) struct CallStack {
 }
 
 /// No module, no slot: names of the controller alone.
-const OUTSIDE: (usize, usize) = (usize::MAX, 0);
+const OUTSIDE: (Option<ModuleId>, usize) = (None, 0);
 
 impl Default for CallStack {
     fn default() -> Self {
@@ -107,7 +108,7 @@ impl Default for CallStack {
 pub(crate) struct StackMark {
     pub frames: usize,
     slots: usize,
-    scope: (usize, usize),
+    scope: (Option<ModuleId>, usize),
 }
 
 impl StackMark {
@@ -169,7 +170,7 @@ impl CallStack {
         if let Some(frame) = &frame {
             self.slots.truncate(frame.base);
         }
-        self.scope = self.frames.last().map_or(OUTSIDE, |f| (f.module, f.base));
+        self.scope = self.frames.last().map_or(OUTSIDE, |f| (Some(f.module), f.base));
         frame
     }
 }
