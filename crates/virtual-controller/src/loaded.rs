@@ -323,7 +323,9 @@ impl LoadedProgram {
     fn routine_kind(&self, id: ModuleId, file: &SourceFile, routine: &tree::Routine) -> RoutineKind {
         match routine.kind {
             tree::RoutineKind::Proc => RoutineKind::Proc,
-            tree::RoutineKind::Func(ty) => RoutineKind::Func(self.type_named(Some(id), &lower_case_name(file, ty))),
+            tree::RoutineKind::Func(ty) => {
+                RoutineKind::Func(self.type_named(Some(id), &lower_case_name(file, ty)))
+            }
             tree::RoutineKind::Trap => RoutineKind::Trap,
         }
     }

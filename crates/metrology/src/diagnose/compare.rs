@@ -137,9 +137,9 @@ pub fn compare_measurements(
 
     let sigma_m = noise_m(&old, &new, options, &pairs);
     let differences = as_measurements(&pairs, &shown, before);
-    let told =
+    let diagnosis_options =
         DiagnosisOptions { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
-    let diagnosis = diagnose(&differences, robot, &told);
+    let diagnosis = diagnose(&differences, robot, &diagnosis_options);
     let tools_moved_m: Vec<(Vector3<f64>, f64)> =
         fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
     // The same readings twice have no noise against which anything could be told.

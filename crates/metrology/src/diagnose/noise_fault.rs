@@ -48,11 +48,11 @@ pub(super) fn noise_beyond_stated(
     let column = one_coordinate(linear, kept().map(|i| &model.residuals[i])).map(str::to_owned);
     let of_joint = || judgement.location.joint.map(|joint| robot.column(joint));
     let column = column.or_else(of_joint).unwrap_or_else(|| AXES.join(", "));
-    let said =
+    let source =
         if model.noise.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };
     Some(Fault::in_rows(FaultKind::NoiseBeyondStated, &column, lines, |count, which| {
         format!(
-            "{said} {:.3} mm in one coordinate, but about the best model the points scatter by {:.3} mm, and nothing recorded \
+            "{source} {:.3} mm in one coordinate, but about the best model the points scatter by {:.3} mm, and nothing recorded \
              explains it: {count} rows ({which}) are more than {:.2} mm off; look at {column}",
             mm_from_m(known_m),
             mm_from_m(noise_m),

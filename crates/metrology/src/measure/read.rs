@@ -280,9 +280,9 @@ mod tests {
         let m =
             read(&format!("{HEADER}\n0,0,0,0,0,0,1,,3\n0,0,NaN,0,0,0,1,2,3\n0,0,0,0,0,0,1,2,3\n")).unwrap();
         assert_eq!(m.rows.iter().map(|row| row.line).collect::<Vec<u64>>(), [4]);
-        let said: Vec<&str> = m.warnings.iter().map(|w| w.message.as_str()).collect();
+        let messages: Vec<&str> = m.warnings.iter().map(|w| w.message.as_str()).collect();
         assert_eq!(
-            said,
+            messages,
             [
                 "column q3_deg is empty or no number in 1 rows: lines 3",
                 "column y_mm is empty or no number in 1 rows: lines 2",

@@ -9,7 +9,7 @@ use thiserror::Error;
 /// What is to be measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanOptions {
-    /// The measured point in the flange's frame.
+    /// The measured point in the flange's frame, metres.
     pub tool_m: Vector3<f64>,
     /// Measurements of poses, repeats among them.
     pub n: usize,
@@ -21,9 +21,9 @@ pub struct PlanOptions {
     pub payloads_kg: Vec<f64>,
     /// Nests on the base, looked at every ten poses.
     pub nests: usize,
-    /// Expected noise of one coordinate.
+    /// Expected noise of one coordinate, one sigma, metres.
     pub sigma_m: f64,
-    /// Time that one measurement takes.
+    /// Time that one measurement takes, minutes.
     pub each_min: f64,
     /// Where the robot may go.
     pub space: Space,

@@ -15,7 +15,7 @@ pub(super) const AT_ONE_GO: usize = 256;
 
 /// Some motions of a program, one after the other.
 #[derive(Default)]
-pub(super) struct Ahead {
+pub(super) struct Lookahead {
     first: usize,
     targets: Vec<Option<PlacedTarget>>,
 }
@@ -28,7 +28,7 @@ pub(super) struct PlacedTarget {
     q_rad: Option<[f64; 6]>,
 }
 
-impl Ahead {
+impl Lookahead {
     /// The targets of `motions`, the first of which has this number; `last` is the last placement seen, which most of them share.
     pub(super) fn new(
         first: usize,

@@ -3,7 +3,7 @@
 
 use super::messages::span_of;
 use super::model::Model;
-use super::placement::keep;
+use super::placement::skip;
 use crate::program::data::ConfData;
 use crate::program::motion::{Motion, Path, SkipReason};
 use nalgebra::Isometry3;
@@ -110,9 +110,9 @@ pub(super) fn branch_of(
     if solutions.is_empty() {
         let anywhere = model.closed.branches(base_from_flange).iter().any(Option::is_some);
         return Err(if anywhere {
-            keep("reach::range", "its target is reached only outside the joints' ranges")
+            skip("reach::range", "its target is reached only outside the joints' ranges")
         } else {
-            keep("reach::none", "its target is out of the arm's reach")
+            skip("reach::none", "its target is out of the arm's reach")
         });
     }
     let candidates = Candidates { solutions: &solutions, conf, model };
@@ -275,7 +275,7 @@ impl Candidates<'_> {
 
     fn no_such(&self) -> SkipReason {
         let ConfData { cf1, cf4, cf6, cfx } = *self.conf;
-        keep(
+        skip(
             "keep::configuration",
             format!(
                 "no solution has its configuration [{cf1},{cf4},{cf6},{cfx}], and nothing says which is meant"

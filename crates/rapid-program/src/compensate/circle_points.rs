@@ -4,10 +4,10 @@
 //! point only tells which way it turns, and is not reached (ABB, Technical reference manual RAPID Instructions, MoveC): the
 //! correction there is that of the orientation which the arm has.
 
+use super::back_edges::predecessors;
 use super::model::Model;
 use super::resolved::{CirclePoint, Point, Resolved};
 use super::track::Track;
-use super::ways_back::before;
 use crate::program::Program;
 use crate::program::motion::{MotionId, Path, Target};
 use nalgebra::UnitQuaternion;
@@ -40,7 +40,7 @@ fn circle_point(
         return None;
     }
     let anywhere = motion.from_start || program.also_anywhere.contains(&MotionId::new(i));
-    let starts: Option<Vec<Point<'_>>> = before(program, i)
+    let starts: Option<Vec<Point<'_>>> = predecessors(program, i)
         .map(|before| resolved.get(before)?.end(program.motions.get(before)?, model))
         .collect();
     let starts = starts.filter(|starts| !anywhere && !starts.is_empty())?;

@@ -94,7 +94,7 @@ fn time_s(
     (motion, slowed): (&Motion, SpeedOverride),
     model: &Model<'_>,
 ) -> f64 {
-    let to: Vec<Point<'_>> = match resolved.kept() {
+    let to: Vec<Point<'_>> = match resolved.skip_reason() {
         None => resolved.points(motion, model).collect(),
         Some(_) => resolved.end(motion, model).into_iter().collect(),
     };

@@ -1,14 +1,14 @@
 //! One motion's correction: for each bucket, or each node of a time function, the deformed arm's joints, what they look
 //! like to the nominal controller, and whether that may be sent.
 
-use super::model::{Model, Warm};
+use super::model::{ArmsOverBuckets, Model};
 use super::options::Options;
-use super::placement::keep;
+use super::placement::skip;
 use super::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::Ramp;
 use super::resolved::Point;
-use super::warm_joints::{CommandedJoints, CommandedOrKept};
+use super::warm_joints::{CommandedJoints, CommandedOrSkipped};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
 use nalgebra::{Isometry3, Vector3};
@@ -35,15 +35,15 @@ pub(super) struct MotionCorrection {
 }
 
 /// The plan of a motion that stays as it is.
-pub(super) fn kept(why: Arc<SkipReason>) -> MotionCorrection {
-    MotionCorrection::without_figures(PlannedMotion::kept(why))
+pub(super) fn skipped(why: Arc<SkipReason>) -> MotionCorrection {
+    MotionCorrection::without_figures(PlannedMotion::skipped(why))
 }
 
 /// Corrects a motion's points for all buckets, or for all nodes of time functions; `warm[k][i]` is where point `i` is sent in
 /// bucket `k`, or why it is kept. What is left with time functions, [`add_errors_of_ramp`](super::ramp_errors::add_errors_of_ramp) says.
 pub(super) fn correct(
     (motion, points): (&Motion, &[Point]),
-    warm: &[&[CommandedOrKept]],
+    warm: &[&[CommandedOrSkipped]],
     at: &Moments,
     model: &Model,
     options: &Options,
@@ -64,7 +64,7 @@ pub(super) fn correct(
         let of_buckets = || warm.iter().filter_map(|of_bucket| of_bucket.get(i));
         let joints = match joints_per_bucket(point, of_buckets(), model) {
             Ok(joints) => joints,
-            Err(CorrectionFailure::Skip(why)) => return kept(Arc::new(why)),
+            Err(CorrectionFailure::Skip(why)) => return skipped(Arc::new(why)),
             Err(CorrectionFailure::Refuse(why)) => {
                 refusal.get_or_insert(why);
                 continue;
@@ -98,7 +98,7 @@ pub(super) fn correct(
 /// The moments for which corrections are made.
 pub(super) enum Moments {
     /// One for each bucket of a schedule.
-    Buckets(Warm),
+    Buckets(ArmsOverBuckets),
     /// The nodes of time functions.
     Nodes(Ramp),
 }
@@ -203,7 +203,7 @@ enum CorrectionFailure {
 /// The deformed arm's joints for each bucket.
 fn joints_per_bucket<'j>(
     point: &Point,
-    warm: impl Iterator<Item = &'j CommandedOrKept>,
+    warm: impl Iterator<Item = &'j CommandedOrSkipped>,
     model: &Model,
 ) -> Result<Vec<[f64; 6]>, CorrectionFailure> {
     let own = model.closed.configuration(&point.q_rad);
@@ -213,9 +213,9 @@ fn joints_per_bucket<'j>(
         let q_rad = sent.as_ref().map_err(|why| CorrectionFailure::Skip(why.clone()))?.q_rad;
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
-                refusal = Some(keep("reach::limit", format!("its correction hits a limit: {out}")));
+                refusal = Some(skip("reach::limit", format!("its correction hits a limit: {out}")));
             } else if model.closed.kept(&own, &q_rad) != own {
-                refusal = Some(keep(
+                refusal = Some(skip(
                     "refuse::configuration",
                     "its correction would change the arm's configuration",
                 ));
@@ -228,7 +228,7 @@ fn joints_per_bucket<'j>(
 
 fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<SkipReason> {
     if planned.max_correction_m > options.max_correction_m {
-        return Some(keep(
+        return Some(skip(
             "refuse::correction",
             format!(
                 "it would be moved by {:.4} mm, more than the {} mm allowed",
@@ -238,7 +238,7 @@ fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<SkipReason> {
         ));
     }
     (planned.max_correction_rad > options.max_correction_rad).then(|| {
-        keep(
+        skip(
             "refuse::correction",
             format!(
                 "it would be turned by {:.5} deg, more than the {} deg allowed",
@@ -274,7 +274,7 @@ impl MotionCorrection {
     }
 
     /// Distances over each bucket, before and after, and the steps between buckets.
-    fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &Warm) {
+    fn add_errors(&mut self, point: &Point, joints: &[[f64; 6]], warm: &ArmsOverBuckets) {
         let own = ArmsJoints::Same(&point.q_rad);
         let missed = |arms: &DeformedArms, q_rad: ArmsJoints<'_>| {
             let mut missed = Vec::with_capacity(joints.len());
@@ -288,7 +288,7 @@ impl MotionCorrection {
         let mut before_from = first.map_or(0.0, |from| point.miss_m(from, &point.q_rad).norm());
         let mut ended: Option<Vector3<f64>> = None;
         let missed = starts.into_iter().zip(ends).zip(before_ends);
-        let of_buckets = warm.bends.iter().zip(joints).zip(missed).zip(&mut self.error_m);
+        let of_buckets = warm.knots.iter().zip(joints).zip(missed).zip(&mut self.error_m);
         for (((bends, q_rad), ((start, end), before_end)), error_m) in of_buckets {
             if let Some(ended) = ended {
                 self.switch_jump_m = self.switch_jump_m.max((start - ended).norm());

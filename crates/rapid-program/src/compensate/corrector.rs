@@ -1,6 +1,6 @@
 //! Each motion's plan: its targets' corrections, solved once, in the form that it takes.
 
-use super::correct::{Moments, MotionCorrection, correct, kept};
+use super::correct::{Moments, MotionCorrection, correct, skipped};
 use super::figures::Tally;
 use super::follow_paths::follow_paths;
 use super::later_frames::later_error_m;
@@ -13,7 +13,7 @@ use super::quadrant_border::Crossing;
 use super::ramp_errors::add_errors_of_ramp;
 use super::resolved::{Point, Resolved};
 use super::shared_corrections::share_corrections;
-use super::warm_joints::{CommandedOrKept, sent_each};
+use super::warm_joints::{CommandedOrSkipped, commanded_joints_of_each};
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, SkipReason, Target};
@@ -77,12 +77,13 @@ impl Corrector<'_> {
             placed.map(|(motion, resolved)| resolved.points(motion, self.model).collect()).collect();
         let all: Vec<&Point<'_>> = points.iter().flatten().collect();
         let arms = self.at.arms().as_slice().iter();
-        let warm: Vec<Vec<CommandedOrKept>> = arms.map(|arm| sent_each(&all, arm, self.model)).collect();
+        let warm: Vec<Vec<CommandedOrSkipped>> =
+            arms.map(|arm| commanded_joints_of_each(&all, arm, self.model)).collect();
         let mut at = 0;
         let one = |((motion, resolved), points): ((&Motion, &Resolved), &Vec<Point<'_>>)| {
             let own = at..at + points.len();
             at = own.end;
-            let warm: Vec<&[CommandedOrKept]> =
+            let warm: Vec<&[CommandedOrSkipped]> =
                 warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()).collect();
             self.correct((motion, resolved), points, &warm)
         };
@@ -113,9 +114,9 @@ impl Corrector<'_> {
         &self,
         (motion, resolved): (&Motion, &Resolved),
         points: &[Point<'_>],
-        warm: &[&[CommandedOrKept]],
+        warm: &[&[CommandedOrSkipped]],
     ) -> MotionCorrection {
-        if let Some(why) = resolved.kept() {
+        if let Some(why) = resolved.skip_reason() {
             return self.at_run_time(motion, why);
         }
         // The model asked at run time takes values that the text does not hold, too: a point touched up, another module's. What is
@@ -135,10 +136,10 @@ impl Corrector<'_> {
     /// The plan of a motion that is not known well enough: what can be asked at run time is.
     fn at_run_time(&self, motion: &Motion, why: &Arc<SkipReason>) -> MotionCorrection {
         match self.asked_at_run_time(motion) {
-            _ if AS_ASKED.contains(&why.code) => kept(Arc::clone(why)),
+            _ if AS_ASKED.contains(&why.code) => skipped(Arc::clone(why)),
             Some(Ok(planned)) => MotionCorrection::without_figures(planned),
-            Some(Err(why)) => kept(Arc::new(why)),
-            None => kept(Arc::clone(why)),
+            Some(Err(why)) => skipped(Arc::new(why)),
+            None => skipped(Arc::clone(why)),
         }
     }
 

@@ -109,8 +109,8 @@ impl Drift for ProgramPoints<'_> {
         errors_m(self.model, self.some(targets), at_min, moments)
     }
 
-    fn bends_min(&self) -> &[f64] {
-        &self.model.bends_min
+    fn knots_min(&self) -> &[f64] {
+        &self.model.knots_min
     }
 }
 

@@ -69,7 +69,7 @@ pub enum JointsHintError {
         "joints hint: the header `{header}` has no column `{column}`; write file,line,q1_deg,...,q6_deg, or q1_deg,...,q6_deg with a row for each target in order"
     )]
     Header {
-        /// As the file has it.
+        /// The header line as it stands in the file.
         header: String,
         /// The column that the header lacks.
         column: &'static str,
@@ -295,18 +295,20 @@ mod tests {
         let [quarter, half] = [std::f64::consts::FRAC_PI_2, std::f64::consts::PI];
         assert_eq!(row.joints.q_rad, [-quarter, 0.0, 0.0, 0.0, 0.0, half]);
 
-        let said = |text: &str| JointsHint::read(text.as_bytes()).unwrap_err().to_string();
+        let error_text = |text: &str| JointsHint::read(text.as_bytes()).unwrap_err().to_string();
         let head = "file,line,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
-        assert_eq!(said(head), "joints hint, line 1: there are no rows");
+        assert_eq!(error_text(head), "joints hint, line 1: there are no rows");
         assert!(
-            said(&format!("{head}\na,1,0,0,0,0,0,0\na,2,0,0,nan,0,0,0\n")).contains("line 3: q3_deg: `nan`")
+            error_text(&format!("{head}\na,1,0,0,0,0,0,0\na,2,0,0,nan,0,0,0\n"))
+                .contains("line 3: q3_deg: `nan`")
         );
-        assert!(said(&format!("{head}\na,0,0,0,0,0,0,0\n")).contains("line 2: `0` is no line"));
-        assert!(said(&format!("{head}\na,1,0,0\n")).contains("line 2: 4 cells"));
-        assert!(said("file,line,q1_deg\n").contains("no column `q2_deg`"));
-        assert!(said("file,q1_deg\n").contains("no column `line`"));
+        assert!(error_text(&format!("{head}\na,0,0,0,0,0,0,0\n")).contains("line 2: `0` is no line"));
+        assert!(error_text(&format!("{head}\na,1,0,0\n")).contains("line 2: 4 cells"));
+        assert!(error_text("file,line,q1_deg\n").contains("no column `q2_deg`"));
+        assert!(error_text("file,q1_deg\n").contains("no column `line`"));
         assert!(
-            said("q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,,5,6\n").contains("line 2: q4_deg: ``")
+            error_text("q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\n1,2,3,,5,6\n")
+                .contains("line 2: q4_deg: ``")
         );
     }
 }

@@ -3,9 +3,9 @@
 
 use super::conditions;
 use super::model::Model;
-use super::placement::{Placement, keep};
+use super::placement::{Placement, skip};
 use super::resolved::{Point, Resolved};
-use super::settled_check::keep_where;
+use super::settled_check::skip_where;
 use super::warm_joints::warm_joints;
 use crate::program::Program;
 use crate::program::motion::{LaterFrames, Motion, SkipReason, Target, TargetValue};
@@ -16,13 +16,13 @@ use robot_model::units::mm_from_m;
 
 /// Leaves as they are the motions whose settled corrections with a later tool or work object are further than `tolerance_m`
 /// from those with the first.
-pub(super) fn keep_other_later_frames(
+pub(super) fn skip_other_later_frames(
     program: &Program,
     model: &Model<'_>,
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    keep_where(program, model, resolved, &|_, motion, resolved, settled| {
+    skip_where(program, model, resolved, &|_, motion, resolved, settled| {
         let apart = motion.setup.later_frames.iter().map(|later| {
             let apart_m = apart_m(motion, resolved, later, settled, model);
             (apart_m.map_or(f64::INFINITY, |[tcp_m, flange_m]| tcp_m.max(flange_m)), later)
@@ -114,5 +114,5 @@ fn why(motion: &Motion, later: &LaterFrames, apart_m: f64) -> SkipReason {
         "{} is used here before the program sets it: from the second pass on it may be what is set there, and {apart}",
         name.unwrap_or("its tool")
     );
-    SkipReason { because: Some(later.set_at), ..keep(code, reason) }
+    SkipReason { because: Some(later.set_at), ..skip(code, reason) }
 }

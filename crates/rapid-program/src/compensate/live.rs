@@ -3,7 +3,7 @@
 use super::live_basis::LiveBasis;
 use super::model::Model;
 use super::options::Options;
-use super::placement::keep;
+use super::placement::skip;
 use super::plan::{Form, PlannedMotion};
 use super::warm_joints::JOINT_CHANGE_DEG;
 use crate::program::Program;
@@ -42,7 +42,7 @@ pub(super) fn run_time(
                  asked",
                 own.unwrap_or_default()
             );
-            keep("keep::live-configuration", reason)
+            skip("keep::live-configuration", reason)
         })
     });
     Some(match why_not {
@@ -73,5 +73,5 @@ pub(super) fn form_of_known(
 fn of_controller(program: &Program, motion: &Motion) -> Option<SkipReason> {
     let path = &program.file(motion.file).path;
     let s4c = path.rsplit('.').next().is_some_and(|extension| extension.eq_ignore_ascii_case("prg"));
-    s4c.then(|| keep("keep::live-controller", "an S4C controller has no CalcJointT to ask at run time"))
+    s4c.then(|| skip("keep::live-controller", "an S4C controller has no CalcJointT to ask at run time"))
 }

@@ -1,6 +1,6 @@
 //! What a program that asks the deformed model at run time must hold.
 
-use super::placement::keep;
+use super::placement::skip;
 use crate::program::motion::SkipReason;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::FrameOffsets;
@@ -30,7 +30,7 @@ impl LiveBasis {
         let names = self.identified.as_ref().map(|model| model.beyond_run_time()).unwrap_or_default();
         (!names.is_empty()).then(|| {
             let names = names.join(", ");
-            keep(
+            skip(
                 "keep::live-model",
                 format!("a program that asks at run time cannot hold of the model: {names}"),
             )

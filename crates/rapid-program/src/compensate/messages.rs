@@ -29,7 +29,7 @@ impl Messages {
     }
 
     /// Why a motion stays as it is.
-    pub(super) fn add_kept(&mut self, motion: &Motion, why: &SkipReason) {
+    pub(super) fn add_skipped(&mut self, motion: &Motion, why: &SkipReason) {
         let message =
             format!("line {}: this {} stays as it is: {}", motion.line, motion.setup.kind, why.reason);
         let mut message = Diagnostic::warning(why.code, message).at(span_of(motion));
@@ -60,7 +60,7 @@ impl Messages {
         for (motion, planned) in program.motions.iter().zip(planned) {
             match &planned.status {
                 Status::Compensated => {}
-                Status::Kept(why) => self.add_kept(motion, why),
+                Status::Kept(why) => self.add_skipped(motion, why),
                 Status::Refused(why) => {
                     let message =
                         format!("line {}: {} is refused: {}", motion.line, described(motion), why.reason);

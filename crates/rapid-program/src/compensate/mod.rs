@@ -3,6 +3,7 @@
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
 mod ahead;
+mod back_edges;
 mod branch;
 mod circle_points;
 mod clock_gaps;
@@ -44,7 +45,6 @@ mod touch_reference;
 mod track;
 mod unknown_branch;
 mod warm_joints;
-mod ways_back;
 mod wobj_shift_baseline;
 
 pub use error::CompensateError;

@@ -17,7 +17,7 @@ pub(super) struct Model<'a> {
     frames: NominalFrames,
     pub(super) nominal: Chain,
     pub(super) closed: ClosedForm,
-    pub(super) bends_min: Vec<f64>,
+    pub(super) knots_min: Vec<f64>,
     pub(super) identified: Option<Arc<Identified>>,
     /// Names what of the model a program cannot have.
     pub(super) left_out: Vec<String>,
@@ -49,11 +49,11 @@ impl<'a> Model<'a> {
         if hot && options.joint_temperature_c.or(from_c.map(|c| [c; 6])).is_none() {
             return Err(CompensateError::ModelTemperature);
         }
-        let mut bends_min = deformation.knots();
-        bends_min.extend(identified.iter().flat_map(|model| model.bends_min()));
-        bends_min.retain(|t_min| *t_min > 0.0);
-        bends_min.sort_by(f64::total_cmp);
-        bends_min.dedup();
+        let mut knots_min = deformation.knots();
+        knots_min.extend(identified.iter().flat_map(|model| model.knots_min()));
+        knots_min.retain(|t_min| *t_min > 0.0);
+        knots_min.sort_by(f64::total_cmp);
+        knots_min.dedup();
         Ok(Self {
             identified,
             left_out,
@@ -66,7 +66,7 @@ impl<'a> Model<'a> {
             deformation,
             nominal: Chain::nominal(robot),
             closed: ClosedForm::new(robot)?,
-            bends_min,
+            knots_min,
         })
     }
 
@@ -125,17 +125,17 @@ impl<'a> Model<'a> {
     }
 
     /// The arms that a schedule's buckets meet.
-    pub(super) fn warm(&self, schedule: &Schedule) -> Warm {
+    pub(super) fn arms_over_buckets(&self, schedule: &Schedule) -> ArmsOverBuckets {
         let buckets = || schedule.buckets.iter();
-        let bends = |bucket: &Bucket| {
+        let knots = |bucket: &Bucket| {
             let inside = |t: &&f64| **t > bucket.from_min && bucket.to_min.is_none_or(|to_min| **t < to_min);
-            self.arms(self.bends_min.iter().filter(inside).map(|&t| Moment::Minute(t)))
+            self.arms(self.knots_min.iter().filter(inside).map(|&t| Moment::Minute(t)))
         };
-        Warm {
+        ArmsOverBuckets {
             at: self.arms(buckets().map(|bucket| Moment::Minute(bucket.at_min))),
             from: self.arms(buckets().map(|bucket| Moment::Minute(bucket.from_min))),
             end: self.arms(buckets().map(Bucket::end)),
-            bends: buckets().map(bends).collect(),
+            knots: buckets().map(knots).collect(),
         }
     }
 
@@ -148,9 +148,9 @@ impl<'a> Model<'a> {
 /// The arm over a schedule's buckets: where their targets are computed, and where the worst of each can stand. As
 /// offsets grow by one law, or linearly between a table's times, a target's distance from its place is
 /// convex in between.
-pub(super) struct Warm {
+pub(super) struct ArmsOverBuckets {
     pub(super) at: DeformedArms,
     pub(super) from: DeformedArms,
     pub(super) end: DeformedArms,
-    pub(super) bends: Vec<DeformedArms>,
+    pub(super) knots: Vec<DeformedArms>,
 }

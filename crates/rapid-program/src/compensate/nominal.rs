@@ -1,14 +1,14 @@
 //! Where each motion is meant to go, and with which joints: one after the other, each after those that run before it.
 
-use super::ahead::{self, Ahead, PlacedTarget};
+use super::ahead::{self, Lookahead, PlacedTarget};
+use super::back_edges::{Edge, back_edges, predecessors};
 use super::branch::{Branch, StartPosture, WRIST_DEG, branch_of};
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
 use super::messages::Messages;
 use super::model::Model;
-use super::placement::{Placement, keep};
+use super::placement::{Placement, skip};
 use super::resolved::Resolved;
-use super::ways_back::{Way, before, ways_back};
 use crate::program::Program;
 use crate::program::data::{ConfData, JointTarget};
 use crate::program::motion::{Motion, MotionId, SkipReason, TargetValue};
@@ -28,8 +28,8 @@ pub(super) fn resolve(
     start_rad: Option<[f64; 6]>,
     hints: &Hints,
 ) -> (Vec<Resolved>, Messages) {
-    let ways_back = ways_back(program);
-    let mut resolver = Resolver { program, model, start_rad, hints, ways_back, apart: BTreeSet::new() };
+    let back_edges = back_edges(program);
+    let mut resolver = Resolver { program, model, start_rad, hints, back_edges, apart: BTreeSet::new() };
     loop {
         let (resolved, messages) = resolver.pass();
         // A loop was entered on what its first way in said; the way back must say the same.
@@ -48,7 +48,7 @@ struct Resolver<'r> {
     start_rad: Option<[f64; 6]>,
     hints: &'r Hints,
     /// Ways of loops back to where they begin, which are looked at last.
-    ways_back: Vec<Way>,
+    back_edges: Vec<Edge>,
     /// Junctions whose ways bring the arm along on different branches.
     apart: BTreeSet<usize>,
 }
@@ -60,11 +60,15 @@ impl Resolver<'_> {
     }
 
     /// From where the arm may come to a motion; of those before it that are not resolved yet nothing is said.
-    fn comes_from<'d>(&self, i: usize, done: impl Fn(usize) -> Option<&'d Resolved>) -> Vec<StartPosture> {
+    fn start_postures<'d>(
+        &self,
+        i: usize,
+        done: impl Fn(usize) -> Option<&'d Resolved>,
+    ) -> Vec<StartPosture> {
         if self.apart.contains(&i) {
             return vec![StartPosture::UnknownBranch];
         }
-        let before = before(self.program, i);
+        let before = predecessors(self.program, i);
         let mut from: Vec<StartPosture> = before.filter_map(|p| done(p).map(Resolved::exit)).collect();
         if self.program.motions[i].from_start {
             from.push(self.start_rad.map_or(StartPosture::Anywhere, StartPosture::Joints));
@@ -82,12 +86,12 @@ impl Resolver<'_> {
         let mut waiting = vec![false; motions.len()];
         // The last placement seen: most motions share it.
         let (mut last, mut last_ahead) = (None, None);
-        let mut ahead = Ahead::default();
+        let mut ahead = Lookahead::default();
         let mut stack = Vec::new();
         for first in 0..motions.len() {
             if first.is_multiple_of(ahead::AT_ONE_GO) {
                 let some = &motions[first..motions.len().min(first + ahead::AT_ONE_GO)];
-                ahead = Ahead::new(first, some, self.model, &mut last_ahead);
+                ahead = Lookahead::new(first, some, self.model, &mut last_ahead);
             }
             stack.push(first);
             while let Some(&i) = stack.last() {
@@ -99,16 +103,16 @@ impl Resolver<'_> {
                     waiting[i] = true;
                     let pending = stack.len();
                     let is_way_back = |p: usize| {
-                        let way = Way { from: MotionId::new(p), to: MotionId::new(i) };
-                        self.ways_back.binary_search(&way).is_ok()
+                        let edge = Edge { from: MotionId::new(p), to: MotionId::new(i) };
+                        self.back_edges.binary_search(&edge).is_ok()
                     };
                     let first = |&p: &usize| done[p].is_none() && !waiting[p] && !is_way_back(p);
-                    stack.extend(before(self.program, i).filter(first));
+                    stack.extend(predecessors(self.program, i).filter(first));
                     if stack.len() > pending {
                         continue;
                     }
                 }
-                let from = self.comes_from(i, |p| done[p].as_ref());
+                let from = self.start_postures(i, |p| done[p].as_ref());
                 done[i] = Some(resolve_motion(
                     (&motions[i], self.hinted(i), ahead.at(i)),
                     &from,
@@ -126,9 +130,9 @@ impl Resolver<'_> {
     /// The junctions at which not all ways lead to what was resolved.
     fn junctions_apart(&self, resolved: &[Resolved]) -> BTreeSet<usize> {
         let mut apart = self.apart.clone();
-        for i in self.program.junctions.keys().map(|junction| junction.index()) {
+        for i in self.program.merge_points.keys().map(|merge_point| merge_point.index()) {
             let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&i)) else { continue };
-            let from = self.comes_from(i, |p| resolved.get(p));
+            let from = self.start_postures(i, |p| resolved.get(p));
             let again = resolve_motion(
                 (motion, self.hinted(i), None),
                 &from,
@@ -168,7 +172,7 @@ fn resolve_motion(
         let all = |branch: Branch| std::iter::once(branch.q_rad).chain(branch.others).collect();
         branches.into_iter().map(all).collect()
     });
-    let kept = match (&motion.skip_reason, failed) {
+    let skip_reason = match (&motion.skip_reason, failed) {
         (Some(why), _) => Some(Arc::clone(why)),
         (None, Some(why)) => Some(Arc::new(why)),
         (None, None) => ill_posed(motion, &q_rad, model).map(Arc::new),
@@ -177,7 +181,7 @@ fn resolve_motion(
     Resolved {
         placement,
         joints: q_rad.into_iter().collect(),
-        kept,
+        skip_reason,
         conditions: None,
         indexed,
         ends_at_target,
@@ -190,17 +194,17 @@ fn resolve_motion(
 fn ill_posed(motion: &Motion, joints: &[[f64; 6]], model: &Model) -> Option<SkipReason> {
     for q_rad in joints {
         if let Err(out) = model.robot().within_range(q_rad) {
-            return Some(keep("reach::range", format!("its own target is out of range: {out}")));
+            return Some(skip("reach::range", format!("its own target is out of range: {out}")));
         }
         if model.closed.posture(q_rad).wrist_rad.abs() < rad_from_deg(WRIST_DEG) {
-            return Some(keep(
+            return Some(skip(
                 "singular::wrist",
                 format!("axis 5 stands within {WRIST_DEG} deg of the wrist singularity"),
             ));
         }
     }
     joints.is_empty().then(|| {
-        keep("keep::no-target", format!("{} has no target that could be corrected", motion.setup.kind))
+        skip("keep::no-target", format!("{} has no target that could be corrected", motion.setup.kind))
     })
 }
 
@@ -221,7 +225,7 @@ fn place_targets(
     let placement = &*last.insert(placement);
     let mut branches = Vec::with_capacity(motion.targets.len());
     if motion.targets.iter().any(|target| target.values().next().is_none()) {
-        return Err(keep("keep::runtime-target", "its target is only known at run time"));
+        return Err(skip("keep::runtime-target", "its target is only known at run time"));
     }
     let mut report = |message: Diagnostic| messages.add(Some(motion.setup.routine), message);
     for (k, target) in motion.targets.iter().enumerate() {
@@ -307,7 +311,7 @@ fn all_axes(joints: &JointTarget) -> Result<[f64; 6], SkipReason> {
     let mut q_rad = [0.0; 6];
     for (q_rad, joint) in q_rad.iter_mut().zip(joints.q_rad) {
         *q_rad = joint.ok_or_else(|| {
-            keep("keep::axis-unused", "a robot axis of its jointtarget is 9E9, so where it goes is not known")
+            skip("keep::axis-unused", "a robot axis of its jointtarget is 9E9, so where it goes is not known")
         })?;
     }
     Ok(q_rad)

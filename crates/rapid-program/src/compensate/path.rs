@@ -75,21 +75,22 @@ pub(super) fn deviations_m(
     arms: &[DeformedArm],
     model: &Model<'_>,
 ) -> Vec<Option<f64>> {
-    let programmed = ways(legs.iter().map(|CorrectedLeg { leg, .. }| Some((leg, leg.programmed()?))), model);
+    let programmed =
+        motion_paths(legs.iter().map(|CorrectedLeg { leg, .. }| Some((leg, leg.programmed()?))), model);
     // Bucket after bucket: what one arm does is asked side by side.
     let mut in_buckets: Vec<LegInBucket> = Vec::new();
     for (leg, CorrectedLeg { in_buckets: own, .. }) in legs.iter().enumerate() {
         in_buckets.extend(own.iter().map(|&(bucket, ends)| LegInBucket { bucket, leg, ends }));
     }
     in_buckets.sort_by_key(|one| one.bucket);
-    let corrected = ways(in_buckets.iter().map(|one| Some((&legs[one.leg].leg, one.ends?))), model);
+    let corrected = motion_paths(in_buckets.iter().map(|one| Some((&legs[one.leg].leg, one.ends?))), model);
     let far_m = |asked: &[AskedSample]| {
         let sample = |&AskedSample { at, share }: &AskedSample| {
             let one = in_buckets.get(at)?;
             let (programmed, way) = (programmed.get(one.leg)?.as_ref()?, corrected.get(at)?.as_ref()?);
-            Some(WaySample { leg: &legs[one.leg].leg, programmed, way, arm: arms.get(one.bucket)?, share })
+            Some(PathSample { leg: &legs[one.leg].leg, programmed, way, arm: arms.get(one.bucket)?, share })
         };
-        far_each(&asked.iter().map(sample).collect::<Vec<Option<WaySample<'_>>>>(), model)
+        far_each(&asked.iter().map(sample).collect::<Vec<Option<PathSample<'_>>>>(), model)
     };
 
     let halves: Vec<AskedSample> = (0..in_buckets.len()).map(|at| AskedSample { at, share: 0.5 }).collect();
@@ -132,7 +133,7 @@ struct TrackPoses {
 }
 
 /// The ways of some legs.
-fn ways<'l>(
+fn motion_paths<'l>(
     legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>,
     model: &Model<'_>,
 ) -> Vec<Option<MotionPath>> {
@@ -170,7 +171,7 @@ fn ways<'l>(
 }
 
 /// A share of a leg at which its corrected way is compared with the programmed one.
-struct WaySample<'a> {
+struct PathSample<'a> {
     leg: &'a Leg<'a>,
     programmed: &'a MotionPath,
     way: &'a MotionPath,
@@ -180,10 +181,10 @@ struct WaySample<'a> {
 }
 
 /// How far the arm is at each of these samples from the programmed way, metres; `None` where the nominal arm does not get there.
-fn far_each(samples: &[Option<WaySample<'_>>], model: &Model<'_>) -> Vec<Option<f64>> {
+fn far_each(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<Option<f64>> {
     let joints = joints_at(samples, model);
     let mut far_m = Vec::with_capacity(samples.len());
-    let arm = |sample: &Option<WaySample<'_>>| sample.as_ref().map(|sample| std::ptr::from_ref(sample.arm));
+    let arm = |sample: &Option<PathSample<'_>>| sample.as_ref().map(|sample| std::ptr::from_ref(sample.arm));
     let mut rest = joints.as_slice();
     for some in samples.chunk_by(|a, b| arm(a) == arm(b)) {
         let (joints, others) = rest.split_at(some.len());
@@ -207,7 +208,7 @@ fn far_each(samples: &[Option<WaySample<'_>>], model: &Model<'_>) -> Vec<Option<
 }
 
 /// The joints with which the nominal arm goes through these samples, radians.
-fn joints_at(samples: &[Option<WaySample<'_>>], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
+fn joints_at(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
     let mut asked = Vec::new();
     let mut joints: Vec<Option<[f64; 6]>> = Vec::with_capacity(samples.len());
     for sample in samples {
@@ -239,7 +240,7 @@ fn joints_at(samples: &[Option<WaySample<'_>>], model: &Model<'_>) -> Vec<Option
     joints
 }
 
-impl WaySample<'_> {
+impl PathSample<'_> {
     /// Distance of the arm, whose flange is there, from the programmed way.
     fn far_m(&self, base_from_flange: &Isometry3<f64>, model: &Model<'_>) -> f64 {
         let placement = self.leg.end().placement;

@@ -32,14 +32,14 @@ impl Placement {
         match (&motion.setup.tool, wobj) {
             (Some(tool), Some(wobj)) => Self::of_data(tool, wobj),
             _ if motion.setup.path == Path::AbsJoint => Self::of_data(&ToolData::tool0(), &wobj0),
-            (None, _) => Err(keep("keep::tool-unknown", "its tool is not known")),
-            (_, None) => Err(keep("keep::wobj-unknown", "its work object is not known")),
+            (None, _) => Err(skip("keep::tool-unknown", "its tool is not known")),
+            (_, None) => Err(skip("keep::wobj-unknown", "its work object is not known")),
         }
     }
 
     pub(super) fn of_data(tool: &ToolData, wobj: &WobjData) -> Result<Self, SkipReason> {
         if !wobj.ufprog {
-            return Err(keep(
+            return Err(skip(
                 "keep::wobj-moved",
                 "its work object is moved by a mechanical unit, so where it stands is not known",
             ));
@@ -50,9 +50,9 @@ impl Placement {
                 flange_from_object: wobj.frame_from_object(),
                 base_from_tcp: tool.frame_from_tcp,
             }),
-            (true, true) => Err(keep("keep::robhold", "the robot holds both its tool and its work object")),
+            (true, true) => Err(skip("keep::robhold", "the robot holds both its tool and its work object")),
             (false, false) => {
-                Err(keep("keep::robhold", "the robot holds neither its tool nor its work object"))
+                Err(skip("keep::robhold", "the robot holds neither its tool nor its work object"))
             }
         }
     }
@@ -101,7 +101,7 @@ impl Placement {
 }
 
 /// A reason without a place of its own.
-pub(super) fn keep(code: &'static str, reason: impl Into<String>) -> SkipReason {
+pub(super) fn skip(code: &'static str, reason: impl Into<String>) -> SkipReason {
     SkipReason { code, reason: reason.into(), because: None }
 }
 

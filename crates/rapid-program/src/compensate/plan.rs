@@ -174,7 +174,7 @@ impl PlannedMotion {
 
     /// A motion that stays as it is.
     #[must_use]
-    pub fn kept(why: Arc<SkipReason>) -> Self {
+    pub fn skipped(why: Arc<SkipReason>) -> Self {
         Self { status: Status::Kept(why), ..Self::compensated(Form::default()) }
     }
 

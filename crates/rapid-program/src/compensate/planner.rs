@@ -7,7 +7,7 @@ use super::corrector::{Corrector, SIDE_BY_SIDE};
 use super::drift::ProgramPoints;
 use super::error::CompensateError;
 use super::joints_hint::{Hints, JointsHintError};
-use super::later_frames::keep_other_later_frames;
+use super::later_frames::skip_other_later_frames;
 use super::live;
 use super::messages::Messages;
 use super::model::Model;
@@ -17,7 +17,7 @@ use super::plan::{Plan, PlannedMotion, Status};
 use super::quadrant_border::Crossing;
 use super::ramp::{Ramp, Sample};
 use super::resolved::{Point, Resolved};
-use super::unknown_branch::keep_unknown_branches;
+use super::unknown_branch::skip_unknown_branches;
 use super::warm_joints::warm_joints_of;
 use super::{clock_gaps, conditions, placement, plausible};
 use crate::parallel;
@@ -57,7 +57,7 @@ pub fn plan(
     let asks_at_run_time =
         options.form.corrects_run_time() && program.motions.iter().any(|motion| motion.run_time);
     if points.places().is_empty() && !asks_at_run_time {
-        let reason = |i: usize| resolved.get(i)?.kept();
+        let reason = |i: usize| resolved.get(i)?.skip_reason();
         return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
     let (chosen, at) = choose_moments(program, &points, options)?;
@@ -66,8 +66,8 @@ pub fn plan(
     let settled = model.arm(Moment::Settled);
     let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref(), settled };
     let (mut motions, tally, crossings) = corrector.correct_all(&resolved, &chosen);
-    if motions.iter().all(|planned| why_kept(planned).is_some()) {
-        let reason = |i: usize| motions.get(i).and_then(why_kept);
+    if motions.iter().all(|planned| skip_reason(planned).is_some()) {
+        let reason = |i: usize| motions.get(i).and_then(skip_reason);
         return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
     let compensated = |i: usize| motions.get(i).is_some_and(|m| m.status == Status::Compensated);
@@ -76,7 +76,7 @@ pub fn plan(
     drop(compensated);
     report_crossings(program, &motions, crossings, &mut messages);
     if options.strict {
-        motions.iter_mut().for_each(refuse_kept);
+        motions.iter_mut().for_each(refuse_skipped);
     }
     // Of targets that only run time tells nothing is known of their drift.
     let known = motions.iter().any(|motion| motion.error_m.is_some());
@@ -120,17 +120,17 @@ fn resolve_motions(
         messages.add(None, Diagnostic::warning(error.code(), text).help(help));
     }
     conditions::fill(program, model, &mut resolved);
-    keep_unknown_branches((program, start_rad.is_some()), model, options.tolerance_m, &mut resolved);
-    keep_other_later_frames(program, model, options.tolerance_m, &mut resolved);
-    keep_what_no_array_holds(program, options, &mut resolved);
-    keep_as_asked(program, options, &mut resolved);
+    skip_unknown_branches((program, start_rad.is_some()), model, options.tolerance_m, &mut resolved);
+    skip_other_later_frames(program, model, options.tolerance_m, &mut resolved);
+    skip_what_no_array_holds(program, options, &mut resolved);
+    skip_as_asked(program, options, &mut resolved);
     for (resolved, why) in resolved.iter_mut().zip(left_alone) {
         if let Some(why) = why {
-            resolved.keep(Arc::new(why));
+            resolved.skip(Arc::new(why));
         }
     }
     turn_with_arcs(program, model, &mut resolved);
-    keep_what_cannot_be_followed(program, model, &mut resolved);
+    skip_what_cannot_be_tracked(program, model, &mut resolved);
     conditions::check(program, model, &resolved, &mut messages);
     Ok((resolved, messages))
 }
@@ -150,7 +150,7 @@ fn report_crossings(
     }
 }
 
-fn why_kept(planned: &PlannedMotion) -> Option<&Arc<SkipReason>> {
+fn skip_reason(planned: &PlannedMotion) -> Option<&Arc<SkipReason>> {
     match &planned.status {
         Status::Kept(why) => Some(why),
         Status::Compensated | Status::Refused(_) => None,
@@ -167,7 +167,7 @@ fn choose_moments(
     Ok(match options.form {
         FormChoice::Schedule => {
             let chosen = choose(points, &options.request())?;
-            let warm = model.warm(&chosen.schedule);
+            let warm = model.arms_over_buckets(&chosen.schedule);
             (chosen, Moments::Buckets(warm))
         }
         FormChoice::Ramp | FormChoice::Live | FormChoice::Auto => {
@@ -200,7 +200,7 @@ fn nothing<'k>(
     let mut first = None;
     for (i, motion) in program.motions.iter().enumerate() {
         if let Some(why) = reason(i) {
-            messages.add_kept(motion, why);
+            messages.add_skipped(motion, why);
             first.get_or_insert((motion.line, Arc::clone(why)));
             kept.push(Arc::clone(why));
         }
@@ -218,7 +218,7 @@ fn nothing<'k>(
 }
 
 /// Motions whose targets no array of buckets can hold: beside the bucket's index it takes two of the source's own.
-fn keep_what_no_array_holds(program: &Program, options: &Options, resolved: &mut [Resolved]) {
+fn skip_what_no_array_holds(program: &Program, options: &Options, resolved: &mut [Resolved]) {
     if options.form != FormChoice::Schedule {
         return;
     }
@@ -231,37 +231,37 @@ fn keep_what_no_array_holds(program: &Program, options: &Options, resolved: &mut
         (None, count) => Some(format!("its target is one of {count}, and only run time tells which")),
     };
     for (motion, resolved) in program.motions.iter().zip(resolved) {
-        if resolved.kept().is_none()
+        if resolved.skip_reason().is_none()
             && let Some(why) = motion.targets.iter().find_map(why_not)
         {
             let why = format!("{why}: --form ramp and --form auto correct it");
-            resolved.keep(Arc::new(placement::keep("keep::one-of", why)));
+            resolved.skip(Arc::new(placement::skip("keep::one-of", why)));
         }
     }
 }
 
 /// Joint targets that the options leave alone.
-fn keep_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]) {
+fn skip_as_asked(program: &Program, options: &Options, resolved: &mut [Resolved]) {
     let why = if options.absolute_accuracy {
-        placement::keep(
+        placement::skip(
             "keep::absolute-accuracy",
             "Absolute Accuracy is on, and what the controller makes of joint values is then not known",
         )
     } else if options.keep_moveabsj {
-        placement::keep("keep::moveabsj", "MoveAbsJ is to stay as it is")
+        placement::skip("keep::moveabsj", "MoveAbsJ is to stay as it is")
     } else {
         return;
     };
     let why = Arc::new(why);
     for (motion, resolved) in program.motions.iter().zip(resolved) {
-        if motion.setup.path == Path::AbsJoint && (resolved.kept().is_none() || motion.run_time) {
-            resolved.keep(Arc::clone(&why));
+        if motion.setup.path == Path::AbsJoint && (resolved.skip_reason().is_none() || motion.run_time) {
+            resolved.skip(Arc::clone(&why));
         }
     }
 }
 
 /// Leaves as they are the motions that the settled arm cannot follow: no schedule is to be made for them.
-fn keep_what_cannot_be_followed(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
+fn skip_what_cannot_be_tracked(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let settled = model.arm(Moment::Settled);
     parallel::for_each_chunk_mut(resolved, SIDE_BY_SIDE, &|first, resolved| {
         let placed = program.motions[first..].iter().zip(&*resolved).enumerate();
@@ -274,12 +274,12 @@ fn keep_what_cannot_be_followed(program: &Program, model: &Model<'_>, resolved: 
             numbers.into_iter().zip(warm).filter_map(|(i, warm)| Some((i, warm.err()?))).collect();
         whys.dedup_by_key(|(i, _)| *i);
         for (i, why) in whys {
-            resolved[i].keep(Arc::new(why));
+            resolved[i].skip(Arc::new(why));
         }
     });
 }
 
-fn refuse_kept(motion: &mut PlannedMotion) {
+fn refuse_skipped(motion: &mut PlannedMotion) {
     if let Status::Kept(why) = &motion.status {
         motion.status = Status::Refused(Arc::clone(why));
     }

@@ -265,7 +265,7 @@ impl Drift for Samples<'_> {
         errors_m(self.model, self.some(targets), at_min, moments)
     }
 
-    fn bends_min(&self) -> &[f64] {
-        &self.model.bends_min
+    fn knots_min(&self) -> &[f64] {
+        &self.model.knots_min
     }
 }

@@ -5,7 +5,7 @@ use super::model::Model;
 use super::plan::{Correction, Corrections, Form};
 use super::ramp::{LEVER_M, Ramp, Sample, values};
 use super::resolved::Point;
-use super::warm_joints::{CommandedJoints, CommandedOrKept, sent_each};
+use super::warm_joints::{CommandedJoints, CommandedOrSkipped, commanded_joints_of_each};
 use crate::parallel;
 use crate::schedule::Moment;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
@@ -29,8 +29,8 @@ pub(super) fn add_errors_of_ramp(
         let planned = made.planned.targets.iter().filter(|_| made.planned.error_m.is_some());
         targets.extend(points.iter().zip(planned).filter_map(|(point, target)| {
             Some(match &target.corrections {
-                _ if made.planned.form == Form::Live => (point, Means::ByModel),
-                Corrections::AtNodes(corrections) => (point, Means::Scaled(corrections)),
+                _ if made.planned.form == Form::Live => (point, CorrectionSource::ByModel),
+                Corrections::AtNodes(corrections) => (point, CorrectionSource::Scaled(corrections)),
                 Corrections::InBuckets(_) => return None,
             })
         }));
@@ -49,7 +49,7 @@ pub(super) fn add_errors_of_ramp(
 
 /// How a motion comes to where it sends the controller.
 #[derive(Clone, Copy)]
-enum Means<'a> {
+enum CorrectionSource<'a> {
     /// By its corrections, scaled.
     Scaled(&'a [Correction]),
     /// By the model asked at run time: that takes the arm as deformed at the nominal joints, which are a little beside those
@@ -60,7 +60,7 @@ enum Means<'a> {
 impl Ramp {
     /// For each target the worst distance of the TCP from the programmed pose over the moments that are looked at,
     /// `[uncorrected, corrected]`, metres; infinite where the controller cannot go where it is sent.
-    fn errors_m(&self, targets: &[(&Point<'_>, Means<'_>)], model: &Model<'_>) -> Vec<[f64; 2]> {
+    fn errors_m(&self, targets: &[(&Point<'_>, CorrectionSource<'_>)], model: &Model<'_>) -> Vec<[f64; 2]> {
         let mut worst_m = vec![[0.0_f64; 2]; targets.len()];
         let conditions: Vec<Conditions> = targets.iter().map(|(point, _)| point.conditions).collect();
         let meant: Vec<Isometry3<f64>> = targets.iter().map(|(point, _)| point.object_from_tcp()).collect();
@@ -68,8 +68,10 @@ impl Ramp {
         let uncorrected = FlangePoints::new(uncorrected);
         for (arm, values) in self.check_arms.as_slice().iter().zip(&self.check_values) {
             let sent = targets.iter().zip(&meant).map(|((point, sent), meant)| match sent {
-                Means::Scaled(corrections) => (*point, commanded(point, meant, corrections, values)),
-                Means::ByModel => {
+                CorrectionSource::Scaled(corrections) => {
+                    (*point, commanded(point, meant, corrections, values))
+                }
+                CorrectionSource::ByModel => {
                     let nominal = model.nominal.forward(&point.q_rad);
                     let deformed = arm.under(&point.conditions).forward(&point.q_rad);
                     (*point, SentTo::Pose(nominal * deformed.inverse() * nominal))
@@ -102,7 +104,8 @@ impl Ramp {
         let of_some = |_, some: &[Sample<'_>]| {
             let points: Vec<&Point<'_>> = some.iter().map(|sample| &sample.point).collect();
             let nodes = self.nodes.as_slice().iter();
-            let warm: Vec<Vec<CommandedOrKept>> = nodes.map(|arm| sent_each(&points, arm, model)).collect();
+            let warm: Vec<Vec<CommandedOrSkipped>> =
+                nodes.map(|arm| commanded_joints_of_each(&points, arm, model)).collect();
             let corrected = some.iter().enumerate().filter_map(|(i, Sample { point, by_joints })| {
                 let nodes = || warm.iter().map(|of_node| of_node.get(i)?.as_ref().ok());
                 let meant = point.object_from_tcp();

@@ -68,7 +68,7 @@ pub(super) struct Resolved {
     /// Nominal joints at each of its targets' values on the branch that is meant, radians; none where they are not known.
     pub(super) joints: OneOrMany<[f64; 6]>,
     /// Why it stays as it is.
-    pub(super) kept: Option<Arc<SkipReason>>,
+    pub(super) skip_reason: Option<Arc<SkipReason>>,
     /// For each value load and direction, where a model asks for them.
     pub(super) conditions: Option<Box<[Conditions]>>,
     /// Its values are the elements of an array, and only run time tells which of them it goes to.
@@ -95,13 +95,13 @@ pub(super) type Branches = Box<[[f64; 6]]>;
 
 impl Resolved {
     /// Why the motion stays as it is; `None` where it can be corrected.
-    pub(super) fn kept(&self) -> Option<&Arc<SkipReason>> {
-        self.kept.as_ref()
+    pub(super) fn skip_reason(&self) -> Option<&Arc<SkipReason>> {
+        self.skip_reason.as_ref()
     }
 
     /// Nominal joints at its targets, radians; none where it stays as it is.
     pub(super) fn q_rad(&self) -> &[[f64; 6]] {
-        if self.kept.is_none() { &self.joints } else { &[] }
+        if self.skip_reason.is_none() { &self.joints } else { &[] }
     }
 
     /// Its targets; none where it stays as it is.
@@ -110,7 +110,7 @@ impl Resolved {
         motion: &'r Motion,
         model: &'r Model<'_>,
     ) -> impl Iterator<Item = Point<'r>> {
-        let placement = self.placement.as_deref().filter(|_| self.kept.is_none());
+        let placement = self.placement.as_deref().filter(|_| self.skip_reason.is_none());
         placement.into_iter().flat_map(move |placement| {
             let values = motion.targets.iter().flat_map(Target::values);
             let all = values.zip(&self.joints).enumerate();
@@ -125,7 +125,7 @@ impl Resolved {
         number: usize,
         model: &Model<'_>,
     ) -> Option<Point<'r>> {
-        let placement = self.placement.as_deref().filter(|_| self.kept.is_none())?;
+        let placement = self.placement.as_deref().filter(|_| self.skip_reason.is_none())?;
         let value = motion.targets.iter().flat_map(Target::values).nth(number)?;
         Some(self.placed(placement, (number, &value, self.joints.get(number)?), model))
     }
@@ -168,7 +168,7 @@ impl Resolved {
 
     /// Where it ends, where that is known exactly.
     pub(super) fn end<'r>(&'r self, motion: &Motion, model: &Model) -> Option<Point<'r>> {
-        let known = !self.indexed && (self.kept.is_none() || self.ends_at_target);
+        let known = !self.indexed && (self.skip_reason.is_none() || self.ends_at_target);
         let placement = self.placement.as_deref().filter(|_| known)?;
         let q_rad = *self.joints.last()?;
         let value = motion.targets.iter().flat_map(Target::values).last()?;
@@ -186,8 +186,8 @@ impl Resolved {
     }
 
     /// Leaves the motion as it is; where it ends stays known.
-    pub(super) fn keep(&mut self, why: Arc<SkipReason>) {
-        self.kept = Some(why);
+    pub(super) fn skip(&mut self, why: Arc<SkipReason>) {
+        self.skip_reason = Some(why);
     }
 
     /// Load and direction at the value with this number, or at the last one.
@@ -201,7 +201,7 @@ impl Resolved {
         let at = |k: usize| Conditions { payload, direction: directions.get(k).copied().unwrap_or_default() };
         let count = self.joints.len();
         let last = directions.last().copied().unwrap_or_default();
-        let conditions: Box<[Conditions]> = match self.kept {
+        let conditions: Box<[Conditions]> = match self.skip_reason {
             None => (0..count).map(at).collect(),
             Some(_) => Box::new([Conditions { payload, direction: last }]),
         };

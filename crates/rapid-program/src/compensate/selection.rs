@@ -1,7 +1,7 @@
 //! Which motions are to be left alone, by the names of their targets, routines and modules.
 
 use super::error::CompensateError;
-use super::placement::keep;
+use super::placement::skip;
 use crate::program::Program;
 use crate::program::motion::{Motion, Origin, SkipReason};
 use std::collections::BTreeSet;
@@ -31,9 +31,9 @@ impl Selection {
             let kept = first_match(&mut keep_patterns, &names);
             let named = first_match(&mut only_patterns, &names);
             match (kept, named) {
-                (Some(by), _) => Some(keep("keep::as-asked", format!("--keep {by} leaves it alone"))),
+                (Some(by), _) => Some(skip("keep::as-asked", format!("--keep {by} leaves it alone"))),
                 (None, None) if !self.only.is_empty() => {
-                    Some(keep("keep::as-asked", "--only names other motions alone".to_owned()))
+                    Some(skip("keep::as-asked", "--only names other motions alone".to_owned()))
                 }
                 _ => None,
             }

@@ -14,7 +14,7 @@ const AT_ONE_GO: usize = 256;
 
 /// Leaves each motion as it is for which `why` has a reason, asked with the motion's position and the settled arm, where drift is
 /// largest.
-pub(super) fn keep_where(
+pub(super) fn skip_where(
     program: &Program,
     model: &Model<'_>,
     resolved: &mut [Resolved],
@@ -23,10 +23,10 @@ pub(super) fn keep_where(
     let settled = model.arm(Moment::Settled);
     parallel::for_each_chunk_mut(resolved, AT_ONE_GO, &|first, resolved| {
         for (at, resolved) in (first..).zip(resolved) {
-            if resolved.kept().is_none()
+            if resolved.skip_reason().is_none()
                 && let Some(why) = why(at, &program.motions[at], resolved, &settled)
             {
-                resolved.keep(Arc::new(why));
+                resolved.skip(Arc::new(why));
             }
         }
     });

@@ -37,7 +37,7 @@ pub enum TargetsError {
          `No. point,X[mm],Y[mm],Z[mm][,Ox[deg],Oy[deg],Oz[deg]]`"
     )]
     Header {
-        /// As the file has it.
+        /// The header line as it stands in the file.
         header: String,
     },
     /// A field cannot be used.
@@ -51,7 +51,7 @@ pub enum TargetsError {
         column: usize,
         /// The name of the column.
         name: String,
-        /// As the file has it.
+        /// The field's text as it stands in the file.
         text: String,
     },
     /// Positions alone do not say how the flange stands.
@@ -166,16 +166,16 @@ mod tests {
 
     #[test]
     fn faults_are_told_with_line_and_column() {
-        let said = |text: &str| read(text.as_bytes(), None).unwrap_err().to_string();
+        let error_text = |text: &str| read(text.as_bytes(), None).unwrap_err().to_string();
         let head = "name,x_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg";
         assert!(
-            said(&format!("{head}\nA,1,2,3,0,0,0\nB,1,two,3,0,0,0\n"))
+            error_text(&format!("{head}\nA,1,2,3,0,0,0\nB,1,two,3,0,0,0\n"))
                 .contains("line 3, column 3 (`y_mm`): `two`")
         );
-        assert!(said(&format!("{head}\nA,1,2,nan,0,0,0\n")).contains("column 4 (`z_mm`): `nan`"));
-        assert!(said(&format!("{head}\nA,1,2\n")).starts_with("targets, line 2: "));
-        assert!(said("name,x_m,y_m,z_m\n").contains("the header `name,x_m,y_m,z_m` is neither"));
-        assert_eq!(said(head), "the file has no targets");
-        assert!(said("").contains("the header `` is neither"));
+        assert!(error_text(&format!("{head}\nA,1,2,nan,0,0,0\n")).contains("column 4 (`z_mm`): `nan`"));
+        assert!(error_text(&format!("{head}\nA,1,2\n")).starts_with("targets, line 2: "));
+        assert!(error_text("name,x_m,y_m,z_m\n").contains("the header `name,x_m,y_m,z_m` is neither"));
+        assert_eq!(error_text(head), "the file has no targets");
+        assert!(error_text("").contains("the header `` is neither"));
     }
 }

@@ -109,7 +109,7 @@ pub fn tcp_drift(
 /// The end of the schedule or of the table, and a little more, minutes.
 fn shown_until(plan: &Plan, model: &Model<'_>) -> f64 {
     let last_bucket = plan.schedule.buckets.last().map_or(0.0, |bucket| bucket.from_min);
-    let last_knot = model.bends_min.last().copied().unwrap_or(0.0);
+    let last_knot = model.knots_min.last().copied().unwrap_or(0.0);
     let end_min = plan.summary.until_min.max(last_bucket).max(last_knot);
     if end_min.is_finite() && end_min > 0.0 { (end_min * 1.05).ceil() } else { 60.0 }
 }
@@ -130,7 +130,7 @@ fn nodes(model: &Model<'_>, deformation: &Deformation, t_min: &[f64]) -> (Vec<Mo
     let end_min = t_min.last().copied().unwrap_or(0.0);
     // closer together at first, where a warm-up is fastest
     let mut at: Vec<f64> = (0..NODES).map(|i| end_min * (i as f64 / (NODES - 1) as f64).powf(1.5)).collect();
-    at.extend(model.bends_min.iter().copied().filter(|t| *t < end_min));
+    at.extend(model.knots_min.iter().copied().filter(|t| *t < end_min));
     at.sort_by(f64::total_cmp);
     at.dedup();
     let hat = |k: usize, t: f64| {

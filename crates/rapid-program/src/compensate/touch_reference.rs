@@ -88,8 +88,8 @@ impl TouchReference {
             goal.translation.vector[axis] += radius_m;
             let there = placement.base_from_flange(&goal);
             let there = solve(&arm.under(&conditions), &there, &found.q_rad).ok()?;
-            let told = placement.object_from_tcp(&nominal.forward(&there.q_rad));
-            Some(told.translation.vector[axis] - goal.translation.vector[axis])
+            let reached = placement.object_from_tcp(&nominal.forward(&there.q_rad));
+            Some(reached.translation.vector[axis] - goal.translation.vector[axis])
         };
         let shift_m = |arm| Some(Vector3::new(shift_m(arm, 0)?, shift_m(arm, 1)?, shift_m(arm, 2)?));
         let (Some(cold_m), Some(settled_m)) = (shift_m(&cold), shift_m(&settled)) else {

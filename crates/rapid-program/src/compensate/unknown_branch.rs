@@ -1,12 +1,12 @@
 //! Motions whose branch the text does not tell: corrected only where every branch needs the same correction.
 
+use super::back_edges::predecessors;
 use super::messages::span_of;
 use super::model::Model;
-use super::placement::keep;
+use super::placement::skip;
 use super::resolved::{Point, Resolved};
-use super::settled_check::keep_where;
+use super::settled_check::skip_where;
 use super::warm_joints::warm_joints;
-use super::ways_back::before;
 use crate::program::Program;
 use crate::program::motion::{Motion, SkipReason, Target};
 use rapid_syntax::diagnostic::Span;
@@ -16,16 +16,16 @@ use std::collections::{BTreeSet, VecDeque};
 
 /// Leaves as they are the motions whose settled corrections on their branches are further apart than `tolerance_m`. With the program
 /// goes whether it is known where the arm stands at its entry.
-pub(super) fn keep_unknown_branches(
+pub(super) fn skip_unknown_branches(
     (program, start_is_known): (&Program, bool),
     model: &Model<'_>,
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    keep_where(program, model, resolved, &|at, motion, resolved, settled| {
+    skip_where(program, model, resolved, &|at, motion, resolved, settled| {
         let apart = differing(motion, resolved, settled, model, tolerance_m)?;
         let (why, because) = why_unknown(program, start_is_known, at);
-        Some(SkipReason { because, ..keep("keep::branch-unknown", format!("{why}, so that it {apart}")) })
+        Some(SkipReason { because, ..skip("keep::branch-unknown", format!("{why}, so that it {apart}")) })
     });
 }
 
@@ -84,7 +84,7 @@ fn why_unknown(program: &Program, start_is_known: bool, at: usize) -> (String, O
             let why = "where the arm comes from is not known (--start-joints or --home says where it stands at the entry)";
             return (why.to_owned(), None);
         }
-        ways.extend(before(program, at).filter(|&earlier| seen.insert(earlier)));
+        ways.extend(predecessors(program, at).filter(|&earlier| seen.insert(earlier)));
     }
     ("where the arm comes from is not known".to_owned(), None)
 }

@@ -1,7 +1,7 @@
 //! The joints with which the warm arm stands where a point is meant to be.
 
 use super::model::Model;
-use super::placement::keep;
+use super::placement::skip;
 use super::resolved::Point;
 use crate::program::motion::SkipReason;
 use nalgebra::Isometry3;
@@ -54,7 +54,7 @@ pub(super) fn warm_joints_of(
 }
 
 /// Where the nominal controller is sent so that the warm arm stands where a point is meant to be, or why the point is kept.
-pub(super) type CommandedOrKept = Result<CommandedJoints, SkipReason>;
+pub(super) type CommandedOrSkipped = Result<CommandedJoints, SkipReason>;
 
 /// Joints, and what the nominal controller takes them for.
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +66,11 @@ pub(super) struct CommandedJoints {
 }
 
 /// The same for each of many points.
-pub(super) fn sent_each(points: &[&Point<'_>], arm: &DeformedArm, model: &Model<'_>) -> Vec<CommandedOrKept> {
+pub(super) fn commanded_joints_of_each(
+    points: &[&Point<'_>],
+    arm: &DeformedArm,
+    model: &Model<'_>,
+) -> Vec<CommandedOrSkipped> {
     let warm = warm_joints_of(points, arm, model);
     let known: Vec<[f64; 6]> = warm.iter().flatten().copied().collect();
     let mut frames = Vec::with_capacity(known.len());
@@ -83,7 +87,7 @@ fn allowed(
     model: &Model<'_>,
 ) -> Result<[f64; 6], SkipReason> {
     let q_rad = solved
-        .map_err(|error| keep("reach::deformed", format!("the warm arm does not get there: {error}")))?
+        .map_err(|error| skip("reach::deformed", format!("the warm arm does not get there: {error}")))?
         .q_rad;
     let (joint, change_rad) = q_rad
         .iter()
@@ -95,12 +99,12 @@ fn allowed(
         let (axis, change_deg) = (Axis::at(joint), deg_from_rad(change_rad));
         return Err(if is_near_singularity(model, &point.q_rad) {
             let text = format!("axis {axis} would change by {change_deg:.3} deg: too near a singularity");
-            keep("singular::joint-change", text)
+            skip("singular::joint-change", text)
         } else {
             let text = format!(
                 "axis {axis} would change by {change_deg:.3} deg, more than the {JOINT_CHANGE_DEG} deg that a correction may"
             );
-            keep("keep::joint-change", text)
+            skip("keep::joint-change", text)
         });
     }
     Ok(q_rad)

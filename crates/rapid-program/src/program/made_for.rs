@@ -46,7 +46,7 @@ pub(super) fn in_heads(file: &SourceFile) -> Vec<RobotRemark> {
             FileItem::Comment(range) => above.push((*range, true)),
             FileItem::Module(module) => {
                 above.extend(head(file, module));
-                let said: Vec<RobotRemark> = above
+                let nearest: Vec<RobotRemark> = above
                     .drain(..)
                     .filter_map(|(range, alone)| {
                         let text = String::from_utf8_lossy(file.text(range));
@@ -55,9 +55,9 @@ pub(super) fn in_heads(file: &SourceFile) -> Vec<RobotRemark> {
                     })
                     .collect();
                 let agree =
-                    |other: &RobotRemark| said.first().is_some_and(|first| first.may_be(&other.robot));
-                if said.iter().all(agree) {
-                    remarks.extend(said);
+                    |other: &RobotRemark| nearest.first().is_some_and(|first| first.may_be(&other.robot));
+                if nearest.iter().all(agree) {
+                    remarks.extend(nearest);
                 }
             }
             FileItem::Opaque(_) => {}

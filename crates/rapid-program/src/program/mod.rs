@@ -98,7 +98,7 @@ pub struct Program {
     /// Every motion instruction, in file order.
     pub motions: Vec<Motion>,
     /// The motions that run just before those with several such; [`Motion::from_start`] says whether these may be the first.
-    pub junctions: BTreeMap<MotionId, Vec<MotionId>>,
+    pub merge_points: BTreeMap<MotionId, Vec<MotionId>>,
     /// Those of them to which the arm may also come from where the text does not say, as behind an error handler that goes on.
     pub also_anywhere: BTreeSet<MotionId>,
     /// The motions whose targets a PERS goes into, in file order.

@@ -282,9 +282,9 @@ impl<'a> SiteCollector<'_, 'a> {
 
 /// The statement that was not understood right before or behind the one at `position`, comments aside.
 fn not_read_beside(body: &[Stmt], position: usize) -> Option<TextRange> {
-    let told = |stmt: &&Stmt| !matches!(stmt.kind, StmtKind::Comment | StmtKind::Empty);
-    let before = body.get(..position)?.iter().rev().find(told);
-    let behind = body.get(position + 1..)?.iter().find(told);
+    let is_executable = |stmt: &&Stmt| !matches!(stmt.kind, StmtKind::Comment | StmtKind::Empty);
+    let before = body.get(..position)?.iter().rev().find(is_executable);
+    let behind = body.get(position + 1..)?.iter().find(is_executable);
     before.into_iter().chain(behind).find(|stmt| matches!(stmt.kind, StmtKind::Opaque)).map(|stmt| stmt.range)
 }
 

@@ -43,7 +43,7 @@ struct Origins {
 
 /// What runs before a motion.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Before {
+pub(super) enum Predecessors {
     /// This motion and no other.
     Motion(MotionId),
     /// Nothing: the arm stands where it stands when the program's entry is called.
@@ -66,7 +66,7 @@ pub(super) fn order(
     index: &Index<'_>,
     sites: &MotionSites<'_>,
     control_flow: &ControlFlow<'_>,
-) -> Vec<Before> {
+) -> Vec<Predecessors> {
     let mut walker = OrderAnalysis {
         sites,
         control_flow,
@@ -89,14 +89,14 @@ pub(super) fn order(
         let entry = site.ctx(index).routine.and_then(|r| entries.get(r)?.as_ref());
         match resolve(at.as_ref().unwrap_or(&Predecessor::Anywhere), entry.unwrap_or(&Predecessor::Anywhere))
         {
-            Predecessor::Motion(previous) => Before::Motion(previous),
-            Predecessor::Start => Before::Start,
+            Predecessor::Motion(previous) => Predecessors::Motion(previous),
+            Predecessor::Start => Predecessors::Start,
             Predecessor::OneOf(origins) if !origins.entry => {
                 let motions = origins.motions.iter().copied().collect();
-                Before::OneOf { start: origins.start, anywhere: origins.anywhere, motions }
+                Predecessors::OneOf { start: origins.start, anywhere: origins.anywhere, motions }
             }
             Predecessor::OneOf(_) | Predecessor::Entry | Predecessor::Anywhere | Predecessor::ManyPlaces => {
-                Before::Unknown
+                Predecessors::Unknown
             }
         }
     };
@@ -108,7 +108,7 @@ struct Call {
     caller: RoutineIndex,
     callee: RoutineIndex,
     /// Where the arm comes from then, in terms of the caller's entry.
-    comes_from: Predecessor,
+    predecessor: Predecessor,
 }
 
 struct OrderAnalysis<'w, 'a> {
@@ -169,9 +169,9 @@ impl OrderAnalysis<'_, '_> {
             index.routines.numbered().map(first).collect();
         loop {
             let mut changed = false;
-            for Call { caller, callee, comes_from } in &calls {
+            for Call { caller, callee, predecessor } in &calls {
                 let Some(Some(before)) = entries.get(*caller) else { continue };
-                let came = resolve(comes_from, before);
+                let came = resolve(predecessor, before);
                 let Some(entry) = entries.get_mut(*callee) else { continue };
                 let joined = match &*entry {
                     None => came,
@@ -236,7 +236,7 @@ impl<'a> ForwardAnalysis<'a> for OrderAnalysis<'_, 'a> {
                 let state = if recovery.again { or_anywhere(&state) } else { state };
                 for &callee in routines {
                     if let Some(caller) = caller {
-                        self.calls.push(Call { caller, callee, comes_from: state.clone() });
+                        self.calls.push(Call { caller, callee, predecessor: state.clone() });
                     }
                     if let Some(exit) = self.exit(callee) {
                         let after = resolve(&exit, &state);

@@ -16,7 +16,7 @@ use super::module_facts::facts;
 use super::motion::{Motion, MotionId, MotionSetup, Path, PersTarget, SkipReason, Target, WobjArgument};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{ByNumber, as_text};
-use super::order::{Before, order};
+use super::order::{Predecessors, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
@@ -79,7 +79,7 @@ impl Program {
         let mut reader =
             MotionReader::new(evaluator, (&tracked, &left), on_ways, nests, overrides.base_fixed);
         let seen = first.into_iter().zip(any);
-        let MotionsInOrder { motions, junctions, also_anywhere } =
+        let MotionsInOrder { motions, merge_points, also_anywhere } =
             reader.motions(sites.into_iter().zip(seen).zip(order));
         let made_of_pers = std::mem::take(&mut reader.made_of_pers);
         let settable = reader.settable_names();
@@ -95,7 +95,7 @@ impl Program {
             routines,
             loops,
             motions,
-            junctions,
+            merge_points,
             also_anywhere,
             made_of_pers,
             facts,
@@ -183,24 +183,24 @@ const RECENT_SETUPS: usize = 16;
 #[derive(Default)]
 struct MotionsInOrder {
     motions: Vec<Motion>,
-    junctions: BTreeMap<MotionId, Vec<MotionId>>,
+    merge_points: BTreeMap<MotionId, Vec<MotionId>>,
     also_anywhere: BTreeSet<MotionId>,
 }
 
 impl MotionsInOrder {
-    fn push(&mut self, motion: Motion, before: Before) {
+    fn push(&mut self, motion: Motion, before: Predecessors) {
         let id = MotionId::new(self.motions.len());
         let (previous, from_start) = match before {
-            Before::Motion(previous) => (Some(previous), false),
-            Before::Start => (None, true),
-            Before::OneOf { start, anywhere, motions: before } => {
+            Predecessors::Motion(previous) => (Some(previous), false),
+            Predecessors::Start => (None, true),
+            Predecessors::OneOf { start, anywhere, motions: before } => {
                 if anywhere {
                     self.also_anywhere.insert(id);
                 }
-                self.junctions.insert(id, before);
+                self.merge_points.insert(id, before);
                 (None, start)
             }
-            Before::Unknown => (None, false),
+            Predecessors::Unknown => (None, false),
         };
         self.motions.push(Motion { previous, from_start, ..motion });
     }
@@ -240,7 +240,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
     /// The motions at their sites, each with what it sees in the first pass and in any, and with what runs before it.
     fn motions(
         &mut self,
-        sites: impl ExactSizeIterator<Item = ((MotionSite<'a>, (StateSeen, StateSeen)), Before)>,
+        sites: impl ExactSizeIterator<Item = ((MotionSite<'a>, (StateSeen, StateSeen)), Predecessors)>,
     ) -> MotionsInOrder {
         let mut out =
             MotionsInOrder { motions: Vec::with_capacity(sites.len()), ..MotionsInOrder::default() };
@@ -297,7 +297,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             grip,
             ..self.setup_as_written(site, &args, ctx)
         };
-        let (skip_reason, known_at_run_time) = reasons.told();
+        let (skip_reason, known_at_run_time) = reasons.reported();
         self.note_frames((seen, skip_reason.is_none()), &args, ctx, Span { file: ctx.file, range });
         let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
@@ -316,7 +316,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
                 && args.tool.is_some()
                 && !asked_twice.any(|expr| is_asked_once(index, ctx, expr)),
             setup: self.shared_setup(setup),
-            skip_reason: skip_reason.map(|keep| self.shared_skip(keep)),
+            skip_reason: skip_reason.map(|skip| self.shared_skip(skip)),
             from_search: self.from_search.contains(&at),
         };
         self.keep_as_last(site, &args, seen, &motion);
@@ -373,8 +373,8 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         shared
     }
 
-    fn shared_skip(&mut self, keep: SkipReason) -> Arc<SkipReason> {
-        let known = self.last_skip.take().filter(|known| **known == keep);
-        Arc::clone(self.last_skip.insert(known.unwrap_or_else(|| Arc::new(keep))))
+    fn shared_skip(&mut self, skip: SkipReason) -> Arc<SkipReason> {
+        let known = self.last_skip.take().filter(|known| **known == skip);
+        Arc::clone(self.last_skip.insert(known.unwrap_or_else(|| Arc::new(skip))))
     }
 }

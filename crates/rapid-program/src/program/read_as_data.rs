@@ -110,8 +110,8 @@ impl ReadAsData {
 
 impl ReadAsData {
     /// Why a motion to a target that comes from a datum is kept, where what reads the datum forbids to correct it.
-    pub(super) fn why_kept(&self, index: &Index<'_>, datum: DatumId) -> Option<SkipReason> {
-        self.0.get(&datum)?.why_kept(index)
+    pub(super) fn skip_reason(&self, index: &Index<'_>, datum: DatumId) -> Option<SkipReason> {
+        self.0.get(&datum)?.skip_reason(index)
     }
 }
 
@@ -122,7 +122,7 @@ impl Reading {
     }
 
     /// Why a motion to the target stays as it is, where it must.
-    pub(super) fn why_kept(&self, index: &Index<'_>) -> Option<SkipReason> {
+    pub(super) fn skip_reason(&self, index: &Index<'_>) -> Option<SkipReason> {
         let reason =
             format!("{} makes a tool, frame or zone of its target: {}", self.by, index.place(self.at));
         let because = Some(self.at);

@@ -29,14 +29,3 @@ pub struct Schedule {
     /// Edges are whole multiples of 1/`parts_per_min` minutes: 1 or 10.
     pub parts_per_min: u32,
 }
-
-impl Schedule {
-    /// Width of the narrowest bucket, minutes; `None` where the only bucket holds for ever.
-    #[must_use]
-    pub fn narrowest_min(&self) -> Option<f64> {
-        self.buckets
-            .iter()
-            .filter_map(|bucket| bucket.to_min.map(|to_min| to_min - bucket.from_min))
-            .min_by(f64::total_cmp)
-    }
-}

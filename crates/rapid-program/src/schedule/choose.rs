@@ -155,10 +155,10 @@ pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleEr
     let mut worst_m = f64::INFINITY;
     for _ in 0..MAX_ROUNDS {
         let displacements_m = drift.displacements_m(&active);
-        let bends_min = drift.bends_min();
+        let knots_min = drift.knots_min();
         let horizon_min =
-            horizon_min(&displacements_m, bends_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
-        let curve = Curve::sample(&displacements_m, bends_min, horizon_min, sag_m);
+            horizon_min(&displacements_m, knots_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
+        let curve = Curve::sample(&displacements_m, knots_min, horizon_min, sag_m);
         drop(displacements_m);
         let (schedule, fewest) = match request.width {
             Width::Tolerance => by_tolerance(&curve, request, working_m)?,
@@ -251,7 +251,7 @@ impl Chosen {
 /// The targets that go furthest from cold to settled and between some minutes on the way.
 fn most_drifting(drift: &dyn Drift, request: &Request) -> Result<Vec<usize>, ScheduleError> {
     let (cold, settled) = (Moment::Minute(0.0), Moment::Settled);
-    let bends = drift.bends_min();
+    let bends = drift.knots_min();
     let every = bends.len().div_ceil(24).max(1);
     let on_the_way = bends.iter().step_by(every).filter(|&&t| t > 0.0).map(|&t| Moment::Minute(t));
     let moments: Vec<Moment> = std::iter::once(cold).chain(on_the_way).chain([settled]).collect();
@@ -351,7 +351,7 @@ fn further_off(drift: &dyn Drift, schedule: &Schedule, held: Moment, tolerance_m
         let at = Moment::Minute(bucket.at_min);
         let end = if bucket.to_min.is_none() { held } else { bucket.end() };
         let inside = |t: &&f64| **t > bucket.from_min && bucket.to_min.is_none_or(|to_min| **t < to_min);
-        let bends = drift.bends_min().iter().filter(inside).map(|&t| Moment::Minute(t));
+        let bends = drift.knots_min().iter().filter(inside).map(|&t| Moment::Minute(t));
         let first = pairs.len();
         pairs
             .extend([Moment::Minute(bucket.from_min), end].into_iter().chain(bends).map(|there| (at, there)));

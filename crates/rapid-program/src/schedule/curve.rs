@@ -19,14 +19,14 @@ pub(super) struct Curve {
     targets: usize,
 }
 
-/// The minute by which all that drift stand within `rest_m` of where they will settle; no earlier than the last of `bends_min`.
+/// The minute by which all that drift stand within `rest_m` of where they will settle; no earlier than the last of `knots_min`.
 pub(super) fn horizon_min(
     displacements_m: &Displacements<'_>,
-    bends_min: &[f64],
+    knots_min: &[f64],
     rest_m: f64,
 ) -> Option<f64> {
     let settled = displacements_m(Moment::Settled);
-    let mut at_min = bends_min.last().copied().unwrap_or(0.0).max(0.0);
+    let mut at_min = knots_min.last().copied().unwrap_or(0.0).max(0.0);
     loop {
         let here = displacements_m(Moment::Minute(at_min));
         let rest = here.iter().zip(&settled).map(|(&a, &b)| norm2(minus(a, b))).fold(0.0, f64::max);
@@ -44,13 +44,13 @@ impl Curve {
     /// The polygon through nodes so close that no target is off it by more than `sag_m`.
     pub(super) fn sample(
         displacements_m: &Displacements<'_>,
-        bends_min: &[f64],
+        knots_min: &[f64],
         horizon_min: f64,
         sag_m: f64,
     ) -> Self {
         let mut curve = Self { t_min: Vec::new(), d_m: Vec::new(), targets: 0 };
         let mut coarse: Vec<f64> = (0..=32).map(|k| horizon_min * f64::from(k) / 32.0).collect();
-        coarse.extend(bends_min.iter().copied().filter(|&t| t > 0.0 && t < horizon_min));
+        coarse.extend(knots_min.iter().copied().filter(|&t| t > 0.0 && t < horizon_min));
         coarse.sort_by(f64::total_cmp);
         coarse.dedup();
         let mut left: Option<(f64, Vec<[f64; 3]>)> = None;

@@ -32,7 +32,7 @@ pub trait Drift {
 
     /// Minutes at which the drift may bend (a table's times), ascending; between two of them, and after the
     /// last, each target drifts smoothly in one direction.
-    fn bends_min(&self) -> &[f64];
+    fn knots_min(&self) -> &[f64];
 }
 
 pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

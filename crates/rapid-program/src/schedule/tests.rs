@@ -5,7 +5,7 @@ use super::*;
 /// Targets whose displacement is a formula of time.
 struct Formula<F> {
     targets: usize,
-    bends_min: Vec<f64>,
+    knots_min: Vec<f64>,
     displacement_m: F,
 }
 
@@ -38,8 +38,8 @@ impl<F: Fn(usize, Moment) -> [f64; 3] + Sync> Drift for Formula<F> {
         targets.iter().map(|&i| moments.iter().map(|&m| far(i, m)).reduce(f64::max)).collect()
     }
 
-    fn bends_min(&self) -> &[f64] {
-        &self.bends_min
+    fn knots_min(&self) -> &[f64] {
+        &self.knots_min
     }
 }
 
@@ -47,7 +47,7 @@ impl<F: Fn(usize, Moment) -> [f64; 3] + Sync> Drift for Formula<F> {
 fn two_stage(targets: usize) -> Formula<impl Fn(usize, Moment) -> [f64; 3] + Sync> {
     Formula {
         targets,
-        bends_min: vec![],
+        knots_min: vec![],
         displacement_m: |i, moment| {
             let grown = match moment {
                 Moment::Minute(t) => 1.0 - (1.0 + t / 46.0) * (-t / 46.0).exp(),
@@ -63,7 +63,7 @@ fn table(knots: Vec<Vec<[f64; 3]>>) -> Formula<impl Fn(usize, Moment) -> [f64; 3
     let last = knots.len() - 1;
     Formula {
         targets: knots[0].len(),
-        bends_min: (0..=last).map(|k| k as f64).collect(),
+        knots_min: (0..=last).map(|k| k as f64).collect(),
         displacement_m: move |i: usize, moment| {
             let t = match moment {
                 Moment::Minute(t) => t.min(last as f64),
@@ -130,7 +130,7 @@ fn no_target_is_off_by_more_at_any_minute() {
 
 #[test]
 fn no_drift_is_one_bucket() {
-    let drift = Formula { targets: 2, bends_min: vec![], displacement_m: |_, _| [1e-4, 0.0, 0.0] };
+    let drift = Formula { targets: 2, knots_min: vec![], displacement_m: |_, _| [1e-4, 0.0, 0.0] };
     let chosen = choose(&drift, &request(5e-6)).unwrap();
     assert_eq!(chosen.schedule.buckets, [Bucket { from_min: 0.0, to_min: None, at_min: 0.0 }]);
     assert_eq!((chosen.worst_m, chosen.until_min), (0.0, 0.0));
@@ -212,7 +212,7 @@ fn the_furthest_target_tells_the_timeline_of_all_that_one_law_moves() {
     // One that goes half as far, but later, is none of one law: it is found to be on its way still, and is taken in.
     let late = Formula {
         targets: 2,
-        bends_min: vec![],
+        knots_min: vec![],
         displacement_m: |i, moment| {
             let grown = |tau_min: f64| match moment {
                 Moment::Minute(t) => 1.0 - (-t / tau_min).exp(),
@@ -224,7 +224,7 @@ fn the_furthest_target_tells_the_timeline_of_all_that_one_law_moves() {
     let found = timeline_of_one_law(&late, 1e-8, 5e-6).unwrap();
     // 90 ln 20 minutes; what a straight line cuts off is 0.2 minutes there.
     assert!((found.until_min - 269.61).abs() < 0.3, "{}", found.until_min);
-    let none = Formula { targets: 0, bends_min: vec![], displacement_m: |_, _| [0.0; 3] };
+    let none = Formula { targets: 0, knots_min: vec![], displacement_m: |_, _| [0.0; 3] };
     assert_eq!(timeline_of_one_law(&none, 1e-7, 5e-6), timeline(&none, &[], 1e-7, 5e-6));
 }
 
@@ -246,7 +246,7 @@ fn requests_without_sense_are_named() {
     assert_eq!(choose(&drift, &request(1e-7)), Err(ScheduleError::TooManyBuckets));
     let never = Formula {
         targets: 1,
-        bends_min: vec![],
+        knots_min: vec![],
         displacement_m: |_, moment| match moment {
             Moment::Minute(t) => [1e-4 * (1.0 - (-t / 1e12).exp()), 0.0, 0.0],
             Moment::Settled => [1e-4, 0.0, 0.0],

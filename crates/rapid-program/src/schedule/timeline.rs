@@ -40,9 +40,9 @@ pub fn timeline(
     if targets.is_empty() {
         return Ok(Timeline { at_min: vec![0.0], until_min: 0.0 });
     }
-    let (displacements_m, bends_min) = (drift.displacements_m(targets), drift.bends_min());
-    let horizon_min = horizon_min(&displacements_m, bends_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
-    let curve = Curve::sample(&displacements_m, bends_min, horizon_min, sag_m);
+    let (displacements_m, knots_min) = (drift.displacements_m(targets), drift.knots_min());
+    let horizon_min = horizon_min(&displacements_m, knots_min, sag_m).ok_or(ScheduleError::NeverSettles)?;
+    let curve = Curve::sample(&displacements_m, knots_min, horizon_min, sag_m);
     Ok(Timeline { until_min: curve.settles_within(tolerance_m), at_min: curve.into_minutes(sag_m) })
 }
 

@@ -41,48 +41,54 @@ pub struct Loads {
     /// What the same kilogram adds on joint j per metre further along the flange's axis k: `levers[j][k]`, N.
     pub unit_lever_n: [[f64; 3]; MOST_JOINTS],
     /// Load beyond each joint, about that joint's origin: of all links and the payload.
-    pub beyond: [Pull; MOST_JOINTS],
+    pub beyond: [Wrench; MOST_JOINTS],
     /// The part of each link k in it: `parts[j][k]`.
-    pub link_beyond: [[Pull; MOST_JOINTS]; MOST_JOINTS],
+    pub link_beyond: [[Wrench; MOST_JOINTS]; MOST_JOINTS],
     /// Moment of the whole moving arm about the base's origin, N.m.
     pub base_moment_n_m: Vector3<f64>,
     /// The part of each link, N.m.
     pub link_base_moment_n_m: [Vector3<f64>; MOST_JOINTS],
 }
 
-/// A load that gravity pulls down.
+/// The wrench of gravity: a moment about a point, and a force straight down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pull {
+pub struct Wrench {
     /// About a joint's origin, base axes, N.m.
     pub moment_n_m: Vector3<f64>,
     /// Downward, along -z, N.
     pub weight_n: f64,
 }
 
-/// How a cantilever bends under gravity, per unit of its L/EI (Gere and Timoshenko, Mechanics of Materials, appendix G).
+/// Slope and deflection of a cantilever's end under gravity, per unit of its L/EI (Gere and Timoshenko, Mechanics of Materials, appendix G).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bend {
-    /// Turn of its end, base axes, N.m: M + F L / 2.
-    pub turn_n_m: Vector3<f64>,
-    /// Sinking of its end, N.m times metres: M L / 2 + F L^2 / 3.
-    pub sink_m_n_m: Vector3<f64>,
+pub struct BeamDeflection {
+    /// Slope of its end, base axes, N.m: M + F L / 2.
+    pub slope_n_m: Vector3<f64>,
+    /// Deflection of its end, base axes, N.m times metres: M L / 2 + F L^2 / 3.
+    pub deflection_m_n_m: Vector3<f64>,
 }
 
-impl Pull {
-    /// How the link between two joints' origins (base frame) bends when this pulls at its end: an even one, the change where it
+impl Wrench {
+    /// How the link between two joints' origins (base frame) bends under this wrench at its end: an even one, the change where it
     /// gives more near its root than near its tip, and what the end force has in the first, apart from the moment.
     #[must_use]
-    pub fn bend(&self, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> [Bend; 3] {
+    pub fn bend(&self, from_m: &Vector3<f64>, to_m: &Vector3<f64>) -> [BeamDeflection; 3] {
         let along = to_m - from_m;
         let across = |v: Vector3<f64>| {
             if along.norm() > 1e-6 { v - along * (v.dot(&along) / along.norm_squared()) } else { v }
         };
         let moment = across(self.moment_n_m);
         let lever = along.cross(&Vector3::new(0.0, 0.0, -self.weight_n));
-        let even =
-            Bend { turn_n_m: moment + lever * 0.5, sink_m_n_m: (moment * 0.5 + lever / 3.0).cross(&along) };
-        let uneven = Bend { turn_n_m: lever, sink_m_n_m: (moment + lever).cross(&along) };
-        [even, uneven, Bend { turn_n_m: lever * 0.5, sink_m_n_m: (lever / 3.0).cross(&along) }]
+        let even = BeamDeflection {
+            slope_n_m: moment + lever * 0.5,
+            deflection_m_n_m: (moment * 0.5 + lever / 3.0).cross(&along),
+        };
+        let uneven = BeamDeflection { slope_n_m: lever, deflection_m_n_m: (moment + lever).cross(&along) };
+        [
+            even,
+            uneven,
+            BeamDeflection { slope_n_m: lever * 0.5, deflection_m_n_m: (lever / 3.0).cross(&along) },
+        ]
     }
 
     fn add(&mut self, moment_n_m: &Vector3<f64>, weight_n: f64) {
@@ -221,16 +227,16 @@ mod tests {
         let [even, ..] = loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
         let weight = 9.80665 * (links[2..].iter().map(|l| l.mass_kg).sum::<f64>() + 2.0);
         let moment = loads.torque_n_m[2];
-        assert!((even.turn_n_m.y - moment - 0.36 * weight / 2.0).abs() < 1e-9, "{even:?}");
-        let sink = moment * 0.36 / 2.0 + 0.36 * 0.36 * weight / 3.0;
-        assert!((even.sink_m_n_m.z + sink).abs() < 1e-9, "{even:?}");
+        assert!((even.slope_n_m.y - moment - 0.36 * weight / 2.0).abs() < 1e-9, "{even:?}");
+        let deflection = moment * 0.36 / 2.0 + 0.36 * 0.36 * weight / 3.0;
+        assert!((even.deflection_m_n_m.z + deflection).abs() < 1e-9, "{even:?}");
         assert!((loads.payload_torque_n_m[1] - 2.0 * loads.unit_torque_n_m[1]).abs() < 1e-12);
         // The weight's own part of that; without it a beam under an end moment alone is left: M and M L / 2.
         let [even, _, force] =
             loads.beyond[2].bend(&frames[1].translation.vector, &frames[2].translation.vector);
-        assert!((force.turn_n_m.y - 0.36 * weight / 2.0).abs() < 1e-9, "{force:?}");
-        assert!((force.sink_m_n_m.z + 0.36 * 0.36 * weight / 3.0).abs() < 1e-9, "{force:?}");
-        assert!(((even.turn_n_m - force.turn_n_m).y - moment).abs() < 1e-9);
-        assert!(((even.sink_m_n_m - force.sink_m_n_m).z + moment * 0.36 / 2.0).abs() < 1e-9);
+        assert!((force.slope_n_m.y - 0.36 * weight / 2.0).abs() < 1e-9, "{force:?}");
+        assert!((force.deflection_m_n_m.z + 0.36 * 0.36 * weight / 3.0).abs() < 1e-9, "{force:?}");
+        assert!(((even.slope_n_m - force.slope_n_m).y - moment).abs() < 1e-9);
+        assert!(((even.deflection_m_n_m - force.deflection_m_n_m).z + moment * 0.36 / 2.0).abs() < 1e-9);
     }
 }

@@ -197,8 +197,8 @@ mod tests {
         for text in
             ["", "exp", "exp:", "exp:0", "exp:-3", "exp:nan", "exp:inf", "two-stage:x", "none:4", "linear:3"]
         {
-            let said = text.parse::<GrowthLaw>().unwrap_err().to_string();
-            assert!(said.contains("`none`, `exp:TAU` or `two-stage:TAU`"), "{text}: {said}");
+            let error_text = text.parse::<GrowthLaw>().unwrap_err().to_string();
+            assert!(error_text.contains("`none`, `exp:TAU` or `two-stage:TAU`"), "{text}: {error_text}");
         }
     }
 }

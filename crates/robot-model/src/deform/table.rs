@@ -197,7 +197,7 @@ mod tests {
     const TWO_STAGE: Option<GrowthLaw> = Some(GrowthLaw::TwoStage { tau_min: 46.0 });
     const PAPER: &str = include_str!("../../../../fixtures/paper/table2_deformation.csv");
 
-    fn said(text: &str, growth: Option<GrowthLaw>) -> String {
+    fn error_text(text: &str, growth: Option<GrowthLaw>) -> String {
         Deformation::from_csv(text.as_bytes(), growth).unwrap_err().to_string()
     }
 
@@ -225,22 +225,30 @@ mod tests {
     fn faults_are_told_with_line_and_column() {
         let five = PAPER.trim_end().rsplit_once('\n').unwrap().0;
         assert!(
-            said(five, TWO_STAGE).contains(": 5 rows; a static table has one row for each"),
+            error_text(five, TWO_STAGE).contains(": 5 rows; a static table has one row for each"),
             "{}",
-            said(five, TWO_STAGE)
+            error_text(five, TWO_STAGE)
         );
         let nan = PAPER.replace("0.000154", "NaN");
-        assert!(said(&nan, TWO_STAGE).contains("line 2, column 2 (`Dy[mm]`): `NaN` is not a finite"));
+        assert!(error_text(&nan, TWO_STAGE).contains("line 2, column 2 (`Dy[mm]`): `NaN` is not a finite"));
         let text = PAPER.replace("0.0241", "0,0241");
-        assert!(said(&text, TWO_STAGE).contains("line 5"), "{}", said(&text, TWO_STAGE));
-        assert!(said(&text, TWO_STAGE).contains("7 cells, the header has 6"), "{}", said(&text, TWO_STAGE));
+        assert!(error_text(&text, TWO_STAGE).contains("line 5"), "{}", error_text(&text, TWO_STAGE));
+        assert!(
+            error_text(&text, TWO_STAGE).contains("7 cells, the header has 6"),
+            "{}",
+            error_text(&text, TWO_STAGE)
+        );
         let crlf = PAPER.replace("0.000154", "NaN").replace('\n', "\r\n");
-        assert!(said(&crlf, TWO_STAGE).contains("line 2, column 2"), "{}", said(&crlf, TWO_STAGE));
+        assert!(
+            error_text(&crlf, TWO_STAGE).contains("line 2, column 2"),
+            "{}",
+            error_text(&crlf, TWO_STAGE)
+        );
         let text = PAPER.replace("0.0108", "little");
-        assert!(said(&text, TWO_STAGE).contains("line 3, column 4 (`DOx[deg]`): `little` is not"));
+        assert!(error_text(&text, TWO_STAGE).contains("line 3, column 4 (`DOx[deg]`): `little` is not"));
         let header = PAPER.replace("DOz[deg]", "DOz[rad]");
-        assert!(said(&header, TWO_STAGE).contains("column 6 is `DOz[rad]`, not `doz[deg]`"));
-        assert!(said("", TWO_STAGE).contains("it has 0 columns"), "{}", said("", TWO_STAGE));
+        assert!(error_text(&header, TWO_STAGE).contains("column 6 is `DOz[rad]`, not `doz[deg]`"));
+        assert!(error_text("", TWO_STAGE).contains("it has 0 columns"), "{}", error_text("", TWO_STAGE));
     }
 
     const SCHEDULED: &str = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n\
@@ -279,7 +287,7 @@ mod tests {
             ("rz_deg", "rz_deg,note", "column `note` is not known"),
             ("t_min", "temp_c,t_min", "both `t_min` and `temp_c`"),
         ] {
-            let text = said(&SCHEDULED.replacen(from, to, 1), None);
+            let text = error_text(&SCHEDULED.replacen(from, to, 1), None);
             assert!(text.contains(expected), "{text}");
         }
         assert_eq!(Deformation::from_csv(SCHEDULED.as_bytes(), TWO_STAGE), Err(DeformError::GrowthNotUsed));

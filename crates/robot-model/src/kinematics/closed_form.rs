@@ -153,11 +153,11 @@ impl ClosedForm {
             goals: &eight_poses(&poses),
             branch: Branch::of(lanes),
         });
-        let tells = self.structure.zero_rad[4].abs() < STRAIGHT_RAD;
+        let is_decisive = self.structure.zero_rad[4].abs() < STRAIGHT_RAD;
         std::array::from_fn(|k| {
             let q_rad = found.q_rad.map(|q_rad| q_rad.0[k]);
             let is_bent = q_rad[4].abs() > 2.0 * STRAIGHT_RAD && (q_rad[4] < 0.0) == (at(k).1 % 2 == 1);
-            (tells && is_bent && at(k).1 < LANES).then(|| (found.proved.0[k] > 0.5).then_some(q_rad))
+            (is_decisive && is_bent && at(k).1 < LANES).then(|| (found.proved.0[k] > 0.5).then_some(q_rad))
         })
     }
 

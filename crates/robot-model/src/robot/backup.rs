@@ -209,20 +209,23 @@ mod tests {
 
     #[test]
     fn what_cannot_be_known_is_refused() {
-        let said = |text: &str, unit| BackedUp::from_moc(text, unit).unwrap_err().to_string();
-        assert!(said("", None).contains("there is no robot in it"));
-        assert!(said(MOC, Some("ROB_3")).contains("its robots are ROB_1, ROB_2"));
+        let error_text = |text: &str, unit| BackedUp::from_moc(text, unit).unwrap_err().to_string();
+        assert!(error_text("", None).contains("there is no robot in it"));
+        assert!(error_text(MOC, Some("ROB_3")).contains("its robots are ROB_1, ROB_2"));
         assert!(
-            said(&MOC.replace("140_0.81_6", "6700_LeanID_2.65_220"), None)
+            error_text(&MOC.replace("140_0.81_6", "6700_LeanID_2.65_220"), None)
                 .contains("ROB1_6700_LeanID_2.65_220 are not built in")
         );
-        assert!(said(&MOC.replace("140_0.81_6", "140_0.95_6"), None).contains("are not built in"));
-        assert!(said(&MOC.replace("140_0.81_6", "910SC_0.55_3"), None).contains("four joints of a SCARA"));
+        assert!(error_text(&MOC.replace("140_0.81_6", "140_0.95_6"), None).contains("are not built in"));
         assert!(
-            said(&MOC.replace("140_0.81_6", "2400_1.55_16"), None).contains("coupled by a parallelogram")
+            error_text(&MOC.replace("140_0.81_6", "910SC_0.55_3"), None).contains("four joints of a SCARA")
         );
         assert!(
-            said(&MOC.replace("-upper_joint_bound 1.5", "-upper_joint_bound -9"), None)
+            error_text(&MOC.replace("140_0.81_6", "2400_1.55_16"), None)
+                .contains("coupled by a parallelogram")
+        );
+        assert!(
+            error_text(&MOC.replace("-upper_joint_bound 1.5", "-upper_joint_bound -9"), None)
                 .contains("empty or reversed")
         );
     }

@@ -300,9 +300,9 @@ mod tests {
 
     #[test]
     fn an_unknown_robot_is_told_the_names_and_the_nearest() {
-        let said = Robot::by_name("irb141").unwrap_err().to_string();
-        assert!(said.contains("did you mean `irb140`"), "{said}");
-        assert!(said.contains("irb6700"), "{said}");
+        let error_text = Robot::by_name("irb141").unwrap_err().to_string();
+        assert!(error_text.contains("did you mean `irb140`"), "{error_text}");
+        assert!(error_text.contains("irb6700"), "{error_text}");
         assert!(!Robot::by_name("kr6").unwrap_err().to_string().contains("did you mean"));
     }
 }

@@ -281,7 +281,7 @@ pub(crate) mod tests {
     #[test]
     fn what_is_no_table_is_refused_with_its_line() {
         let four = "a_mm,alpha_deg,d_mm,theta_deg\n0,0,1,0\n0,0,1,0\n# note\n0,0,1,0\n";
-        for (text, line, said) in [
+        for (text, line, error_text) in [
             (format!("{four}0,x,1,0\n"), 6, "alpha_deg `x` is no number"),
             (format!("{four}0,,1,0\n"), 6, "alpha_deg is empty"),
             (format!("{four}0,NaN,1,0\n"), 6, "is no number"),
@@ -298,7 +298,7 @@ pub(crate) mod tests {
         ] {
             let error = SerialArm::from_dh(text.as_bytes(), DhConvention::Modified, "x").unwrap_err();
             let RobotError::DhTable { line: at, problem } = &error else { panic!("{error}") };
-            assert!(*at == line && problem.contains(said), "{text:?}: {error}");
+            assert!(*at == line && problem.contains(error_text), "{text:?}: {error}");
         }
     }
 }

@@ -316,8 +316,8 @@ mod tests {
         );
         assert_eq!(arm.joints[0].range_rad, Some([-0.18, 0.02]));
         assert_eq!(SerialArm::from_toml(&arm.to_toml()).unwrap(), arm);
-        let said = error(&sliding("range_deg = [-180, 20]"));
-        assert!(said.contains("[[joint]] 1, range_deg: the joint is prismatic"), "{said}");
+        let error_text = error(&sliding("range_deg = [-180, 20]"));
+        assert!(error_text.contains("[[joint]] 1, range_deg: the joint is prismatic"), "{error_text}");
         assert!(error(&sliding("range_mm = [20, -180]")).contains("20 to -180 is empty or reversed"));
     }
 

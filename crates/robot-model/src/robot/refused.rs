@@ -78,9 +78,9 @@ mod tests {
                      irb6660 irb8700"
             .split_whitespace()
         {
-            let said = Robot::by_name(name).unwrap_err();
-            assert_eq!(said.code(), "robot::coupled", "{name}");
-            assert!(said.to_string().contains("joints 2 and 3"), "{said}");
+            let error_text = Robot::by_name(name).unwrap_err();
+            assert_eq!(error_text.code(), "robot::coupled", "{name}");
+            assert!(error_text.to_string().contains("joints 2 and 3"), "{error_text}");
         }
         for name in ["IRB 460-110/2.4", "ABB_IRB6640ID-200/2.55", "IRB 360-1/1130", "IRB 940"] {
             assert!(matches!(Robot::by_name(name), Err(RobotError::Refused { .. })), "{name}");

@@ -133,36 +133,36 @@ mod tests {
 
     #[test]
     fn what_is_no_six_axis_arm_is_refused_with_its_line() {
-        let said = |text: &str, tip| Robot::from_urdf(text, tip).unwrap_err().to_string();
-        assert!(said("no xml", None).starts_with("URDF, line 1: "));
-        assert!(said("<model/>", None).contains("the first element is <model>"));
-        assert!(said(ARM, Some("hand")).contains("there is no link `hand`; its ends are"));
-        assert!(said(ARM, Some("link_3")).contains("3 joints move"));
+        let error_text = |text: &str, tip| Robot::from_urdf(text, tip).unwrap_err().to_string();
+        assert!(error_text("no xml", None).starts_with("URDF, line 1: "));
+        assert!(error_text("<model/>", None).contains("the first element is <model>"));
+        assert!(error_text(ARM, Some("hand")).contains("there is no link `hand`; its ends are"));
+        assert!(error_text(ARM, Some("link_3")).contains("3 joints move"));
         let camera = "<link name=\"camera\"/><joint name=\"c\" type=\"fixed\"><parent link=\"link_3\"/><child link=\"camera\"/></joint>";
         let unnamed = ARM
             .replace("tool0", "t0")
             .replace("flange", "f")
             .replace("</robot>", &format!("{camera}</robot>"));
         assert!(
-            said(&unnamed, None).contains("its ends are camera, gripper; name one"),
+            error_text(&unnamed, None).contains("its ends are camera, gripper; name one"),
             "{}",
-            said(&unnamed, None)
+            error_text(&unnamed, None)
         );
         let mimic =
             ARM.replacen("<axis xyz=\"0 1 0\"/>", "<axis xyz=\"0 1 0\"/><mimic joint=\"joint_1\"/>", 1);
-        assert!(said(&mimic, None).contains("joint `joint_2` follows another"));
+        assert!(error_text(&mimic, None).contains("joint `joint_2` follows another"));
         let slides = ARM.replacen("type=\"revolute\"", "type=\"prismatic\"", 1);
-        assert!(said(&slides, None).contains("joint 1 of 6 slides"), "{}", said(&slides, None));
+        assert!(error_text(&slides, None).contains("joint 1 of 6 slides"), "{}", error_text(&slides, None));
         let floats = ARM.replacen("type=\"revolute\"", "type=\"floating\"", 1);
-        assert!(said(&floats, None).contains("joint `joint_1` is floating; joints must turn or slide"));
+        assert!(error_text(&floats, None).contains("joint `joint_1` is floating; joints must turn or slide"));
         assert!(
-            said(&ARM.replacen("0 0 0.29", "0 0 ${length}", 1), None)
+            error_text(&ARM.replacen("0 0 0.29", "0 0 ${length}", 1), None)
                 .contains("xacro must be expanded first")
         );
-        assert!(said(&ARM.replacen("0 0 0.29", "0 0 nan", 1), None).contains("three finite numbers"));
+        assert!(error_text(&ARM.replacen("0 0 0.29", "0 0 nan", 1), None).contains("three finite numbers"));
         let circle = ARM.replacen("<parent link=\"world\"/>", "<parent link=\"tool0\"/>", 1);
-        assert!(said(&circle, None).contains("round in a circle"));
+        assert!(error_text(&circle, None).contains("round in a circle"));
         let line = ARM.lines().position(|line| line.contains("name=\"joint_2\"")).unwrap() + 1;
-        assert!(said(&mimic, None).starts_with(&format!("URDF, line {line}: ")));
+        assert!(error_text(&mimic, None).starts_with(&format!("URDF, line {line}: ")));
     }
 }

@@ -5,7 +5,7 @@ use super::rigid::{MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
-use robot_model::deform::gravity::Bend;
+use robot_model::deform::gravity::BeamDeflection;
 use robot_model::robot::Axis;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
@@ -42,11 +42,11 @@ impl Effect for LinkBending {
             // Where a joint at its root or tip slides, how much of the link is a beam changes: left to geometry.
             .filter(|&i| !dataset.slides[i] && !dataset.slides[i + 1])
             .flat_map(|i| {
-                let turn_n_m = |o: &Observation| {
+                let slope_n_m = |o: &Observation| {
                     let [even, ..] = o.loads.beyond[i + 1].bend(&o.origins_m[i], &o.origins_m[i + 1]);
-                    even.turn_n_m.norm()
+                    even.slope_n_m.norm()
                 };
-                let largest_n_m = dataset.observations.iter().map(turn_n_m).fold(0.0, f64::max);
+                let largest_n_m = dataset.observations.iter().map(slope_n_m).fold(0.0, f64::max);
                 let prior_sigma = sag_per_load(BEND_RAD, largest_n_m);
                 let mut sizes = vec![prior_sigma, UNEVEN * prior_sigma];
                 sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, joints - 1 - i));
@@ -67,9 +67,9 @@ impl Effect for LinkBending {
         let observation = at.observation;
         let i = variant.joint.map_or(0, Axis::index).min(observation.joints() - 2);
         let (from_m, to_m) = (observation.origins_m[i], observation.origins_m[i + 1]);
-        let moved = |bend: &Bend| {
-            let mut twist = observation.rotation_about(&bend.turn_n_m, &to_m);
-            twist.iter_mut().zip(bend.sink_m_n_m.iter()).for_each(|(to, sink)| *to += sink);
+        let moved = |bend: &BeamDeflection| {
+            let mut twist = observation.rotation_about(&bend.slope_n_m, &to_m);
+            twist.iter_mut().zip(bend.deflection_m_n_m.iter()).for_each(|(to, deflection)| *to += deflection);
             twist
         };
         let [even, uneven, force] = observation.loads.beyond[i + 1].bend(&from_m, &to_m);

@@ -209,9 +209,9 @@ impl NuisanceModel {
             let by = scale * axis[end];
             let weights: Vec<f64> =
                 last.weights.iter().zip(&along.weights).map(|(of, along)| of - by * along).collect();
-            let told =
+            let is_dependent =
                 |(gram, column): (&Vec<f64>, &usize)| dot(gram, &weights).powi(2) > RANK * gram[*column];
-            if left_out.iter().zip(&rest.dependent).any(told) {
+            if left_out.iter().zip(&rest.dependent).any(is_dependent) {
                 return None;
             }
             let y = last.y - by * along.y;

@@ -29,7 +29,7 @@ const HOPELESS: f64 = 4.0;
 /// From this probability on that none of the slot's causes is there, it is a rival.
 const SOMETHING_ELSE: f64 = 0.02;
 /// Rivals of a slot that are looked at.
-const MOST_RIVALS: usize = 4;
+const MOST_ALTERNATIVES: usize = 4;
 /// Slots beside the least certain one that the poses are for as well, and how uncertain they are, nats.
 const MORE_SLOTS: usize = 2;
 const OPEN_NATS: f64 = 0.1;
@@ -76,24 +76,24 @@ pub(super) fn next_measurements(
     let Some(planned) = best else { return NextMeasurements::default() };
     let FittedModel { linear, workspace, .. } = fitted;
     let names: Vec<String> = slot
-        .rivals
+        .alternatives
         .iter()
-        .take(MOST_RIVALS)
+        .take(MOST_ALTERNATIVES)
         .map(|r| describe_candidate(&workspace.library.candidates[r.candidate], &linear.dataset))
         .collect();
     let kinds: Vec<_> = slot
-        .rivals
+        .alternatives
         .iter()
-        .take(MOST_RIVALS)
+        .take(MOST_ALTERNATIVES)
         .map(|r| workspace.library.candidates[r.candidate].kind)
         .collect();
     let other = advice::other_means(&kinds, &linear.dataset.channels);
     let reason = match (verdict, names.as_slice()) {
-        (Verdict::Ambiguous, [one, rivals @ ..]) if !rivals.is_empty() => {
-            format!("to tell {one} from {}", rivals.join(" and from "))
+        (Verdict::Ambiguous, [one, alternatives @ ..]) if !alternatives.is_empty() => {
+            format!("to tell {one} from {}", alternatives.join(" and from "))
         }
-        (Verdict::Explained | Verdict::Several, [one, rival, ..]) => {
-            format!("to confirm {one} against its nearest rival, {rival}")
+        (Verdict::Explained | Verdict::Several, [one, alternative, ..]) => {
+            format!("to confirm {one} against its nearest rival, {alternative}")
         }
         (Verdict::UnexplainedStructure | Verdict::UnexplainedScatter, [one, ..]) => {
             format!("to test the nearest candidate, {one}")
@@ -147,9 +147,13 @@ impl Question {
         let mut columns: Vec<Vec<Vec<usize>>> = Vec::new();
         for slot in slots {
             let Workspace { design, library, column_index } = &mut *workspace;
-            let rivals: Vec<usize> =
-                slot.rivals.iter().take(MOST_RIVALS).map(|rival| rival.candidate).collect();
-            columns.push(library.columns_in_design(design, column_index, &rivals));
+            let alternatives: Vec<usize> = slot
+                .alternatives
+                .iter()
+                .take(MOST_ALTERNATIVES)
+                .map(|alternative| alternative.candidate)
+                .collect();
+            columns.push(library.columns_in_design(design, column_index, &alternatives));
         }
         let design = &workspace.design;
         let groups: Vec<usize> = (0..design.groups()).collect();
@@ -168,7 +172,7 @@ impl Question {
         }
         let drifts = |c: usize| workspace.library.candidates[c].effect().time() == TimeCourse::Drift;
         question.grows = linear.dataset.time_min.is_some()
-            && slots[0].rivals.iter().take(MOST_RIVALS).any(|r| drifts(r.candidate));
+            && slots[0].alternatives.iter().take(MOST_ALTERNATIVES).any(|r| drifts(r.candidate));
         Some(question)
     }
 
@@ -194,12 +198,12 @@ impl Question {
         let from = self.models.len();
         self.models.push(RivalModel { columns: common.clone() });
         let mut signals: Vec<Vec<Coefficient>> = Vec::new();
-        for (rival, columns) in slot.rivals.iter().zip(columns) {
+        for (alternative, columns) in slot.alternatives.iter().zip(columns) {
             if columns.iter().any(|c| common.iter().any(|taken| taken.column == *c)) {
                 return None;
             }
-            self.candidates.push((rival.candidate, columns.clone()));
-            let own = columns.iter().copied().map(fitted_with(precision(rival.size_ratio)));
+            self.candidates.push((alternative.candidate, columns.clone()));
+            let own = columns.iter().copied().map(fitted_with(precision(alternative.size_ratio)));
             let own = RivalModel { columns: common.iter().copied().chain(own).collect() };
             let fitted = own.fitted(&self.gram)?;
             let sizes = fitted.into_iter().skip(common.len());
@@ -208,27 +212,27 @@ impl Question {
             self.models.push(own);
         }
         let both = self.next_both();
-        let Some(first) = slot.rivals.first() else { return Some(()) };
-        let rest = 1.0 - slot.rivals.iter().map(|r| r.probability).sum::<f64>();
+        let Some(first) = slot.alternatives.first() else { return Some(()) };
+        let rest = 1.0 - slot.alternatives.iter().map(|r| r.probability).sum::<f64>();
         if signals.len() == 1 || rest > SOMETHING_ELSE {
             // What is not in the library is no better known than nothing.
             let weight = (first.probability * rest.max(SOMETHING_ELSE)).sqrt();
             let signal = signals[0].clone();
-            self.pairs.push(Pair { weight, signal, rival: from, truth: 1.0, both: Some(both), shape: None });
+            self.pairs.push(Pair { weight, signal, fitted: from, truth: 1.0, both: Some(both), shape: None });
         }
         let both = self.next_both();
-        for (b, other) in slot.rivals.iter().enumerate().take(columns.len()).skip(1) {
+        for (b, other) in slot.alternatives.iter().enumerate().take(columns.len()).skip(1) {
             let weight = (first.probability * other.probability).sqrt();
             let both = Some(both + b - 1);
             let truth = first.probability / (first.probability + other.probability);
             let kinds = [first.candidate, other.candidate].map(|c| candidates[c].kind);
-            for (truth, of, rival) in [(truth, 0, from + 1 + b), (1.0 - truth, b, from + 1)] {
+            for (truth, of, fitted) in [(truth, 0, from + 1 + b), (1.0 - truth, b, from + 1)] {
                 let signal = &signals[of];
                 let shape = match shapes_in_doubt(kinds[0], kinds[1]) {
                     true => Some(self.doubt(signal, from)?),
                     false => None,
                 };
-                self.pairs.push(Pair { weight, signal: signal.clone(), rival, truth, both, shape });
+                self.pairs.push(Pair { weight, signal: signal.clone(), fitted, truth, both, shape });
             }
         }
         Some(())
@@ -245,7 +249,7 @@ impl Question {
         self.pairs.push(Pair {
             weight: 0.0,
             signal: signal.to_vec(),
-            rival: nothing,
+            fitted: nothing,
             truth: 1.0,
             both: None,
             shape: None,
@@ -303,12 +307,12 @@ impl Question {
         let mut taken: Vec<usize> = Vec::new();
         while taken.len() < most && (taken.len() < FEWEST || separation.least() < DECIDES) {
             let Some(i) = separation.best(|i| !taken.contains(&i)) else { break };
-            separation.take(i);
+            separation.add_pose(i);
             taken.push(i);
         }
         let mut times = 1;
         while times < most_times && taken.len() == most && separation.least() < DECIDES {
-            taken.iter().for_each(|&i| separation.take(i));
+            taken.iter().for_each(|&i| separation.add_pose(i));
             times += 1;
         }
         let mut order = taken;

@@ -33,7 +33,7 @@ pub(super) struct Pair {
     /// Columns of the one that is taken to be true, with their coefficients.
     pub signal: Vec<Coefficient>,
     /// Which of the rivals' models is fitted to it.
-    pub rival: usize,
+    pub fitted: usize,
     /// The probability that it is true, over both.
     pub truth: f64,
     /// Number of the two, whichever is true; `None` where it only measures what a cause gains over nothing.
@@ -128,7 +128,7 @@ impl Separation {
         let missed_m = pairs
             .iter()
             .map(|pair| {
-                let (model, factor) = (&models[pair.rival], &factors[pair.rival]);
+                let (model, factor) = (&models[pair.fitted], &factors[pair.fitted]);
                 let right = DVector::from_iterator(
                     model.columns.len(),
                     model.columns.iter().map(|c| {
@@ -181,7 +181,7 @@ impl Separation {
 
     /// What pose `i` adds to the L of pair `k`.
     fn gain(&self, k: usize, i: usize) -> f64 {
-        let spread = &self.spread[self.pairs[k].rival][i];
+        let spread = &self.spread[self.pairs[k].fitted][i];
         let n = self.rows;
         let cover = DMatrix::from_fn(n, n, |r, c| spread[r].dot(&spread[c]) + f64::from(u8::from(r == c)));
         let missed = DVector::from_column_slice(&self.missed_m[k][i]);
@@ -200,10 +200,10 @@ impl Separation {
     }
 
     /// Takes pose `i`: what is known of every other pose follows (a Kalman filter's update, row by row).
-    pub(super) fn take(&mut self, i: usize) {
+    pub(super) fn add_pose(&mut self, i: usize) {
         for row in 0..self.rows {
             for k in 0..self.pairs.len() {
-                let by = &self.spread[self.pairs[k].rival];
+                let by = &self.spread[self.pairs[k].fitted];
                 let known = 1.0 + by[i][row].norm_squared();
                 let missed = self.missed_m[k][i][row];
                 self.lambda[k] += missed * missed / known / (self.sigma_m * self.sigma_m);
@@ -250,7 +250,7 @@ mod tests {
         let pair = Pair {
             weight: 1.0,
             signal: vec![Coefficient { column: 3, size: 1.0 }],
-            rival: 0,
+            fitted: 0,
             truth: 1.0,
             both: Some(0),
             shape: None,
@@ -260,7 +260,7 @@ mod tests {
         let mut separation = Separation::new(&gram, &[line], vec![pair], &pool, 1.0).unwrap();
         assert_eq!(separation.best(|_| true), Some(1));
         assert!((separation.gain(0, 1) - 10.0 / 3.0).abs() < 1e-6);
-        separation.take(1);
+        separation.add_pose(1);
         assert!((separation.least() - 10.0 / 3.0).abs() < 1e-6);
         assert!((separation.confusion() - (-10.0_f64 / 24.0).exp()).abs() < 1e-6);
         // The same point again: with it twice the parabola misses 10/3 with variance 1/2 + 7/3 in its mean, in all
@@ -279,13 +279,19 @@ mod tests {
         let (nothing, mean) = (RivalModel { columns: vec![] }, RivalModel { columns: vec![flat(1)] });
         let signal = vec![Coefficient { column: 2, size: 1.0 }];
         assert!((mean.square_left(&gram, &signal).unwrap() - 2.0).abs() < 1e-6);
-        let pair =
-            |rival, both, shape| Pair { weight: 1.0, signal: signal.clone(), rival, truth: 1.0, both, shape };
+        let pair = |fitted, both, shape| Pair {
+            weight: 1.0,
+            signal: signal.clone(),
+            fitted,
+            truth: 1.0,
+            both,
+            shape,
+        };
         let doubt = ShapeDoubt { share: 0.25, lambda: 2.0, over_nothing: 0 };
         let pairs = vec![pair(0, None, None), pair(1, Some(0), Some(doubt))];
         let pool = vec![vec![row(10.0)]];
         let mut separation = Separation::new(&gram, &[nothing, mean], pairs, &pool, 1.0).unwrap();
-        separation.take(0);
+        separation.add_pose(0);
         assert!((separation.least() - (75.0 - 0.25 * (2.0 + 100.0))).abs() < 1e-4, "{}", separation.least());
     }
 }

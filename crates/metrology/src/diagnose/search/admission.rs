@@ -41,8 +41,8 @@ impl Library<'_> {
         } else {
             offset(this) || chosen.len() - lines - count(&offset) < MOST_CAUSES
         };
-        let told = this.variant.n.is_none() || self.angles_tell_another_line(this, chosen);
-        room && told
+        let is_distinct = this.variant.n.is_none() || self.angles_tell_another_line(this, chosen);
+        room && is_distinct
             && chosen.iter().all(|c| {
                 let other = &self.candidates[c.candidate];
                 let same = other.kind == this.kind

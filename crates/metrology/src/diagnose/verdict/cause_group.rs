@@ -33,11 +33,11 @@ pub(crate) struct OpenSlot {
     /// Index of the cause that was chosen; `None`: none was.
     pub slot: Option<usize>,
     /// Causes that cannot be ruled out there, the likeliest first; where one alone is left, it and the next.
-    pub rivals: Vec<Rival>,
+    pub alternatives: Vec<AlternativeCause>,
 }
 
 /// A cause that may stand in a slot.
-pub(crate) struct Rival {
+pub(crate) struct AlternativeCause {
     /// Index of its likeliest candidate.
     pub candidate: usize,
     /// Among all that may stand there.
@@ -49,23 +49,23 @@ pub(crate) struct Rival {
 impl OpenSlot {
     /// The slot of `groups`, of which the first `near` cannot be ruled out.
     pub(crate) fn new(slot: Option<usize>, groups: &[CauseGroup], near: usize) -> Self {
-        let rivals = groups
+        let alternatives = groups
             .iter()
             .take(near.max(2))
-            .map(|g| Rival {
+            .map(|g| AlternativeCause {
                 candidate: g.best,
                 probability: g.probability.clamp(1e-9, 1.0),
                 size_ratio: g.size_ratio,
             })
             .collect();
-        Self { slot, rivals }
+        Self { slot, alternatives }
     }
 
     /// How little is decided: entropy of the causes and of all else, nats.
     #[must_use]
     pub(crate) fn uncertainty(&self) -> f64 {
-        let causes: f64 = self.rivals.iter().map(|r| r.probability).sum();
-        let all = self.rivals.iter().map(|r| r.probability).chain([1.0 - causes]);
+        let causes: f64 = self.alternatives.iter().map(|r| r.probability).sum();
+        let all = self.alternatives.iter().map(|r| r.probability).chain([1.0 - causes]);
         all.filter(|p| *p > 0.0).map(|p| -p * p.ln()).sum()
     }
 }
@@ -148,10 +148,10 @@ fn gives_under_load(kind: EffectKind) -> bool {
 /// exp(s² gain), to the first's own at most. The sum stays.
 fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f64) {
     let before: f64 = probabilities.iter().sum();
-    let Some((&mut first, rivals)) = probabilities.split_first_mut() else { return };
+    let Some((&mut first, alternatives)) = probabilities.split_first_mut() else { return };
     let odds = (s * s * gain_nats.max(0.0)).exp();
-    for (rival, _) in rivals.iter_mut().zip(&shared[1..]).filter(|&(_, &shared)| shared) {
-        *rival = (*rival * odds).min(first);
+    for (alternative, _) in alternatives.iter_mut().zip(&shared[1..]).filter(|&(_, &shared)| shared) {
+        *alternative = (*alternative * odds).min(first);
     }
     let after: f64 = probabilities.iter().sum();
     if after <= 0.0 {

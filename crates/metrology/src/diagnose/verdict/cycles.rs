@@ -32,7 +32,11 @@ pub(super) struct SpectralLine {
 
 /// Lines that stand out of the spectrum of `residuals` in stations that are not `outliers`.
 #[must_use]
-pub(super) fn standing_out(dataset: &Dataset, residuals: &[Twist], outliers: &[bool]) -> Vec<SpectralLine> {
+pub(super) fn significant_peaks(
+    dataset: &Dataset,
+    residuals: &[Twist],
+    outliers: &[bool],
+) -> Vec<SpectralLine> {
     let kept: Vec<usize> = (0..residuals.len()).filter(|&i| !outliers[i]).collect();
     if kept.len() > MOST_STATIONS {
         return Vec::new();
@@ -98,7 +102,10 @@ mod tests {
                 residual[axis] = 2e-5 * (*last + wave);
             }
         }
-        standing_out(&dataset, &residuals, &[false; 100]).into_iter().map(|line| line.half_cycles).collect()
+        significant_peaks(&dataset, &residuals, &[false; 100])
+            .into_iter()
+            .map(|line| line.half_cycles)
+            .collect()
     }
 
     /// Of 60 sets of noise, white or slow, one or none has a line; a wave as large as the noise is found where it is.

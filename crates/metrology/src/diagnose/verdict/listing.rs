@@ -75,9 +75,9 @@ fn same(a: &Cause, b: &Cause) -> bool {
 #[must_use]
 pub(super) fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
     let mut rejected: Vec<Cause> = Vec::new();
-    for rival in alternatives {
-        if !causes.iter().chain(&rejected).any(|named| same(named, &rival)) {
-            rejected.push(rival);
+    for alternative in alternatives {
+        if !causes.iter().chain(&rejected).any(|named| same(named, &alternative)) {
+            rejected.push(alternative);
         }
     }
     rejected

@@ -32,7 +32,7 @@ const CYCLE_WEIGHT: f64 = 0.1;
 const VARYING_WEIGHT: f64 = 0.1;
 /// Structure beside the causes whose rms is under this share of theirs does not call them into doubt, even where a GP
 /// alternative could replace one of them.
-pub(super) const SMALL_BESIDE: f64 = 0.25;
+pub(super) const NEGLIGIBLE_STRUCTURE_RATIO: f64 = 0.25;
 /// With more causes than this each gear line is not tried against all others again.
 pub(super) const MANY_CAUSES: usize = 8;
 
@@ -62,8 +62,8 @@ pub(super) fn alternative_share(
     ranking: &HypothesisRanking,
     candidate: usize,
 ) -> f64 {
-    let rival = |RankedHypothesis { hypothesis: h, .. }: &&RankedHypothesis| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
-    ranking.ranked.iter().filter(rival).map(|r| r.probability).sum()
+    let alternative = |RankedHypothesis { hypothesis: h, .. }: &&RankedHypothesis| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
+    ranking.ranked.iter().filter(alternative).map(|r| r.probability).sum()
 }
 
 /// Structure of no cause, and its likeliest form.
@@ -130,7 +130,7 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
     if !dataset.channels.payload && dataset.time_min.is_some() {
         list.push(GpAlternative::HiddenLoad.weighing(HIDDEN_LOAD_WEIGHT));
     }
-    let cycles = cycles::standing_out(dataset, &model.residuals, &model.outliers);
+    let cycles = cycles::significant_peaks(dataset, &model.residuals, &model.outliers);
     list.extend(
         cycles
             .into_iter()
@@ -155,7 +155,7 @@ pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -
         let rest: Vec<ChosenCause> =
             (0..chosen.len()).filter(|i| !lines.contains(i)).map(|i| chosen[i].clone()).collect();
         let taken_m = (whole_m.powi(2) - total_rms_m(fitted, &rest).powi(2)).max(0.0).sqrt();
-        if lines.len() > MOST_OVERTONES || taken_m < SMALL_BESIDE * whole_m {
+        if lines.len() > MOST_OVERTONES || taken_m < NEGLIGIBLE_STRUCTURE_RATIO * whole_m {
             continue;
         }
         let others: Vec<usize> = (0..chosen.len())

@@ -6,8 +6,9 @@ use super::listing::{listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
 use super::size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
 use super::structure::{
-    MANY_CAUSES, SMALL_BESIDE, alternative_share, gp_alternative_share, left_over_m, likeliest_structure,
-    location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines, structure_odds, varying_cause,
+    MANY_CAUSES, NEGLIGIBLE_STRUCTURE_RATIO, alternative_share, gp_alternative_share, left_over_m,
+    likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
+    structure_odds, varying_cause,
 };
 use super::wording::{describe, in_short, structure_reason, switched_reason};
 use crate::diagnose::evidence::NuisanceModel;
@@ -202,7 +203,7 @@ impl StructureBeside {
         let all = odds > likeliest.map_or(0.0, |s| structure_odds(s.gain_nats).max(0.0));
         let shape = shape_of_lines(fitted, chosen).or(varying_cause(workspace, rest));
         // Structure that stays small beside the causes does not make them wrong.
-        let beside = left.is_some() && left_rms_m < SMALL_BESIDE * cause_rms_m;
+        let beside = left.is_some() && left_rms_m < NEGLIGIBLE_STRUCTURE_RATIO * cause_rms_m;
         // Causes that most of them structure could replace are no causes but its parts.
         let lost = &found.replaceable;
         let parts = lost.len() > 1 && 2 * lost.len() > found.needed && left.is_some();

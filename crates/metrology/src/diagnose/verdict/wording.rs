@@ -201,10 +201,10 @@ pub(super) fn in_short(causes: &[Cause]) -> String {
             many => open.push((size, format!("one of: {}", many.join(" or ")))),
         }
     }
-    let join = |mut list: Vec<(f64, String)>, said: usize| {
+    let join = |mut list: Vec<(f64, String)>, limit: usize| {
         list.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let more = list.len().saturating_sub(said);
-        let mut names: Vec<String> = list.into_iter().take(said).map(|(_, name)| name).collect();
+        let more = list.len().saturating_sub(limit);
+        let mut names: Vec<String> = list.into_iter().take(limit).map(|(_, name)| name).collect();
         names.extend((more > 0).then(|| format!("{more} more")));
         names.join("; ")
     };

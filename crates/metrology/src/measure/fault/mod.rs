@@ -105,10 +105,10 @@ impl Fault {
         kind: FaultKind,
         column: &str,
         mut lines: Vec<u64>,
-        said: impl Fn(usize, &str) -> String,
+        describe: impl Fn(usize, &str) -> String,
     ) -> Self {
         lines.sort_unstable();
-        let reason = said(lines.len(), &in_words(&lines));
+        let reason = describe(lines.len(), &in_words(&lines));
         Self { kind, column: Some(column.to_owned()), lines, reason }
     }
 }

@@ -141,10 +141,10 @@ fn fault(
     column: &str,
     rows: &[PosedRow],
     which: &[usize],
-    said: impl Fn(usize, &str) -> String,
+    describe: impl Fn(usize, &str) -> String,
 ) -> PartFault {
     let lines = which.iter().map(|&i| rows[i].station.line).collect();
-    PartFault::Fault(Fault::in_rows(kind, column, lines, said))
+    PartFault::Fault(Fault::in_rows(kind, column, lines, describe))
 }
 
 /// A unit or sign that is another in these rows.
@@ -168,7 +168,7 @@ fn single_columns(
     let (which, change) = tried.reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })?;
     (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
         fault(change.kind, &change.column, rows, &which, |count, lines| {
-            format!("in {count} rows ({lines}) {}", change.says)
+            format!("in {count} rows ({lines}) {}", change.description)
         })
     })
 }

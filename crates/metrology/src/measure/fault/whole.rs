@@ -29,7 +29,7 @@ pub(super) struct Change {
     /// Column, or columns, that it is in.
     pub column: String,
     /// What is wrong, as half a sentence.
-    pub says: String,
+    pub description: String,
     /// Takes the suspected fault out of a row.
     pub change: Box<dyn Fn(&mut Station)>,
 }
@@ -42,14 +42,14 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
         all.push(Change {
             kind: FaultKind::PositionUnits,
             column: AXES.join(", "),
-            says: format!("the measured points are in {name}, the columns say mm"),
+            description: format!("the measured points are in {name}, the columns say mm"),
             change: Box::new(move |s| s.reading = s.reading.scaled(factor)),
         });
         for (k, axis) in AXES.into_iter().enumerate() {
             all.push(Change {
                 kind: FaultKind::ColumnUnits,
                 column: axis.to_owned(),
-                says: format!("column {axis} is in {name}"),
+                description: format!("column {axis} is in {name}"),
                 change: Box::new(move |s| on_axis(s, k, factor)),
             });
         }
@@ -58,7 +58,7 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
         all.push(Change {
             kind: FaultKind::SwappedAxes,
             column: axis.to_owned(),
-            says: format!("column {axis} has the other sign"),
+            description: format!("column {axis} has the other sign"),
             change: Box::new(move |s| on_axis(s, k, -1.0)),
         });
     }
@@ -67,7 +67,7 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
         let column = arm.column(Axis::at(j));
         all.push(Change {
             kind: FaultKind::ColumnUnits,
-            says: format!("column {column} is in radians"),
+            description: format!("column {column} is in radians"),
             column,
             change: Box::new(move |s| s.q_rad[j] = deg_from_rad(s.q_rad[j])),
         });
@@ -75,7 +75,7 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
     all.push(Change {
         kind: FaultKind::JointUnits,
         column: arm.columns(),
-        says: "the joints are in radians, the columns say degrees".to_owned(),
+        description: "the joints are in radians, the columns say degrees".to_owned(),
         change: Box::new(move |s| turning.iter().for_each(|&j| s.q_rad[j] = deg_from_rad(s.q_rad[j]))),
     });
     all
@@ -286,7 +286,7 @@ impl Trial<'_> {
         let tried = one.filter_map(|change| self.with(&change.change).map(|left_m| (left_m, change)));
         let (left_m, change) = tried.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
         explains(Some(left_m), self.left_m)
-            .then(|| Fault::of_all(change.kind, Some(&change.column), change.says))
+            .then(|| Fault::of_all(change.kind, Some(&change.column), change.description))
     }
 
     fn joints(&self) -> Option<Fault> {
@@ -313,14 +313,16 @@ impl Trial<'_> {
         let elbow = self.turning().filter(|j| [1, 2].contains(j)).count() == 2;
         for (sign, verb) in [(1.0, "added"), (-1.0, "taken off")].into_iter().filter(|_| elbow) {
             let coupled = self.with(|s| s.q_rad[2] += sign * s.q_rad[1]);
-            let says = format!("joint 3 is counted from the horizontal: joint 2 has to be {verb}");
-            tried.push((coupled, says, "q3_deg".to_owned()));
+            let description = format!("joint 3 is counted from the horizontal: joint 2 has to be {verb}");
+            tried.push((coupled, description, "q3_deg".to_owned()));
         }
-        let known =
-            tried.into_iter().filter_map(|(left, says, column)| left.map(|left_m| (left_m, says, column)));
-        let (left_m, says, column) = known.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        let known = tried
+            .into_iter()
+            .filter_map(|(left, description, column)| left.map(|left_m| (left_m, description, column)));
+        let (left_m, description, column) =
+            known.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
         explains(Some(left_m), self.left_m)
-            .then(|| Fault::of_all(FaultKind::JointColumns, Some(&column), says))
+            .then(|| Fault::of_all(FaultKind::JointColumns, Some(&column), description))
     }
 
     fn other_robot(&self) -> Option<Fault> {

@@ -89,8 +89,8 @@ fn a_joint_move_follows_confdata_or_the_nearest_joints() {
     };
     let approach = || motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
 
-    let told = planned(&program(vec![approach(), joint(Some(true), other)]));
-    let q_deg = told.motions[1].targets[0].nominal_q_rad.map(deg_from_rad);
+    let displaced = planned(&program(vec![approach(), joint(Some(true), other)]));
+    let q_deg = displaced.motions[1].targets[0].nominal_q_rad.map(deg_from_rad);
     assert!((q_deg[3] + 136.469_524).abs() < 1e-6 && (q_deg[4] - 75.605_869).abs() < 1e-6);
     assert!((q_deg[5] - 166.712_742).abs() < 1e-6);
 
@@ -124,14 +124,14 @@ fn what_cannot_be_corrected_is_kept_with_its_reason() {
     let Some(TargetValue::Joint(mut target)) = unused.targets[0].value() else { panic!() };
     target.q_rad[2] = None;
     unused.targets[0] = unused.targets[0].clone().with_value(&TargetValue::Joint(target));
-    let mut told = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
-    told.skip_reason =
-        Some(Arc::new(placement::keep("keep::displaced", "a program displacement may be in force")));
+    let mut displaced = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
+    displaced.skip_reason =
+        Some(Arc::new(placement::skip("keep::displaced", "a program displacement may be in force")));
     let mut homeless = motion(Path::Linear, &[pose([500.0, 0.0, 500.0], [0.0, 0.0, 1.0, 0.0], [0; 4])]);
     Arc::make_mut(&mut homeless.setup).tool = None;
     let good = motion(Path::AbsJoint, &[joints(APPROACH_DEG)]);
-    let plan = planned(&program(vec![home, far, beyond, unused, told, homeless, good]));
-    let found: Vec<_> = plan.motions.iter().map(|m| kept_code(&m.status)).collect();
+    let plan = planned(&program(vec![home, far, beyond, unused, displaced, homeless, good]));
+    let found: Vec<_> = plan.motions.iter().map(|m| skip_code(&m.status)).collect();
     assert_eq!(
         found,
         [
@@ -175,7 +175,7 @@ fn joint_moves_stay_when_asked() {
         (Options { absolute_accuracy: true, ..Options::default() }, "keep::absolute-accuracy"),
     ] {
         let plan = plan(&cube45(true), &irb140(), &Deformation::paper(), &options).unwrap();
-        assert_eq!(kept_code(&plan.motions[0].status), code);
+        assert_eq!(skip_code(&plan.motions[0].status), code);
         assert_eq!(plan.motions[1].status, Status::Compensated);
     }
 }
@@ -226,7 +226,7 @@ fn an_arc_is_one_motion_with_two_corrected_points() {
     let plan = planned(&program(vec![start, arc, over]));
     assert_eq!(plan.motions[1].targets.len(), 2);
     assert!(plan.motions[1].mid_path_m.unwrap() < m_from_mm(0.01));
-    assert_eq!(kept_code(&plan.motions[2].status), "reach::none");
+    assert_eq!(skip_code(&plan.motions[2].status), "reach::none");
     assert!(plan.motions[2].targets.is_empty());
 }
 

@@ -107,17 +107,17 @@ fn a_line_that_would_have_to_change_branch_is_told() {
 
 #[test]
 fn rows_that_belong_to_no_motion_are_refused() {
-    let said = |rows: &[(u32, [f64; 6])]| {
+    let error_text = |rows: &[(u32, [f64; 6])]| {
         let error = hinted(&in_file(vec![there(Path::Linear, Some(false))]), rows).unwrap_err();
         assert_eq!(error.code(), "hint::line");
         error.to_string()
     };
     assert_eq!(
-        said(&[(7, APPROACH_DEG)]),
+        error_text(&[(7, APPROACH_DEG)]),
         "joints hint, line 2: there is no motion in line 7 of cell/Part.mod"
     );
     assert!(
-        said(&[(1, APPROACH_DEG), (1, APPROACH_DEG)])
+        error_text(&[(1, APPROACH_DEG), (1, APPROACH_DEG)])
             .contains("moves to 1 target, and the hint has 2 rows for it")
     );
     let other =

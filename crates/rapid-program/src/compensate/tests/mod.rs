@@ -126,7 +126,7 @@ fn codes(plan: &Plan) -> Vec<(&'static str, Severity)> {
     plan.diagnostics.iter().map(|d| (d.code, d.severity)).collect()
 }
 
-fn kept_code(status: &Status) -> &'static str {
+fn skip_code(status: &Status) -> &'static str {
     match status {
         Status::Kept(why) => why.code,
         Status::Compensated => "compensated",

@@ -17,7 +17,7 @@ impl<'w> Remover<'w> {
         arrays: &[NamedArray<'w>],
         declarations: &Declarations<'w>,
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
-        let (mut found, mut told) = (Vec::new(), BTreeSet::new());
+        let (mut found, mut seen) = (Vec::new(), BTreeSet::new());
         for named in arrays.iter().filter(|_| self.record.is_whole) {
             let NamedArray { name, array, meant, .. } = named;
             let values = match named.routine() {
@@ -47,7 +47,7 @@ impl<'w> Remover<'w> {
                     Some(_) => {}
                     None => {
                         if let Some((moved, unit)) = array.declared_apart(row, text)
-                            && told.insert(value.start)
+                            && seen.insert(value.start)
                         {
                             found.push(ModifiedTarget {
                                 array: Some(name.clone()),

@@ -1,7 +1,7 @@
 //! Tool and work object of a motion, in the first pass of its program and in later ones.
 
 use super::MotionReader;
-use super::skip_reasons::{SkipReasons, keep};
+use super::skip_reasons::{SkipReasons, skip};
 use crate::program::const_eval::{Constant, TrackedValues};
 use crate::program::convert;
 use crate::program::data::{ToolData, WobjData};
@@ -61,7 +61,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         seen: &Seen<'_>,
     ) -> Result<Passes<ToolData>, SkipReason> {
         let Some(expr) = args.tool else {
-            return Err(keep("keep::tool-unknown", "it names no tool".into()));
+            return Err(skip("keep::tool-unknown", "it names no tool".into()));
         };
         let written = || as_text(self.evaluator.index.text(ctx.file, expr.range));
         let tool = self.by_passes(expr, ctx, seen, convert::tooldata);
@@ -76,7 +76,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
     ) -> Result<Passes<WobjData>, SkipReason> {
         if args.conditional("wobj").is_some() {
             let text = "its work object is handed to the routine, if present".into();
-            return Err(keep("keep::wobj-unknown", text));
+            return Err(skip("keep::wobj-unknown", text));
         }
         let Some(expr) = args.wobj else { return Ok(Passes { first: WobjData::wobj0(), later: Vec::new() }) };
         let written = || as_text(self.evaluator.index.text(ctx.file, expr.range));
@@ -143,8 +143,9 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             if !entry.local && entry.kind == DatumKind::Declared(DataKind::Pers) {
                 self.settable.insert(datum);
             }
-            let told = !may_be_corrected || self.kept_over.contains_key(&datum);
-            let Some(left) = self.at_entry(datum, seen).filter(|_| !told && self.is_known(datum, seen.first))
+            let is_reported = !may_be_corrected || self.kept_over.contains_key(&datum);
+            let Some(left) =
+                self.at_entry(datum, seen).filter(|_| !is_reported && self.is_known(datum, seen.first))
             else {
                 continue;
             };

@@ -1,7 +1,7 @@
 //! The targets of a motion: what they are worth, and where that is written.
 
 use super::MotionReader;
-use super::skip_reasons::{SkipReasons, is_known_at_run_time, keep};
+use super::skip_reasons::{SkipReasons, is_known_at_run_time, skip};
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
 use crate::program::finite_set::FiniteSet;
@@ -40,7 +40,7 @@ impl<'a> MotionReader<'_, 'a> {
         for expr in &args.targets {
             let (target, failed, calc) = self.target(expr, (ctx, joints_wanted), on_ways.as_ref());
             if let Some((datum, reading)) = self.read_as_data.of_target(index, ctx, expr) {
-                match reading.why_kept(index) {
+                match reading.skip_reason(index) {
                     Some(why) => reasons.add(why),
                     None => read_elsewhere.push((datum, reading.warning(index, datum))),
                 }
@@ -50,7 +50,7 @@ impl<'a> MotionReader<'_, 'a> {
                     "it places external axis {axis}, which may carry the robot's base or the work object (--base-fixed {axis} says \
                      that it does not)"
                 );
-                reasons.add(keep("keep::external-base", reason));
+                reasons.add(skip("keep::external-base", reason));
             }
             // One of an array's elements is known well enough where all of them are.
             let indexed = args.targets.len() == 1 && !target.elements().is_empty();
@@ -64,7 +64,7 @@ impl<'a> MotionReader<'_, 'a> {
                     );
                     reasons.add(SkipReason { code: "keep::own-position", reason, because: Some(at) });
                 }
-                (None, Some(keep)) if indexed && is_known_at_run_time(&keep) => {}
+                (None, Some(skip)) if indexed && is_known_at_run_time(&skip) => {}
                 (None, failed) => reasons.extend(failed),
             }
         }
@@ -151,7 +151,7 @@ impl<'a> MotionReader<'_, 'a> {
             }
         };
         let failed = unused_axis(&value).then(|| {
-            keep("keep::axis-unused", "an axis of the arm is written 9E9: it stays where it is".into())
+            skip("keep::axis-unused", "an axis of the arm is written 9E9: it stays where it is".into())
         });
         let target = target.with_value(&value);
         match literal {

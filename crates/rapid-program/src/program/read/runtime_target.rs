@@ -62,7 +62,7 @@ impl<'a> MotionReader<'_, 'a> {
         let index = self.evaluator.index;
         let on_ways = on_ways.filter(|set| !self.finite_sets.are_handed_unseen(index, &set.made_of));
         let Some(set) = set.or_else(|| on_ways.cloned()) else { return Vec::new() };
-        if set.made_of.iter().any(|datum| self.read_as_data.why_kept(index, datum).is_some()) {
+        if set.made_of.iter().any(|datum| self.read_as_data.skip_reason(index, datum).is_some()) {
             return Vec::new();
         }
         let converted: Result<Vec<RobTarget>, _> = set.values.iter().map(convert::robtarget).collect();

@@ -44,10 +44,10 @@ impl SkipReasons {
             let because = Some(Span { file: ctx.file, range: not_read });
             reasons.add(SkipReason { code: "keep::not-read", reason: reason.into(), because });
         } else if args.targets.len() < form.targets.len() {
-            reasons.add(keep("keep::not-read", format!("{} has too few arguments", form.name)));
+            reasons.add(skip("keep::not-read", format!("{} has too few arguments", form.name)));
         }
         if args.has("corr") {
-            reasons.add(keep("keep::path-correction", "its path is corrected at run time (\\Corr)".into()));
+            reasons.add(skip("keep::path-correction", "its path is corrected at run time (\\Corr)".into()));
         }
         reasons
     }
@@ -55,10 +55,10 @@ impl SkipReasons {
     /// Those of what is in force there; `None`: no way leads there.
     pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>) {
         let Some(state) = state else {
-            return self.add(keep("keep::unreachable", "no way through the program leads here".into()));
+            return self.add(skip("keep::unreachable", "no way through the program leads here".into()));
         };
         if args.has("id") {
-            self.add(keep("keep::multimove", "it moves together with another robot (\\ID)".into()));
+            self.add(skip("keep::multimove", "it moves together with another robot (\\ID)".into()));
         }
         // MoveAbsJ\NoEOffs goes to its joints whatever offset is in force.
         let no_offsets = args.options.iter().any(|(name, _)| name == "noeoffs");
@@ -85,18 +85,18 @@ impl SkipReasons {
             } else {
                 "the robot is said to hold neither the tool nor the work object"
             };
-            self.add(keep("keep::robhold", text.into()));
+            self.add(skip("keep::robhold", text.into()));
         }
         if !wobj.ufprog || !wobj.ufmec.is_empty() {
             let unit = if wobj.ufmec.is_empty() { "another unit" } else { &wobj.ufmec };
-            self.add(keep("keep::wobj-moved", format!("{unit} moves the work object")));
+            self.add(skip("keep::wobj-moved", format!("{unit} moves the work object")));
         }
     }
 
     /// That of a `CalcRobT` that is made for other frames.
     pub(super) fn add_other_frames(&mut self) {
         let text = "CalcRobT names another tool or work object than its motion";
-        self.add(keep("keep::calc-frame", text.into()));
+        self.add(skip("keep::calc-frame", text.into()));
     }
 
     /// Adds a reason to those of the motion.
@@ -108,8 +108,8 @@ impl SkipReasons {
         first_of_its_kind.get_or_insert(reason);
     }
 
-    /// The reason to tell, and whether a function that is asked at run time has none of them; `(None, false)` where there are none.
-    pub(super) fn told(self) -> (Option<SkipReason>, bool) {
+    /// The reason to report, and whether a function that is asked at run time has none of them; `(None, false)` where there are none.
+    pub(super) fn reported(self) -> (Option<SkipReason>, bool) {
         let known_at_run_time = self.lasting.is_none() && self.known_at_run_time.is_some();
         (self.lasting.or(self.known_at_run_time), known_at_run_time)
     }
@@ -129,18 +129,18 @@ pub(super) fn is_known_at_run_time(reason: &SkipReason) -> bool {
 fn special(special: Special, name: &str) -> Option<SkipReason> {
     match special {
         Special::Plain => None,
-        Special::Search => Some(keep(
+        Special::Search => Some(skip(
             "keep::search",
             format!("{name} searches: where it stops is what the program wants to know"),
         )),
-        Special::External => Some(keep("keep::external-axes", format!("{name} moves external axes only"))),
-        Special::Unsupported => Some(keep(
+        Special::External => Some(skip("keep::external-axes", format!("{name} moves external axes only"))),
+        Special::Unsupported => Some(skip(
             "keep::instruction",
             format!("{name} is not among the instructions that are understood"),
         )),
     }
 }
 /// A reason without a place of its own.
-pub(super) fn keep(code: &'static str, reason: String) -> SkipReason {
+pub(super) fn skip(code: &'static str, reason: String) -> SkipReason {
     SkipReason { code, reason, because: None }
 }

@@ -274,16 +274,16 @@ mod tests {
         assert_eq!(model.terms[1].values[0].value, 0.1_f64.to_radians());
         assert!(!model.is_six_axis());
         assert_eq!(Identified::from_toml(&model.to_toml()).unwrap(), model);
-        let said = |text: &str| Identified::from_toml(text).unwrap_err().to_string();
+        let error_text = |text: &str| Identified::from_toml(text).unwrap_err().to_string();
         assert_eq!(
-            said(&text.replace("offset_deg = 0.1", "offset_mm = 0.1")),
+            error_text(&text.replace("offset_deg = 0.1", "offset_mm = 0.1")),
             "model, [[effect]] 2, offset_mm: is not known here"
         );
         assert_eq!(
-            said(&text.replace("joint = 4", "joint = 5")),
+            error_text(&text.replace("joint = 4", "joint = 5")),
             "model, [[effect]] 2, joint: 5 is not 1 to 4"
         );
-        assert!(said(&text.replace("\"prismatic\"", "\"linear\"")).contains("`linear` is neither"));
+        assert!(error_text(&text.replace("\"prismatic\"", "\"linear\"")).contains("`linear` is neither"));
     }
 
     #[test]

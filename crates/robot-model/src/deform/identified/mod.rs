@@ -133,11 +133,11 @@ impl Identified {
     #[must_use]
     pub fn for_programs(&self) -> (Self, Vec<String>) {
         let mut model = self.clone();
-        let mut said = Vec::new();
+        let mut warnings = Vec::new();
         model.terms.retain(|term| {
             let instrument = term.kind == EffectKind::InstrumentScale;
             if instrument {
-                said.push(format!(
+                warnings.push(format!(
                     "{} is the instrument's, not the robot's: it is left out",
                     term.kind.name()
                 ));
@@ -147,10 +147,10 @@ impl Identified {
         for term in &mut model.terms {
             if let Growth::Step { t0_min } = term.growth {
                 term.growth = Growth::Always;
-                said.push(format!("{} at minute {t0_min} is taken as having happened", term.kind.name()));
+                warnings.push(format!("{} at minute {t0_min} is taken as having happened", term.kind.name()));
             }
         }
-        (model, said)
+        (model, warnings)
     }
 
     /// What of the model a program that asks at run time cannot hold, each once: it does not know from which side a joint came,
@@ -204,7 +204,7 @@ impl Identified {
 
     /// Minutes at which a term's growth may bend, ascending.
     #[must_use]
-    pub fn bends_min(&self) -> Vec<f64> {
+    pub fn knots_min(&self) -> Vec<f64> {
         let mut all: Vec<f64> = self
             .terms
             .iter()

@@ -4,7 +4,7 @@
 //! that moves gets it as offsets.
 
 use super::ThermalState;
-use crate::deform::gravity::{Bend, Loads};
+use crate::deform::gravity::{BeamDeflection, Loads};
 use crate::deform::{EffectKind, GrowthLaw};
 use crate::kinematics::SerialOffsets;
 use crate::robot::{ArmGeometry, Axis, Joints, MOST_JOINTS};
@@ -314,20 +314,20 @@ impl Term {
             EffectKind::LinkBending => {
                 let link = joint.min(joints - 2);
                 let ends = [frames[link].translation.vector, frames[link + 1].translation.vector];
-                let (mut turn, mut sink) = (Vector3::zeros(), Vector3::zeros());
-                let mut take = |bend: &Bend, share: f64| {
-                    turn += bend.turn_n_m * share;
-                    sink += bend.sink_m_n_m * share;
+                let (mut turn, mut deflection) = (Vector3::zeros(), Vector3::zeros());
+                let mut add = |bend: &BeamDeflection, share: f64| {
+                    turn += bend.slope_n_m * share;
+                    deflection += bend.deflection_m_n_m * share;
                 };
                 for (k, bend) in loads.beyond[link + 1].bend(&ends[0], &ends[1]).iter().enumerate() {
-                    take(bend, v(k));
+                    add(bend, v(k));
                 }
                 for (k, part) in loads.link_beyond[link + 1].iter().enumerate().take(joints) {
                     let [even, ..] = part.bend(&ends[0], &ends[1]);
-                    take(&even, v(k + 3));
+                    add(&even, v(k + 3));
                 }
                 let into = frames[link].rotation.inverse();
-                let (shift, turn) = (into * sink, into * turn);
+                let (shift, turn) = (into * deflection, into * turn);
                 let row = &mut to.offsets.0[link + 1];
                 for k in 0..3 {
                     row[k] += shift[k];
