@@ -4,7 +4,7 @@ use super::message::LocatedDiagnostic;
 use super::motion_rows::target_name;
 use rapid_program::compensate::plan::{Plan, PlannedMotion, Status};
 use rapid_program::program::Program;
-use rapid_program::program::motion::{Motion, SkipReason};
+use rapid_program::program::motion::{Motion, MotionId, SkipReason};
 use rapid_syntax::diagnostic::Severity;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -31,7 +31,7 @@ pub struct CompensationJson<'a> {
     /// What there is to be said of both.
     pub messages: &'a [LocatedDiagnostic],
     /// The motions that have a row, by their index; `None` = all.
-    pub shown: Option<&'a BTreeSet<usize>>,
+    pub shown: Option<&'a BTreeSet<MotionId>>,
     /// Rows leave out what is null, as on a page that holds many.
     pub without_nulls: bool,
 }
@@ -82,7 +82,7 @@ impl Serialize for Motions<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let CompensationJson { program, plan, shown, .. } = self.0;
         let rows = program.motions.iter().zip(&plan.motions).enumerate();
-        let rows = rows.filter(|(i, _)| shown.is_none_or(|shown| shown.contains(i)));
+        let rows = rows.filter(|(i, _)| shown.is_none_or(|shown| shown.contains(&MotionId::new(*i))));
         serializer.collect_seq(rows.map(|(i, (motion, planned))| {
             let mut row = planned_row(program, i, motion, planned);
             if let Value::Object(keys) = &mut row

@@ -9,7 +9,7 @@ use crate::report::message::LocatedDiagnostic;
 use rapid_program::compensate::plan::{Plan, PlannedMotion, Status, Totals};
 use rapid_program::compensate::{DriftPoint, TcpDrift};
 use rapid_program::program::Program;
-use rapid_program::program::motion::{Motion, SkipReason};
+use rapid_program::program::motion::{Motion, MotionId, SkipReason};
 use robot_model::robot::Robot;
 use robot_model::units::mm_from_m;
 use serde_json::{Value, json};
@@ -100,32 +100,33 @@ impl CompensationPage<'_> {
     }
 
     /// Chooses the motions that are shown (`None` = all), and adds the lines of those that stay as they are.
-    fn choose_shown(&mut self) -> Option<BTreeSet<usize>> {
+    fn choose_shown(&mut self) -> Option<BTreeSet<MotionId>> {
         let shown = self.shown();
         self.add_unchanged(shown.as_ref());
         shown
     }
 
     /// The motions that are shown; `None` = all.
-    fn shown(&self) -> Option<BTreeSet<usize>> {
+    fn shown(&self) -> Option<BTreeSet<MotionId>> {
         let plan = self.plan.filter(|plan| plan.motions.len() > MOST_MOTIONS)?;
-        let is_corrected = |planned: &PlannedMotion| planned.status == Status::Compensated;
-        let others = (0..plan.motions.len()).filter(|&i| !is_corrected(&plan.motions[i]));
-        let mut shown: BTreeSet<usize> = others.take(MOST_NOT_CORRECTED).collect();
-        let mut corrected: Vec<usize> =
-            (0..plan.motions.len()).filter(|&i| is_corrected(&plan.motions[i])).collect();
-        let size = |i: &usize| plan.motions[*i].max_correction_m;
+        let planned = |id: &MotionId| &plan.motions[id.index()];
+        let is_corrected = |id: &MotionId| planned(id).status == Status::Compensated;
+        let ids = || (0..plan.motions.len()).map(MotionId::new);
+        let others = ids().filter(|id| !is_corrected(id));
+        let mut shown: BTreeSet<MotionId> = others.take(MOST_NOT_CORRECTED).collect();
+        let mut corrected: Vec<MotionId> = ids().filter(is_corrected).collect();
+        let size = |id: &MotionId| planned(id).max_correction_m;
         corrected.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
         shown.extend(corrected.into_iter().take(MOST_MOTIONS - shown.len()));
         Some(shown)
     }
 
     /// The lines of motions that stay as they are.
-    fn add_unchanged(&mut self, shown: Option<&BTreeSet<usize>>) {
+    fn add_unchanged(&mut self, shown: Option<&BTreeSet<MotionId>>) {
         let stays = |i: usize| self.plan.is_none_or(|plan| plan.motions[i].status != Status::Compensated);
         let mut lines: BTreeMap<u32, BTreeSet<usize>> = BTreeMap::new();
         for (i, motion) in self.program.motions.iter().enumerate() {
-            if stays(i) && shown.is_none_or(|shown| shown.contains(&i)) {
+            if stays(i) && shown.is_none_or(|shown| shown.contains(&MotionId::new(i))) {
                 lines.entry(motion.file.0).or_default().insert(motion.line as usize);
             }
         }
@@ -136,15 +137,15 @@ impl CompensationPage<'_> {
         }
     }
 
-    fn view(&self, shown: Option<&BTreeSet<usize>>) -> Value {
+    fn view(&self, shown: Option<&BTreeSet<MotionId>>) -> Value {
         let totals = self.plan.map(|plan| Totals::of(self.program, plan));
-        let is_shown = |i: usize| shown.is_none_or(|shown| shown.contains(&i));
+        let is_shown = |id: MotionId| shown.is_none_or(|shown| shown.contains(&id));
         let from_c = self.plan.and_then(|plan| plan.temperature_c).map(|[low_c, _]| low_c);
         let points: Vec<&DriftPoint> = self
             .arm
             .iter()
             .flat_map(|(_, drift)| &drift.points)
-            .filter(|point| is_shown(point.motion.index()))
+            .filter(|point| is_shown(point.motion))
             .collect();
         let worst = |side: usize| {
             let plan = self.plan?;

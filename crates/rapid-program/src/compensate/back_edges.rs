@@ -11,11 +11,11 @@ pub(super) struct Edge {
 }
 
 /// The motions that may run just before one.
-pub(super) fn predecessors(program: &Program, i: usize) -> impl Iterator<Item = usize> {
+pub(super) fn predecessors(program: &Program, motion: MotionId) -> impl Iterator<Item = MotionId> {
     let motions = &program.motions;
-    let merge_point = program.merge_points.get(&MotionId::new(i)).map_or(&[][..], Vec::as_slice);
-    let all = motions[i].previous.iter().chain(merge_point).map(|before| before.index());
-    all.filter(|&before| before < motions.len())
+    let merge_point = program.merge_points.get(&motion).map_or(&[][..], Vec::as_slice);
+    let all = motions[motion.index()].previous.iter().chain(merge_point).copied();
+    all.filter(|before| before.index() < motions.len())
 }
 
 /// The edges without which none leads in a circle, sorted: those of loops back to where they begin, as a depth-first search finds
@@ -26,33 +26,35 @@ pub(super) fn back_edges(program: &Program) -> Vec<Edge> {
         return back;
     }
     let count = program.motions.len();
-    let mut successors: Vec<Vec<usize>> = vec![Vec::new(); count];
-    for i in 0..count {
-        for earlier in predecessors(program, i) {
-            successors[earlier].push(i);
+    let ids = || (0..count).map(MotionId::new);
+    let mut successors: Vec<Vec<MotionId>> = vec![Vec::new(); count];
+    for to in ids() {
+        for from in predecessors(program, to) {
+            successors[from.index()].push(to);
         }
     }
-    let begins = |i: &usize| program.motions[*i].from_start || predecessors(program, *i).next().is_none();
-    let to_joints = |i: &usize| program.motions[*i].setup.path == Path::AbsJoint;
-    let roots = (0..count).filter(begins).chain((0..count).filter(to_joints)).chain(0..count);
+    let motion = |id: &MotionId| &program.motions[id.index()];
+    let begins = |id: &MotionId| motion(id).from_start || predecessors(program, *id).next().is_none();
+    let to_joints = |id: &MotionId| motion(id).setup.path == Path::AbsJoint;
+    let roots = ids().filter(begins).chain(ids().filter(to_joints)).chain(ids());
     let (mut seen, mut on_path) = (vec![false; count], vec![false; count]);
     for root in roots {
         let mut path = Vec::new();
-        if !std::mem::replace(&mut seen[root], true) {
-            on_path[root] = true;
+        if !std::mem::replace(&mut seen[root.index()], true) {
+            on_path[root.index()] = true;
             path.push((root, 0));
         }
-        while let Some((at, next)) = path.last_mut() {
-            let Some(&to) = successors[*at].get(*next) else {
-                on_path[*at] = false;
+        while let Some((from, next)) = path.last_mut() {
+            let Some(&to) = successors[from.index()].get(*next) else {
+                on_path[from.index()] = false;
                 path.pop();
                 continue;
             };
             *next += 1;
-            if on_path[to] {
-                back.push(Edge { from: MotionId::new(*at), to: MotionId::new(to) });
-            } else if !std::mem::replace(&mut seen[to], true) {
-                on_path[to] = true;
+            if on_path[to.index()] {
+                back.push(Edge { from: *from, to });
+            } else if !std::mem::replace(&mut seen[to.index()], true) {
+                on_path[to.index()] = true;
                 path.push((to, 0));
             }
         }

@@ -19,8 +19,9 @@ const SAME_RAD: f64 = 1e-4;
 /// the point is written.
 pub(super) fn turn_with_arcs(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     let arcs = program.motions.iter().enumerate().filter(|(_, motion)| motion.setup.path == Path::Circular);
-    let turned: Vec<(usize, CirclePoint)> =
-        arcs.filter_map(|(i, _)| Some((i, circle_point(i, program, model, resolved)?))).collect();
+    let turned: Vec<(usize, CirclePoint)> = arcs
+        .filter_map(|(i, _)| Some((i, circle_point(MotionId::new(i), program, model, resolved)?)))
+        .collect();
     for (i, circle_point) in turned {
         resolved[i].pass(circle_point);
     }
@@ -28,20 +29,20 @@ pub(super) fn turn_with_arcs(program: &Program, model: &Model<'_>, resolved: &mu
 
 /// How the arm stands at the circle point of an arc; `None` where that is as written, or cannot be told.
 fn circle_point(
-    i: usize,
+    id: MotionId,
     program: &Program,
     model: &Model<'_>,
     resolved: &[Resolved],
 ) -> Option<CirclePoint> {
-    let motion = program.motions.get(i)?;
-    let points: Vec<Point<'_>> = resolved.get(i)?.points(motion, model).collect();
+    let motion = program.motions.get(id.index())?;
+    let points: Vec<Point<'_>> = resolved.get(id.index())?.points(motion, model).collect();
     let [via, end] = points.as_slice() else { return None };
     if motion.targets.len() != 2 || !motion.targets.iter().all(is_one_pose) {
         return None;
     }
-    let anywhere = motion.from_start || program.also_anywhere.contains(&MotionId::new(i));
-    let starts: Option<Vec<Point<'_>>> = predecessors(program, i)
-        .map(|before| resolved.get(before)?.end(program.motions.get(before)?, model))
+    let anywhere = motion.from_start || program.also_anywhere.contains(&id);
+    let starts: Option<Vec<Point<'_>>> = predecessors(program, id)
+        .map(|before| resolved.get(before.index())?.end(program.motions.get(before.index())?, model))
         .collect();
     let starts = starts.filter(|starts| !anywhere && !starts.is_empty())?;
     let placement = via.placement;

@@ -26,29 +26,31 @@ pub(super) fn follow_paths(
     let compensated: Vec<bool> = planned.iter().map(|p| p.status == Status::Compensated).collect();
     parallel::for_each_chunk_mut(planned, AT_ONE_GO, &|first, planned| {
         let numbers = (first..).take(planned.len());
-        let follow = |i: usize| Followed::new(i, (program, resolved), model, warm, worst_bucket[i]);
+        let follow =
+            |i: usize| Followed::new(MotionId::new(i), (program, resolved), model, warm, worst_bucket[i]);
         let followed: Vec<Followed> = numbers.filter(|&i| compensated[i]).filter_map(follow).collect();
         let warm_joints = WarmJoints::new(&followed, &compensated, warm);
         let legs = followed.iter().map(|one| {
-            let path = program.motions[one.motion].setup.path;
+            let path = program.motions[one.motion.index()].setup.path;
             let leg = Leg { path, start: &one.start, points: &one.points };
-            let ends =
-                |&bucket: &usize| (bucket, warm_joints.ends(one, &leg, bucket, compensated[one.before]));
+            let ends = |&bucket: &usize| {
+                (bucket, warm_joints.ends(one, &leg, bucket, compensated[one.before.index()]))
+            };
             let in_buckets = one.buckets.iter().map(ends).collect();
             CorrectedLeg { leg, in_buckets }
         });
         let legs: Vec<CorrectedLeg<'_>> = legs.collect();
         for (one, deviation_m) in followed.iter().zip(deviations_m(&legs, warm.as_slice(), model)) {
-            planned[one.motion - first].mid_path_m = deviation_m;
+            planned[one.motion.index() - first].mid_path_m = deviation_m;
         }
     });
 }
 
 /// A motion whose way is known.
 struct Followed<'a> {
-    motion: usize,
+    motion: MotionId,
     /// The motion before it, and where that ends.
-    before: usize,
+    before: MotionId,
     start: Point<'a>,
     points: Vec<Point<'a>>,
     /// Those in which it is looked at.
@@ -57,19 +59,19 @@ struct Followed<'a> {
 
 impl<'a> Followed<'a> {
     fn new(
-        i: usize,
+        id: MotionId,
         (program, resolved): (&'a Program, &'a [Resolved]),
         model: &'a Model,
         warm: &DeformedArms,
         worst_bucket: u32,
     ) -> Option<Self> {
-        let motion = program.motions.get(i)?;
-        let before = motion.previous.map(MotionId::index)?;
-        let start = resolved.get(before)?.end(program.motions.get(before)?, model)?;
-        let points = resolved.get(i)?.points(motion, model).collect();
+        let motion = program.motions.get(id.index())?;
+        let before = motion.previous?;
+        let start = resolved.get(before.index())?.end(program.motions.get(before.index())?, model)?;
+        let points = resolved.get(id.index())?.points(motion, model).collect();
         let mut buckets = vec![0, worst_bucket as usize, warm.as_slice().len().checked_sub(1)?];
         buckets.dedup();
-        Some(Self { motion: i, before, start, points, buckets })
+        Some(Self { motion: id, before, start, points, buckets })
     }
 }
 
@@ -77,7 +79,7 @@ impl<'a> Followed<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct BucketPoint {
     bucket: usize,
-    motion: usize,
+    motion: MotionId,
     /// It is the motion's last point, and not the circle point of an arc.
     is_end: bool,
 }
@@ -95,7 +97,7 @@ impl WarmJoints {
         let mut wanted: Vec<(BucketPoint, &Point<'_>)> = Vec::new();
         for one in followed {
             for &bucket in &one.buckets {
-                if compensated[one.before] {
+                if compensated[one.before.index()] {
                     let end = BucketPoint { bucket, motion: one.before, is_end: true };
                     wanted.push((end, &one.start));
                 }
@@ -131,7 +133,7 @@ impl WarmJoints {
 
     /// The joints with which the warm arm goes the way of a motion in a bucket.
     fn ends(&self, one: &Followed<'_>, leg: &Leg<'_>, bucket: usize, start_corrected: bool) -> Option<Ends> {
-        let end_of = |motion: usize| self.at(BucketPoint { bucket, motion, is_end: true });
+        let end_of = |motion: MotionId| self.at(BucketPoint { bucket, motion, is_end: true });
         let start = if start_corrected { end_of(one.before)? } else { one.start.q_rad };
         let circle_point = BucketPoint { bucket, motion: one.motion, is_end: false };
         let via = if leg.goes_by_a_point() { Some(self.at(circle_point)?) } else { None };

@@ -34,7 +34,7 @@ pub(super) fn resolve(
         let (resolved, messages) = resolver.pass();
         // A loop was entered on what its first way in said; the way back must say the same.
         let before = resolver.apart.len();
-        resolver.apart = resolver.junctions_apart(&resolved);
+        resolver.apart = resolver.merge_points_apart(&resolved);
         if resolver.apart.len() == before {
             return (resolved, messages);
         }
@@ -47,33 +47,33 @@ struct Resolver<'r> {
     model: &'r Model<'r>,
     start_rad: Option<[f64; 6]>,
     hints: &'r Hints,
-    /// Ways of loops back to where they begin, which are looked at last.
+    /// Edges of loops back to where they begin, along which start postures are found last.
     back_edges: Vec<Edge>,
-    /// Junctions whose ways bring the arm along on different branches.
-    apart: BTreeSet<usize>,
+    /// Merge points to which edges bring the arm along on different branches.
+    apart: BTreeSet<MotionId>,
 }
 
 impl Resolver<'_> {
     /// The joints that a motion is known to end with, by target.
-    fn hinted(&self, i: usize) -> &[Hinted] {
-        self.hints.get(&i).map_or(&[], Vec::as_slice)
+    fn hinted(&self, motion: MotionId) -> &[Hinted] {
+        self.hints.get(&motion.index()).map_or(&[], Vec::as_slice)
     }
 
     /// From where the arm may come to a motion; of those before it that are not resolved yet nothing is said.
     fn start_postures<'d>(
         &self,
-        i: usize,
-        done: impl Fn(usize) -> Option<&'d Resolved>,
+        motion: MotionId,
+        done: impl Fn(MotionId) -> Option<&'d Resolved>,
     ) -> Vec<StartPosture> {
-        if self.apart.contains(&i) {
+        if self.apart.contains(&motion) {
             return vec![StartPosture::UnknownBranch];
         }
-        let before = predecessors(self.program, i);
+        let before = predecessors(self.program, motion);
         let mut from: Vec<StartPosture> = before.filter_map(|p| done(p).map(Resolved::exit)).collect();
-        if self.program.motions[i].from_start {
+        if self.program.motions[motion.index()].from_start {
             from.push(self.start_rad.map_or(StartPosture::Anywhere, StartPosture::Joints));
         }
-        if from.is_empty() || self.program.also_anywhere.contains(&MotionId::new(i)) {
+        if from.is_empty() || self.program.also_anywhere.contains(&motion) {
             from.push(StartPosture::Anywhere);
         }
         from
@@ -93,8 +93,9 @@ impl Resolver<'_> {
                 let some = &motions[first..motions.len().min(first + ahead::AT_ONE_GO)];
                 ahead = Lookahead::new(first, some, self.model, &mut last_ahead);
             }
-            stack.push(first);
-            while let Some(&i) = stack.last() {
+            stack.push(MotionId::new(first));
+            while let Some(&motion) = stack.last() {
+                let i = motion.index();
                 if done[i].is_some() {
                     stack.pop();
                     continue;
@@ -102,19 +103,19 @@ impl Resolver<'_> {
                 if !waiting[i] {
                     waiting[i] = true;
                     let pending = stack.len();
-                    let is_way_back = |p: usize| {
-                        let edge = Edge { from: MotionId::new(p), to: MotionId::new(i) };
-                        self.back_edges.binary_search(&edge).is_ok()
+                    let is_back_edge =
+                        |from| self.back_edges.binary_search(&Edge { from, to: motion }).is_ok();
+                    let first = |&from: &MotionId| {
+                        done[from.index()].is_none() && !waiting[from.index()] && !is_back_edge(from)
                     };
-                    let first = |&p: &usize| done[p].is_none() && !waiting[p] && !is_way_back(p);
-                    stack.extend(predecessors(self.program, i).filter(first));
+                    stack.extend(predecessors(self.program, motion).filter(first));
                     if stack.len() > pending {
                         continue;
                     }
                 }
-                let from = self.start_postures(i, |p| done[p].as_ref());
+                let from = self.start_postures(motion, |before| done[before.index()].as_ref());
                 done[i] = Some(resolve_motion(
-                    (&motions[i], self.hinted(i), ahead.at(i)),
+                    (&motions[i], self.hinted(motion), ahead.at(i)),
                     &from,
                     self.model,
                     &mut last,
@@ -127,14 +128,15 @@ impl Resolver<'_> {
         (done.into_iter().flatten().collect(), messages)
     }
 
-    /// The junctions at which not all ways lead to what was resolved.
-    fn junctions_apart(&self, resolved: &[Resolved]) -> BTreeSet<usize> {
+    /// The merge points at which not all edges lead to what was resolved.
+    fn merge_points_apart(&self, resolved: &[Resolved]) -> BTreeSet<MotionId> {
         let mut apart = self.apart.clone();
-        for i in self.program.merge_points.keys().map(|merge_point| merge_point.index()) {
-            let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&i)) else { continue };
-            let from = self.start_postures(i, |p| resolved.get(p));
+        for &id in self.program.merge_points.keys() {
+            let i = id.index();
+            let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&id)) else { continue };
+            let from = self.start_postures(id, |before| resolved.get(before.index()));
             let again = resolve_motion(
-                (motion, self.hinted(i), None),
+                (motion, self.hinted(id), None),
                 &from,
                 self.model,
                 &mut None,
@@ -144,7 +146,7 @@ impl Resolver<'_> {
             let branches = |resolved: &Resolved| resolved.joints.iter().map(branch).collect::<Vec<_>>();
             let known = resolved[i].may_be.is_none();
             if known && (again.may_be.is_some() || branches(&again) != branches(&resolved[i])) {
-                apart.insert(i);
+                apart.insert(id);
             }
         }
         apart

@@ -8,7 +8,7 @@ use super::resolved::{Point, Resolved};
 use super::settled_check::skip_where;
 use super::warm_joints::warm_joints;
 use crate::program::Program;
-use crate::program::motion::{Motion, SkipReason, Target};
+use crate::program::motion::{Motion, MotionId, SkipReason, Target};
 use rapid_syntax::diagnostic::Span;
 use robot_model::deform::DeformedArm;
 use robot_model::units::mm_from_m;
@@ -24,7 +24,7 @@ pub(super) fn skip_unknown_branches(
 ) {
     skip_where(program, model, resolved, &|at, motion, resolved, settled| {
         let apart = differing(motion, resolved, settled, model, tolerance_m)?;
-        let (why, because) = why_unknown(program, start_is_known, at);
+        let (why, because) = why_unknown(program, start_is_known, MotionId::new(at));
         Some(SkipReason { because, ..skip("keep::branch-unknown", format!("{why}, so that it {apart}")) })
     });
 }
@@ -70,10 +70,10 @@ fn differing(
 
 /// What leaves open where the arm stands before a motion: on the shortest way back the program's entry, or a motion whose joints
 /// nobody knows.
-fn why_unknown(program: &Program, start_is_known: bool, at: usize) -> (String, Option<Span>) {
+fn why_unknown(program: &Program, start_is_known: bool, at: MotionId) -> (String, Option<Span>) {
     let (mut seen, mut ways) = (BTreeSet::from([at]), VecDeque::from([at]));
     while let Some(at) = ways.pop_front() {
-        let motion = &program.motions[at];
+        let motion = &program.motions[at.index()];
         if seen.len() > 1 && motion.targets.last().is_none_or(|target| target.values().next().is_none()) {
             let path = &program.file(motion.file).path;
             let (kind, line) = (motion.setup.kind, motion.line);
