@@ -7,7 +7,7 @@ use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
 use std::io::{self, Write};
 
-/// A judgement of a robot's performance that waits for its measurements.
+/// Judges a robot's pose accuracy and repeatability by ISO 9283, against limits where they are given.
 ///
 /// ```
 /// use driftpost::application::AccuracyCheck;

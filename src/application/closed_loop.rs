@@ -21,7 +21,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use virtual_controller::{Controller, Move};
 
-/// A closed loop that waits for its program.
+/// Simulates measuring, diagnosing and compensating with what was found, on a robot whose truth is known.
 #[derive(Clone, Debug)]
 pub struct ClosedLoop {
     /// The robot as its model says.

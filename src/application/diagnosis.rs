@@ -8,7 +8,7 @@ use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
 use std::io::{self, Write};
 
-/// A diagnosis that waits for its measurements.
+/// Robot and options with which measurements are diagnosed: what explains the residuals, and how surely.
 ///
 /// ```
 /// use driftpost::{Diagnosis, Measurements, Robot};

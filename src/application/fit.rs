@@ -13,7 +13,7 @@ use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, rad_from_deg};
 
-/// A fit that waits for its touches.
+/// Fits the settled deformation of a robot to touches of fixed points while it warms.
 ///
 /// ```
 /// use driftpost::{Fit, Robot, Touches};

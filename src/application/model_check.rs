@@ -8,7 +8,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
 
-/// A model that waits for measurements which it has not seen.
+/// Checks an identified model against measurements that took no part in its fit.
 #[derive(Clone, Debug)]
 pub struct ModelCheck {
     /// The robot as its nominal model says.

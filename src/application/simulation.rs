@@ -16,7 +16,7 @@ use virtual_controller::{Report, Scenario, Session, SimulateError, TrueRobot};
 /// What the module is called that declares tools and work objects given from outside.
 const GIVEN: &str = "(given tools and work objects)";
 
-/// A virtual controller with a robot that waits for its program.
+/// A true robot and options with which a virtual controller executes programs.
 ///
 /// ```
 /// use driftpost::{Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};

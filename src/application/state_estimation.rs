@@ -13,7 +13,7 @@ use robot_model::robot::Robot;
 use robot_model::units::m_from_mm;
 use std::sync::Arc;
 
-/// A robot that waits for its touches.
+/// Estimates a robot's thermal state from touches of fixed points.
 #[derive(Clone, Debug)]
 pub struct StateEstimation {
     robot: Arc<Robot>,

@@ -8,7 +8,7 @@ use robot_model::kinematics::Configuration;
 use robot_model::robot::Robot;
 use std::io::{self, Write};
 
-/// A table of joints that waits for its targets.
+/// Tabulates the joints with which the warm arm stands on targets, minute by minute.
 #[derive(Clone, Debug)]
 pub struct Tabulation {
     /// The robot as its model says.

@@ -34,14 +34,14 @@ struct ComparedEffect {
     factor2: f64,
 }
 
-/// An effect held against a rival.
+/// An effect held against an alternative.
 struct ComparedPair {
     weight: f64,
     /// How far apart they are, squared signal over noise.
     apart: f64,
     effect: usize,
     /// `None`: nothing at all.
-    rival: Option<usize>,
+    alternative: Option<usize>,
 }
 
 impl ComparedPair {
@@ -183,17 +183,17 @@ fn compared(signatures: &Signatures, all: &Information, share: f64) -> Option<Co
 }
 
 impl Compared {
-    /// Every effect against nothing, and against each rival that poses can tell it from.
+    /// Every effect against nothing, and against each alternative that poses can tell it from.
     fn pairs(&self, reduced: &Reduced<'_>) -> Vec<ComparedPair> {
         let mut pairs = Vec::with_capacity(self.effects.len() * (self.effects.len() + 1));
         for (one, hopeless) in self.effects.iter().zip(&self.hopeless) {
             let effect = one.index;
-            let apart = |rival| one.factor2 * reduced.separation(effect, rival);
-            pairs.push(ComparedPair { weight: one.weight, apart: apart(None), effect, rival: None });
+            let apart = |alternative| one.factor2 * reduced.separation(effect, alternative);
+            pairs.push(ComparedPair { weight: one.weight, apart: apart(None), effect, alternative: None });
             for (other, _) in self.effects.iter().zip(hopeless).filter(|(_, hopeless)| !**hopeless) {
-                let rival = Some(other.index);
+                let alternative = Some(other.index);
                 let weight = one.weight * other.weight;
-                pairs.push(ComparedPair { weight, apart: apart(rival), effect, rival });
+                pairs.push(ComparedPair { weight, apart: apart(alternative), effect, alternative });
             }
         }
         pairs
@@ -208,14 +208,14 @@ impl Compared {
     fn steering(&self, reduced: &Reduced<'_>) -> Vec<SteeringPair> {
         let mut pairs = self.pairs(reduced);
         pairs.sort_by(|a, b| {
-            b.price().total_cmp(&a.price()).then((a.effect, a.rival).cmp(&(b.effect, b.rival)))
+            b.price().total_cmp(&a.price()).then((a.effect, a.alternative).cmp(&(b.effect, b.alternative)))
         });
         pairs.truncate(STEERING);
         pairs
             .iter()
             .map(|pair| {
                 let factor2 = self.effects.iter().find(|e| e.index == pair.effect).map_or(1.0, |e| e.factor2);
-                let regression = reduced.regression(pair.effect, pair.rival);
+                let regression = reduced.regression(pair.effect, pair.alternative);
                 SteeringPair { saves: pair.price() * factor2, regression }
             })
             .collect()

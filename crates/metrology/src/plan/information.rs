@@ -1,5 +1,5 @@
-//! What measurements say about each effect beside a rival: squared signal over noise that base, tool, the arm's tolerances
-//! and the rival leave (Pukelsheim 2006, Optimal Design of Experiments, ch. 3: Schur complements of the information).
+//! What measurements say about each effect beside an alternative: squared signal over noise that base, tool, the arm's tolerances
+//! and the alternative leave (Pukelsheim 2006, Optimal Design of Experiments, ch. 3: Schur complements of the information).
 
 use crate::diagnose::signature::{Signature, Signatures};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
@@ -8,7 +8,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 pub(super) const APART: f64 = 20.0;
 /// Nats that an effect must gain to be named, alarm and the price of its parameters.
 pub(super) const NAMED_NATS: f64 = 8.0;
-/// A rival may be this many times as large as usual.
+/// An alternative may be this many times as large as usual.
 const RIVAL: f64 = 3.0;
 /// A whisper on flat directions.
 const FLAT: f64 = 1e-9;
@@ -26,17 +26,17 @@ pub(super) struct Reduced<'a> {
     gram: &'a DMatrix<f64>,
     /// The effects' own block of the reduced information.
     own: DMatrix<f64>,
-    rivals: Vec<Option<Cholesky<f64, Dyn>>>,
+    alternatives: Vec<Option<Cholesky<f64, Dyn>>>,
 }
 
-/// How a new row is seen by an effect beside a rival: what neither the rest nor the rival takes.
+/// How a new row is seen by an effect beside an alternative: what neither the rest nor the alternative takes.
 #[derive(Clone, Debug)]
 pub(super) struct Regression {
     column: usize,
     /// Coefficients of the nuisance columns.
     pub(super) nuisance: DVector<f64>,
-    /// The rival's first column, and its coefficients.
-    rival: Option<(usize, DVector<f64>)>,
+    /// The alternative's first column, and its coefficients.
+    alternative: Option<(usize, DVector<f64>)>,
 }
 
 impl Information {
@@ -81,19 +81,19 @@ impl Information {
         let cross = self.gram.view((0, n), (n, e));
         let solved = nuisance.solve(&cross);
         let own = self.gram.view((n, n), (e, e)) - cross.transpose() * solved;
-        let rivals = signatures
+        let alternatives = signatures
             .effects
             .iter()
-            .map(|rival| {
-                let at = rival.first - n;
-                let mut block = own.view((at, at), (rival.width, rival.width)).into_owned();
-                for i in 0..rival.width {
+            .map(|alternative| {
+                let at = alternative.first - n;
+                let mut block = own.view((at, at), (alternative.width, alternative.width)).into_owned();
+                for i in 0..alternative.width {
                     block[(i, i)] += 1.0 / (RIVAL * RIVAL);
                 }
                 block.cholesky()
             })
             .collect();
-        Some(Reduced { signatures, nuisance, gram: &self.gram, own, rivals })
+        Some(Reduced { signatures, nuisance, gram: &self.gram, own, alternatives })
     }
 }
 
@@ -102,43 +102,46 @@ impl Reduced<'_> {
         effect.first - self.signatures.registration - self.signatures.geometry
     }
 
-    /// Squared signal over noise of effect `a` that its surroundings, and rival `b`, leave.
+    /// Squared signal over noise of effect `a` that its surroundings, and alternative `b`, leave.
     #[must_use]
     pub(super) fn separation(&self, a: usize, b: Option<usize>) -> f64 {
         let at = self.at(&self.signatures.effects[a]);
         let own = self.own[(at, at)];
         let Some(b) = b else { return own.max(0.0) };
-        let rival = &self.signatures.effects[b];
-        let with = self.own.view((self.at(rival), at), (rival.width, 1)).column(0).into_owned();
-        let taken = self.rivals[b].as_ref().map_or(own, |c| with.dot(&c.solve(&with)));
+        let alternative = &self.signatures.effects[b];
+        let with = self.own.view((self.at(alternative), at), (alternative.width, 1)).column(0).into_owned();
+        let taken = self.alternatives[b].as_ref().map_or(own, |c| with.dot(&c.solve(&with)));
         (own - taken).max(0.0)
     }
 
-    /// The regression of effect `a` on its surroundings and rival `b`.
+    /// The regression of effect `a` on its surroundings and alternative `b`.
     #[must_use]
     pub(super) fn regression(&self, a: usize, b: Option<usize>) -> Regression {
         let n = self.signatures.registration + self.signatures.geometry;
         let effect = &self.signatures.effects[a];
         let mut left = self.gram.view((0, effect.first), (n, 1)).column(0).into_owned();
-        let rival = b.and_then(|b| {
-            let rival = &self.signatures.effects[b];
-            let with =
-                self.own.view((self.at(rival), self.at(effect)), (rival.width, 1)).column(0).into_owned();
-            Some((rival.first, self.rivals[b].as_ref()?.solve(&with)))
+        let alternative = b.and_then(|b| {
+            let alternative = &self.signatures.effects[b];
+            let with = self
+                .own
+                .view((self.at(alternative), self.at(effect)), (alternative.width, 1))
+                .column(0)
+                .into_owned();
+            Some((alternative.first, self.alternatives[b].as_ref()?.solve(&with)))
         });
-        if let Some((first, beta)) = &rival {
+        if let Some((first, beta)) = &alternative {
             left -= self.gram.view((0, *first), (n, beta.len())) * beta;
         }
-        Regression { column: effect.first, nuisance: self.nuisance.solve(&left), rival }
+        Regression { column: effect.first, nuisance: self.nuisance.solve(&left), alternative }
     }
 }
 
 impl Regression {
-    /// What is left of a row of all columns when the nuisance columns take `taken` of it, and the rival its part.
+    /// What is left of a row of all columns when the nuisance columns take `taken` of it, and the alternative its part.
     #[must_use]
     pub(super) fn left(&self, row: &[f64], taken: f64) -> f64 {
         let left = row[self.column] - taken;
-        let Some((first, beta)) = &self.rival else { return left };
+        let Some((first, beta)) = &self.alternative else { return left };
         left - beta.iter().zip(&row[*first..]).map(|(b, x)| b * x).sum::<f64>()
     }
 }

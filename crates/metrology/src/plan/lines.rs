@@ -12,7 +12,7 @@ use robot_model::robot::{Axis, Joints};
 pub(super) const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
 /// Usual size of a sine or cosine, radians.
 const USUAL_RAD: f64 = 1e-4;
-/// A rival may be this many times as large as usual.
+/// An alternative may be this many times as large as usual.
 const RIVAL: f64 = 3.0;
 /// A whisper on flat directions.
 const FLAT: f64 = 1e-9;

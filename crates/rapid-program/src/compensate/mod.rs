@@ -2,7 +2,6 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
-mod ahead;
 mod back_edges;
 mod branch;
 mod circle_points;
@@ -21,6 +20,7 @@ mod joints_hint;
 mod later_frames;
 mod live;
 mod live_basis;
+mod lookahead;
 mod messages;
 mod minutes;
 mod model;

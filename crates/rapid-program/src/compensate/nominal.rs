@@ -1,10 +1,10 @@
 //! Where each motion is meant to go, and with which joints: one after the other, each after those that run before it.
 
-use super::ahead::{self, Lookahead, PlacedTarget};
 use super::back_edges::{Edge, back_edges, predecessors};
 use super::branch::{Branch, StartPosture, WRIST_DEG, branch_of};
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
+use super::lookahead::{self, Lookahead, PlacedTarget};
 use super::messages::Messages;
 use super::model::Model;
 use super::placement::{Placement, skip};
@@ -89,8 +89,8 @@ impl Resolver<'_> {
         let mut ahead = Lookahead::default();
         let mut stack = Vec::new();
         for first in 0..motions.len() {
-            if first.is_multiple_of(ahead::AT_ONE_GO) {
-                let some = &motions[first..motions.len().min(first + ahead::AT_ONE_GO)];
+            if first.is_multiple_of(lookahead::AT_ONE_GO) {
+                let some = &motions[first..motions.len().min(first + lookahead::AT_ONE_GO)];
                 ahead = Lookahead::new(first, some, self.model, &mut last_ahead);
             }
             stack.push(MotionId::new(first));

@@ -22,7 +22,7 @@ pub(super) fn share_corrections(motions: &[Motion], made: &mut [MotionCorrection
         let values = motion.targets.iter().flat_map(|target| target.values().map(move |_| target));
         for (k, target) in values.enumerate() {
             if let Some(own) = shareable(target, &made[i], k)
-                && !run.takes((i, k), &own)
+                && !run.accepts((i, k), &own)
             {
                 run.end(made);
                 run = Run::new((i, k), own);
@@ -70,7 +70,7 @@ impl Run {
     }
 
     /// Takes a target in, unless the middle were too far from some member's own correction then.
-    fn takes(&mut self, member: (usize, usize), own: &[[f64; 6]]) -> bool {
+    fn accepts(&mut self, member: (usize, usize), own: &[[f64; 6]]) -> bool {
         if self.members.is_empty() || own.len() != self.ranges.len() {
             return false;
         }

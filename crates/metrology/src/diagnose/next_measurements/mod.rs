@@ -26,7 +26,7 @@ const MOST_TIMES: usize = 2;
 const DECIDES: f64 = 21.0;
 /// Less than this at the most rows: later poses cannot tell.
 const HOPELESS: f64 = 4.0;
-/// From this probability on that none of the slot's causes is there, it is a rival.
+/// From this probability on that none of the slot's causes is there, it is an alternative.
 const SOMETHING_ELSE: f64 = 0.02;
 /// Rivals of a slot that are looked at.
 const MOST_ALTERNATIVES: usize = 4;

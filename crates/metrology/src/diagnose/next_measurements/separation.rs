@@ -32,7 +32,7 @@ pub(super) struct Pair {
     pub weight: f64,
     /// Columns of the one that is taken to be true, with their coefficients.
     pub signal: Vec<Coefficient>,
-    /// Which of the rivals' models is fitted to it.
+    /// Which of the alternatives' models is fitted to it.
     pub fitted: usize,
     /// The probability that it is true, over both.
     pub truth: f64,
@@ -92,9 +92,9 @@ pub(super) struct Separation {
     sigma_m: f64,
     rows: usize,
     pairs: Vec<Pair>,
-    /// For each rival's model, pose and row: the row in axes in which its uncertainty is round.
+    /// For each alternative's model, pose and row: the row in axes in which its uncertainty is round.
     spread: Vec<Vec<Vec<DVector<f64>>>>,
-    /// For each pair, pose and row: what the rival misses, metres.
+    /// For each pair, pose and row: what the alternative misses, metres.
     missed_m: Vec<Vec<Vec<f64>>>,
     /// L of each pair over the poses taken.
     lambda: Vec<f64>,

@@ -7,7 +7,7 @@ use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, Ranked
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
-/// A rival this likely, against the likeliest, cannot be told apart.
+/// An alternative this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
 /// Candidates that together are this likely among the causes make up the set that cannot be told apart.
 const CREDIBLE: f64 = 0.95;
@@ -95,7 +95,7 @@ pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRankin
     cause_groups
 }
 
-/// Joins to the likeliest cause the rival that holds it as a special case: what the rival adds is not needed, and
+/// Joins to the likeliest cause the alternative that holds it as a special case: what the alternative adds is not needed, and
 /// the simpler of two nested explanations is the one to name.
 pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
     let Some(first) = cause_groups.first() else { return };
@@ -111,7 +111,7 @@ pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<Caus
     cause_groups[0].probability += more;
 }
 
-/// Takes from the first cause's odds what rests on the exact shape of bending or tilt alone, where it and a rival are both of what
+/// Takes from the first cause's odds what rests on the exact shape of bending or tilt alone, where it and an alternative are both of what
 /// gives under load.
 pub(super) fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseGroup]) {
     let kinds: Vec<EffectKind> =
@@ -143,8 +143,8 @@ fn gives_under_load(kind: EffectKind) -> bool {
     has_rough_shape(kind) || kind == EffectKind::JointCompliance
 }
 
-/// The probabilities of causes, the first the likeliest, where the shape of the first's or of a `shared` rival's signal is known to
-/// a share `s` only: such a shape leaves s² of the `gain_nats` unexplained whichever of the two is true, so a rival's odds grow by
+/// The probabilities of causes, the first the likeliest, where the shape of the first's or of a `shared` alternative's signal is known to
+/// a share `s` only: such a shape leaves s² of the `gain_nats` unexplained whichever of the two is true, so an alternative's odds grow by
 /// exp(s² gain), to the first's own at most. The sum stays.
 fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f64) {
     let before: f64 = probabilities.iter().sum();
@@ -213,7 +213,7 @@ fn key(c: &Candidate) -> Key {
 mod tests {
     use super::raise_rivals;
 
-    /// A gain of 100 ln 2 nats and a shape known to a tenth double a rival's odds: .6 : .2 : .2 becomes .6 : .4 : .2.
+    /// A gain of 100 ln 2 nats and a shape known to a tenth double an alternative's odds: .6 : .2 : .2 becomes .6 : .4 : .2.
     #[test]
     fn a_rough_shape_gives_its_rivals_back_their_odds() {
         let mut probabilities = [0.6, 0.2, 0.2];

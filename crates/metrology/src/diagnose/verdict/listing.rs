@@ -71,7 +71,7 @@ fn same(a: &Cause, b: &Cause) -> bool {
         && a.from_line == b.from_line
 }
 
-/// Each rival once, and none that is a cause itself in another place.
+/// Each alternative once, and none that is a cause itself in another place.
 #[must_use]
 pub(super) fn rejected(alternatives: Vec<Cause>, causes: &[Cause]) -> Vec<Cause> {
     let mut rejected: Vec<Cause> = Vec::new();

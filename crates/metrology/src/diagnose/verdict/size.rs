@@ -49,7 +49,7 @@ pub(super) fn cause(
     cause
 }
 
-/// A gear line where there are dozens: each stood far out when it was added, none has a rival but its like.
+/// A gear line where there are dozens: each stood far out when it was added, none has an alternative but its like.
 pub(super) fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> Cause {
     let library = &fitted.workspace.library;
     let one = &chosen[i];

@@ -39,7 +39,7 @@ pub(super) fn routine(model: &LiveModel) -> Vec<String> {
     frames(model, &mut body, (loads, kept));
     let mut again = Body::default();
     if model.looks_again() {
-        look_again(model, &mut again);
+        evaluate_steep_turns_again(model, &mut again);
     }
     let again = again.into_lines();
     let factor = if model.is_scaled() { "tcE" } else { "tcSign" };
@@ -140,7 +140,7 @@ fn frames(model: &LiveModel, body: &mut Body, (loads, kept): (bool, bool)) {
 }
 
 /// What the twist is more at the joints `tcJ` than at `tcQ`, of the turns that are steep.
-fn look_again(model: &LiveModel, body: &mut Body) {
+fn evaluate_steep_turns_again(model: &LiveModel, body: &mut Body) {
     let mut shift = Triple::zero("tcX");
     let mut turn = Triple::zero("tcY");
     for (i, step) in model.steps.iter().enumerate() {
