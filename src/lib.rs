@@ -58,6 +58,8 @@
 //! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
 //! [`virtual_controller`], [`metrology`] and [`exam`]. What jobs take and give of them is reached through [`parts`].
 
+#![allow(unreachable_pub, reason = "modules are private, and hand out by name what is public")]
+
 // The command line names what is public as who calls it from outside does.
 #[cfg(feature = "cli")]
 extern crate self as driftpost;

@@ -7,7 +7,7 @@ use std::ffi::OsString;
 
 /// Runs a command; gives its exit code, standard output and standard error. A refusal is an exception.
 #[pyfunction]
-pub fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, String)> {
+pub(crate) fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, String)> {
     let words: Vec<OsString> = [OsString::from("driftpost")].into_iter().chain(words).collect();
     // Nothing of a run is shared with another thread until it has ended.
     let (code, output, messages, errors) = py.detach(|| {
@@ -23,7 +23,7 @@ pub fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, St
 
 /// The `driftpost` program.
 #[pyfunction]
-pub fn main(py: Python<'_>, words: Vec<OsString>) -> u8 {
+pub(crate) fn main(py: Python<'_>, words: Vec<OsString>) -> u8 {
     py.detach(|| code_of(command_line::run_with(words)))
 }
 

@@ -16,7 +16,7 @@ type Files = Vec<(String, Vec<u8>)>;
 
 /// A program as it is given.
 #[derive(FromPyObject)]
-pub enum Program {
+pub(crate) enum Program {
     /// Path and bytes of each module.
     Texts(Files),
     /// Modules, a folder or a `.pgf`.
@@ -34,7 +34,7 @@ struct Plain {
 
 /// Compensates modules, given by their paths as on the command line or as texts; `options` are those of the command line. `progress` is called with files done and files in all.
 #[pyfunction]
-pub fn compensate<'py>(
+pub(crate) fn compensate<'py>(
     py: Python<'py>,
     program: Program,
     options: Vec<String>,

@@ -5,10 +5,10 @@ use driftpost::{Diagnostic, Severity};
 use pyo3::prelude::*;
 
 /// One message: code, severity, text, help, file, line.
-pub type Message = (String, &'static str, String, Option<String>, Option<String>, Option<u32>);
+pub(crate) type Message = (String, &'static str, String, Option<String>, Option<String>, Option<u32>);
 
 /// A message with its place.
-pub fn message(located: &LocatedDiagnostic) -> Message {
+pub(crate) fn message(located: &LocatedDiagnostic) -> Message {
     let Diagnostic { code, severity, message, help, .. } = &located.diagnostic;
     let severity = match severity {
         Severity::Note => "note",
@@ -20,13 +20,13 @@ pub fn message(located: &LocatedDiagnostic) -> Message {
 }
 
 /// The exception for messages, of which the first error is the one that is told.
-pub fn refused(py: Python<'_>, messages: &[LocatedDiagnostic]) -> PyErr {
+pub(crate) fn refused(py: Python<'_>, messages: &[LocatedDiagnostic]) -> PyErr {
     let all: Vec<Message> = messages.iter().map(message).collect();
     let made = || py.import("driftpost._errors")?.getattr("DriftpostError")?.call_method1("_of", (all,));
     made().map_or_else(|error| error, PyErr::from_value)
 }
 
 /// The exception for one message.
-pub fn one(py: Python<'_>, diagnostic: Diagnostic) -> PyErr {
+pub(crate) fn one(py: Python<'_>, diagnostic: Diagnostic) -> PyErr {
     refused(py, &[LocatedDiagnostic::new(diagnostic, &[])])
 }

@@ -86,7 +86,7 @@ fn column(cells: &[Option<&Value>]) -> ArrayRef {
 
 /// A table of numbers, text and truth values as CSV, numbers with all their digits; missing cells are empty.
 #[pyfunction]
-pub fn csv_of(py: Python<'_>, table: PyTable) -> PyResult<String> {
+pub(crate) fn csv_of(py: Python<'_>, table: PyTable) -> PyResult<String> {
     let (batches, schema) = table.into_inner();
     let mut text = schema.fields().iter().map(|field| quoted(field.name())).collect::<Vec<_>>().join(",");
     text.push('\n');

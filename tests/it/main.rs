@@ -5,6 +5,7 @@
     clippy::print_stdout,
     reason = "a test stops where something is missing, and its figures are there to be read"
 )]
+#![allow(unreachable_pub, reason = "modules of a binary share their helpers")]
 
 mod architecture;
 mod arms;

@@ -1,6 +1,7 @@
 //! The pages in a browser: drawn, used and read as a person would. Needs Chromium, and axe-core in `assets/node_modules`.
 
 #![allow(clippy::unwrap_used, reason = "a test stops where something is missing")]
+#![allow(unreachable_pub, reason = "modules of a binary share their helpers")]
 
 mod accessible;
 mod browser;

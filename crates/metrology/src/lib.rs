@@ -1,7 +1,5 @@
 //! Measured poses: their files and registration, what they say of the arm, and which ones to measure next.
 
-#![warn(unreachable_pub)]
-
 pub mod diagnose;
 pub mod measure;
 pub mod plan;

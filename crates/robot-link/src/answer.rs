@@ -39,19 +39,19 @@ pub(crate) fn parse(body: &[u8]) -> Result<Contents, String> {
 
 impl Answer {
     /// Entries of a class, whose name may end in `-li` in lists.
-    pub fn all<'a>(&'a self, class: &'a str) -> impl Iterator<Item = Entry<'a>> {
+    pub(crate) fn all<'a>(&'a self, class: &'a str) -> impl Iterator<Item = Entry<'a>> {
         let is =
             move |state: &&ResourceState| state.class.strip_suffix("-li").unwrap_or(&state.class) == class;
         self.contents.states.iter().filter(is).map(|state| Entry { state, request: self.request })
     }
 
     /// The one entry of a class.
-    pub fn one<'a>(&'a self, class: &'a str) -> Result<Entry<'a>, LinkError> {
+    pub(crate) fn one<'a>(&'a self, class: &'a str) -> Result<Entry<'a>, LinkError> {
         self.all(class).next().ok_or_else(|| self.without(class))
     }
 
     /// The error that something is missing.
-    pub fn without(&self, what: impl Into<String>) -> LinkError {
+    pub(crate) fn without(&self, what: impl Into<String>) -> LinkError {
         LinkError::Incomplete { request: self.request.name, what: what.into() }
     }
 }
@@ -64,30 +64,30 @@ pub(crate) struct Entry<'a> {
 }
 
 impl<'a> Entry<'a> {
-    pub fn title(&self) -> &'a str {
+    pub(crate) fn title(&self) -> &'a str {
         self.state.title.trim()
     }
 
     /// A field without blanks around it, where it is there.
-    pub fn optional(&self, field: &str) -> Option<&'a str> {
+    pub(crate) fn optional(&self, field: &str) -> Option<&'a str> {
         self.state.fields.get(field).map(|value| value.trim())
     }
 
     /// A field without blanks around it.
-    pub fn text(&self, field: &str) -> Result<&'a str, LinkError> {
+    pub(crate) fn text(&self, field: &str) -> Result<&'a str, LinkError> {
         let missing = || LinkError::Incomplete { request: self.request.name, what: field.to_owned() };
         self.optional(field).filter(|value| !value.is_empty()).ok_or_else(missing)
     }
 
     /// A field that is a finite number.
-    pub fn number(&self, field: &str) -> Result<f64, LinkError> {
+    pub(crate) fn number(&self, field: &str) -> Result<f64, LinkError> {
         let wrong =
             || LinkError::Incomplete { request: self.request.name, what: format!("number in {field}") };
         self.text(field)?.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(wrong)
     }
 
     /// A field that is true or false: `TRUE`, `true`, `On`.
-    pub fn flag(&self, field: &str) -> Result<bool, LinkError> {
+    pub(crate) fn flag(&self, field: &str) -> Result<bool, LinkError> {
         match self.text(field)?.to_ascii_lowercase().as_str() {
             "true" | "on" | "yes" | "1" => Ok(true),
             "false" | "off" | "no" | "0" => Ok(false),

@@ -27,7 +27,7 @@ pub(crate) struct Contents {
 
 impl Contents {
     /// Takes what a JSON value says.
-    pub fn read(&mut self, value: &Value, depth: usize) {
+    pub(crate) fn read(&mut self, value: &Value, depth: usize) {
         match value {
             Value::Array(items) if depth < 12 => items.iter().for_each(|item| self.read(item, depth + 1)),
             Value::Object(map) if depth < 12 => {
@@ -63,7 +63,7 @@ impl Contents {
     }
 
     /// The refusal that it is, if it is one.
-    pub fn refusal(&self, status: u16) -> Option<Refusal> {
+    pub(crate) fn refusal(&self, status: u16) -> Option<Refusal> {
         let says_no = self.is_error || self.code.is_some_and(|code| code < 0);
         if (200..300).contains(&status) && !says_no {
             return None;

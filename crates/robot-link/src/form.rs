@@ -23,7 +23,11 @@ pub(crate) struct Filled {
 }
 
 impl Filled {
-    pub fn new(dialect: Dialect, request: &'static Request, filling: Filling<'_>) -> Result<Self, LinkError> {
+    pub(crate) fn new(
+        dialect: Dialect,
+        request: &'static Request,
+        filling: Filling<'_>,
+    ) -> Result<Self, LinkError> {
         let arguments = filling.arguments;
         let not_offered = || LinkError::NotOffered { dialect: dialect.to_string(), request: request.name };
         let form = request.form(dialect).ok_or_else(not_offered)?;

@@ -36,7 +36,7 @@ pub(crate) enum Challenge {
 
 impl Challenge {
     /// Reads the header `WWW-Authenticate`.
-    pub fn parse(header: &str, is_tls: bool) -> Result<Self, LinkError> {
+    pub(crate) fn parse(header: &str, is_tls: bool) -> Result<Self, LinkError> {
         let scheme = header.split_whitespace().next().unwrap_or_default().to_ascii_lowercase();
         match scheme.as_str() {
             "digest" => {
@@ -57,7 +57,7 @@ impl Challenge {
     }
 
     /// The header for one request; `uri` is path and query, byte for byte as sent.
-    pub fn answer(
+    pub(crate) fn answer(
         &mut self,
         credentials: &Credentials,
         method: &str,

@@ -47,18 +47,18 @@ pub(crate) struct PinnedCertificate {
 }
 
 impl PinnedCertificate {
-    pub fn new(expected: Option<String>) -> Arc<Self> {
+    pub(crate) fn new(expected: Option<String>) -> Arc<Self> {
         let provider = Arc::new(rustls::crypto::ring::default_provider());
         Arc::new(Self { provider, expected, seen: Mutex::default() })
     }
 
     /// SHA-256 of the certificate that the controller showed.
-    pub fn seen(&self) -> Option<String> {
+    pub(crate) fn seen(&self) -> Option<String> {
         self.seen.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// What the handshake of TLS is done with.
-    pub fn client(self: &Arc<Self>) -> Result<Arc<ClientConfig>, rustls::Error> {
+    pub(crate) fn client(self: &Arc<Self>) -> Result<Arc<ClientConfig>, rustls::Error> {
         let config = ClientConfig::builder_with_provider(Arc::clone(&self.provider))
             .with_safe_default_protocol_versions()?;
         let verifier: Arc<dyn ServerCertVerifier> = Arc::<Self>::clone(self);

@@ -63,14 +63,14 @@ fn pose((p, q): Frame) -> Pose {
 }
 
 impl Solver {
-    pub fn new(arm: ArmLengths, planted: Planted) -> Self {
+    pub(crate) fn new(arm: ArmLengths, planted: Planted) -> Self {
         let ArmLengths { a1, a2, c1, c2, c3, c4 } = arm;
         let parameters =
             Parameters { a1, a2, b: 0.0, c1, c2, c3, c4, offsets: OFFSETS, sign_corrections: [1; 6], dof: 6 };
         Self { arm, opw: OPWKinematics::new(parameters), planted }
     }
 
-    pub fn forward(&self, q: &[f64; 6], tool: Frame) -> (Frame, Quadrants) {
+    pub(crate) fn forward(&self, q: &[f64; 6], tool: Frame) -> (Frame, Quadrants) {
         let at = self.opw.forward(q) * pose(tool);
         let shifted = at.translation + DVec3::from(self.planted.shift_m);
         let r = at.rotation;
@@ -78,7 +78,7 @@ impl Solver {
     }
 
     /// Joints in the configuration that is asked for; `Err(true)` where only others reach it.
-    pub fn inverse(&self, at: Frame, tool: Frame, wanted: Quadrants) -> Result<[f64; 6], bool> {
+    pub(crate) fn inverse(&self, at: Frame, tool: Frame, wanted: Quadrants) -> Result<[f64; 6], bool> {
         let all = self.all(at, tool);
         let matches = |q: &[f64; 6]| self.turned(q).into_iter().find(|q| self.quadrants(q) == wanted);
         let right = all.iter().find_map(matches);
@@ -90,7 +90,7 @@ impl Solver {
     }
 
     /// All joints within half a turn.
-    pub fn all(&self, (p, q): Frame, tool: Frame) -> Vec<[f64; 6]> {
+    pub(crate) fn all(&self, (p, q): Frame, tool: Frame) -> Vec<[f64; 6]> {
         let p = (DVec3::from(p) - DVec3::from(self.planted.shift_m)).to_array();
         let flange = pose((p, q)) * pose(tool).inverse();
         let wrapped = |q: [f64; 6]| q.map(|x| x - TAU * (x / TAU).round());
@@ -117,7 +117,7 @@ impl Solver {
 
     /// Quadrants of axes 1, 4 and 6, and what stands behind what: 4 for the wrist centre behind axis 1, 2 behind the lower arm, 1
     /// for a negative axis 5.
-    pub fn quadrants(&self, q: &[f64; 6]) -> Quadrants {
+    pub(crate) fn quadrants(&self, q: &[f64; 6]) -> Quadrants {
         let ArmLengths { a1, a2, c2, c3, .. } = self.arm;
         let quadrant = |x: f64| (x / FRAC_PI_2).floor() as i32;
         // In the plane of the arm: outward and up, from axis 1 and the height of axis 2.

@@ -27,7 +27,7 @@ pub(crate) struct Nonces {
 }
 
 impl Nonces {
-    pub fn new_one(&mut self) -> String {
+    pub(crate) fn new_one(&mut self) -> String {
         self.count += 1;
         let nonce = md5_hex(&format!("nonce {}", self.count));
         self.given.insert(nonce.clone(), 0);
@@ -35,7 +35,7 @@ impl Nonces {
     }
 
     /// Whether the request proves that its sender knows the password; a count is good once.
-    pub fn is_proved(&mut self, request: &Incoming, user: &str, password: &str) -> bool {
+    pub(crate) fn is_proved(&mut self, request: &Incoming, user: &str, password: &str) -> bool {
         let Some(given) = request.header("authorization").and_then(|a| a.strip_prefix("Digest ")) else {
             return false;
         };
@@ -64,7 +64,7 @@ impl Nonces {
     }
 
     /// After a restart none is known.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.given.clear();
     }
 }

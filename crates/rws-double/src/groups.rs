@@ -20,11 +20,11 @@ pub(crate) struct Groups {
 }
 
 impl Groups {
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.open.len()
     }
 
-    pub fn end(&mut self, group: &str, session: u64) -> Result<Reply, Rejection> {
+    pub(crate) fn end(&mut self, group: &str, session: u64) -> Result<Reply, Rejection> {
         match self.open.get(group) {
             Some(found) if found.session == session => {
                 self.open.remove(group);

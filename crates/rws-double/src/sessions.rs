@@ -28,12 +28,12 @@ pub(crate) struct Sessions {
 }
 
 impl Sessions {
-    pub fn new(most: usize) -> Self {
+    pub(crate) fn new(most: usize) -> Self {
         Self { most, ..Self::default() }
     }
 
     /// The session of a request, by both cookies.
-    pub fn of(&mut self, request: &Incoming) -> Option<u64> {
+    pub(crate) fn of(&mut self, request: &Incoming) -> Option<u64> {
         self.expire();
         let cookies = request.header("cookie")?;
         let cookie = |name: &str| {
@@ -50,7 +50,7 @@ impl Sessions {
     }
 
     /// A new one; `None` where all slots are taken.
-    pub fn open(&mut self) -> Option<(u64, Vec<String>)> {
+    pub(crate) fn open(&mut self) -> Option<(u64, Vec<String>)> {
         self.expire();
         if self.open.len() >= self.most {
             return None;
@@ -65,22 +65,22 @@ impl Sessions {
         Some((n, cookies))
     }
 
-    pub fn close(&mut self, number: u64) {
+    pub(crate) fn close(&mut self, number: u64) {
         if self.open.remove(&number).is_some() {
             self.logouts += 1;
         }
     }
 
     /// As if it had expired.
-    pub fn forget(&mut self, number: u64) {
+    pub(crate) fn forget(&mut self, number: u64) {
         self.open.remove(&number);
     }
 
-    pub fn forget_all(&mut self) {
+    pub(crate) fn forget_all(&mut self) {
         self.open.clear();
     }
 
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         self.open.len()
     }
 

@@ -29,7 +29,7 @@ fn refused(why: impl Into<String>) -> Result<BackStep, Fault> {
 
 impl Interpreter<'_> {
     /// Goes through the statement before the one at which the program is stopped, backwards.
-    pub fn step_back(&mut self) -> BackStep {
+    pub(crate) fn step_back(&mut self) -> BackStep {
         let stopped = self.machine.stack.mark();
         let before = self.machine.stack.frames.last().map(|f| (f.pc, f.current));
         let step = self.try_step_back().unwrap_or_else(|fault| {

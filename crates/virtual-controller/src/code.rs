@@ -22,7 +22,7 @@ pub(super) struct Expr {
 
 impl Expr {
     /// An expression out of its parts.
-    pub fn new(kind: ExprKind) -> Self {
+    pub(crate) fn new(kind: ExprKind) -> Self {
         let is_pure = match &kind {
             ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Local(_) | ExprKind::Name(_) => true,
             ExprKind::Field(base, _) => base.is_pure,

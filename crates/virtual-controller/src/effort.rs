@@ -55,7 +55,7 @@ pub(super) struct EffortMeter {
 
 impl EffortMeter {
     /// A call of a routine took what was executed since `before`.
-    pub fn add_call(&mut self, routine: RoutineId, before: Effort) {
+    pub(crate) fn add_call(&mut self, routine: RoutineId, before: Effort) {
         let spent = self.total.each(before, u64::saturating_sub);
         self.by_routine
             .entry(routine)
@@ -68,7 +68,7 @@ impl EffortMeter {
     }
 
     /// What was counted by routine since the last time this was asked for.
-    pub fn take_ranges(&mut self) -> BTreeMap<RoutineId, EffortRange> {
+    pub(crate) fn take_ranges(&mut self) -> BTreeMap<RoutineId, EffortRange> {
         std::mem::take(&mut self.by_routine)
     }
 }

@@ -10,24 +10,24 @@ pub(crate) struct RoutineId(usize);
 
 impl ModuleId {
     /// The module at a position of the loaded program's list.
-    pub fn new(index: usize) -> Self {
+    pub(crate) fn new(index: usize) -> Self {
         Self(index)
     }
 
     /// Its position in the loaded program's list.
-    pub fn index(self) -> usize {
+    pub(crate) fn index(self) -> usize {
         self.0
     }
 }
 
 impl RoutineId {
     /// The routine at a position of the loaded program's list.
-    pub fn new(index: usize) -> Self {
+    pub(crate) fn new(index: usize) -> Self {
         Self(index)
     }
 
     /// Its position in the loaded program's list.
-    pub fn index(self) -> usize {
+    pub(crate) fn index(self) -> usize {
         self.0
     }
 }

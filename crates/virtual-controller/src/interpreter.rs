@@ -59,26 +59,26 @@ pub(super) struct Interpreter<'c> {
 
 impl Interpreter<'_> {
     /// The instruction in work: file and line.
-    pub fn here(&self) -> SourceLine {
+    pub(crate) fn here(&self) -> SourceLine {
         let Some(frame) = self.machine.stack.frames.last() else { return SourceLine::default() };
         self.program.source_line(frame.module, self.position())
     }
 
     /// The instruction in work: its place in its file.
-    pub fn position(&self) -> TextRange {
+    pub(crate) fn position(&self) -> TextRange {
         let frame = self.machine.stack.frames.last();
         let instruction = frame.and_then(|frame| frame.code.instructions.get(frame.current));
         instruction.map_or(TextRange::empty(0), |instruction| instruction.range)
     }
 
     /// Shows a message at the instruction in work.
-    pub fn report(&mut self, source: &'static str, text: impl Into<String>) {
+    pub(crate) fn report(&mut self, source: &'static str, text: impl Into<String>) {
         let at = self.here();
         self.machine.log.report(source, text.into(), at);
     }
 
     /// Evaluates arguments of a motion: calls of functions are counted.
-    pub fn metered<T>(&mut self, evaluate: impl FnOnce(&mut Self) -> T) -> T {
+    pub(crate) fn metered<T>(&mut self, evaluate: impl FnOnce(&mut Self) -> T) -> T {
         let before = std::mem::replace(&mut self.machine.meter.is_on, true);
         let out = evaluate(self);
         self.machine.meter.is_on = before;
@@ -86,7 +86,7 @@ impl Interpreter<'_> {
     }
 
     /// Runs a function or what calls one; counted where a motion's argument or the outside asks.
-    pub fn measured<T>(&mut self, routine: RoutineId, run: impl FnOnce(&mut Self) -> T) -> T {
+    pub(crate) fn measured<T>(&mut self, routine: RoutineId, run: impl FnOnce(&mut Self) -> T) -> T {
         if !std::mem::replace(&mut self.machine.meter.is_on, false) {
             return run(self);
         }

@@ -74,14 +74,14 @@ impl Module {
         }
     }
 
-    pub fn data_decl(&self, at: (usize, usize)) -> Option<&tree::DataDecl> {
+    pub(crate) fn data_decl(&self, at: (usize, usize)) -> Option<&tree::DataDecl> {
         match self.item(at)? {
             ModuleItem::Data(d) => Some(d),
             _ => None,
         }
     }
 
-    pub fn routine(&self, at: (usize, usize)) -> Option<&tree::Routine> {
+    pub(crate) fn routine(&self, at: (usize, usize)) -> Option<&tree::Routine> {
         match self.item(at)? {
             ModuleItem::Routine(r) => Some(r),
             _ => None,
@@ -110,7 +110,7 @@ pub(super) struct LoadedProgram {
 
 impl LoadedProgram {
     /// No module is loaded.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let types = Types::new();
         let own = [("tool0", &types.tooldata), ("wobj0", &types.wobjdata), ("load0", &types.loaddata)];
         let datum = |(name, ty): (&str, &Type)| Datum {
@@ -134,23 +134,23 @@ impl LoadedProgram {
     }
 
     /// The controller's own PERS of this name, as data that can be handed over.
-    pub fn own_datum(&self, name: &str) -> Option<(usize, Type)> {
+    pub(crate) fn own_datum(&self, name: &str) -> Option<(usize, Type)> {
         let id = *self.own_data.get(name)?;
         Some((id, self.data.get(id)?.ty.clone()))
     }
 
     /// What a routine is.
-    pub fn kind(&self, routine: RoutineId) -> Option<&RoutineKind> {
+    pub(crate) fn kind(&self, routine: RoutineId) -> Option<&RoutineKind> {
         self.routines.get(routine.index()).map(|r| &r.kind)
     }
 
     /// The module a routine stands in; `None` where there is no such routine.
-    pub fn module_of(&self, routine: RoutineId) -> Option<ModuleId> {
+    pub(crate) fn module_of(&self, routine: RoutineId) -> Option<ModuleId> {
         self.routines.get(routine.index()).map(|r| r.module)
     }
 
     /// The executable form of a routine, made when it is first asked for.
-    pub fn code(&self, routine: RoutineId) -> Option<Rc<Code>> {
+    pub(crate) fn code(&self, routine: RoutineId) -> Option<Rc<Code>> {
         let routine = self.routines.get(routine.index())?;
         if let Some(code) = routine.code.get() {
             return Some(code.clone());
@@ -161,12 +161,12 @@ impl LoadedProgram {
     }
 
     /// Whether a routine is a function.
-    pub fn is_function(&self, routine: RoutineId) -> bool {
+    pub(crate) fn is_function(&self, routine: RoutineId) -> bool {
         matches!(self.kind(routine), Some(RoutineKind::Func(_)))
     }
 
     /// Where a range of a module stands, for messages.
-    pub fn source_line(&self, module: ModuleId, range: TextRange) -> SourceLine {
+    pub(crate) fn source_line(&self, module: ModuleId, range: TextRange) -> SourceLine {
         match self.modules.get(module.index()) {
             Some(m) => SourceLine { file: m.file.path.clone(), line: m.file.line(range) },
             None => SourceLine::default(),
@@ -177,7 +177,7 @@ impl LoadedProgram {
     ///
     /// # Errors
     /// What a controller would not load: a name that is there already.
-    pub fn load(&mut self, path: &str, bytes: &[u8], dynamic: Option<&str>) -> Result<(), String> {
+    pub(crate) fn load(&mut self, path: &str, bytes: &[u8], dynamic: Option<&str>) -> Result<(), String> {
         let id = FileId(self.files);
         self.files += 1;
         let file = &Rc::new(SourceFile::read(id, path, bytes.to_vec()));
@@ -331,7 +331,7 @@ impl LoadedProgram {
     }
 
     /// Take a module out of memory; the data whose values are lost with it.
-    pub fn unload(&mut self, id: ModuleId) -> Vec<usize> {
+    pub(crate) fn unload(&mut self, id: ModuleId) -> Vec<usize> {
         self.changes += 1;
         let Some(module) = self.modules.get_mut(id.index()) else { return Vec::new() };
         module.loaded = false;
@@ -343,7 +343,7 @@ impl LoadedProgram {
     }
 
     /// Takes all modules out of memory that the program loaded itself; the data whose values are lost.
-    pub fn unload_dynamic(&mut self) -> Vec<usize> {
+    pub(crate) fn unload_dynamic(&mut self) -> Vec<usize> {
         let is_dynamic = |m: &Module| m.loaded && m.dynamic.is_some();
         let ids: Vec<usize> = (0..self.modules.len()).filter(|&id| is_dynamic(&self.modules[id])).collect();
         ids.into_iter().map(ModuleId::new).flat_map(|id| self.unload(id)).collect()
@@ -355,19 +355,19 @@ impl LoadedProgram {
     }
 
     /// The type a name means in a module, or outside of all; an unknown one is kept by its name.
-    pub fn type_named(&self, module: Option<ModuleId>, name: &str) -> Type {
+    pub(crate) fn type_named(&self, module: Option<ModuleId>, name: &str) -> Type {
         let local = self.module(module).and_then(|m| m.types.get(name));
         local.or_else(|| self.global_types.get(name)).cloned().unwrap_or_else(|| Type::Other(name.into()))
     }
 
     /// Data a name means in a module, or outside of all.
-    pub fn datum(&self, module: Option<ModuleId>, name: &str) -> Option<usize> {
+    pub(crate) fn datum(&self, module: Option<ModuleId>, name: &str) -> Option<usize> {
         let local = self.module(module).and_then(|m| m.data.get(name));
         local.or_else(|| self.global_data.get(name)).copied()
     }
 
     /// The same for a name in a routine, which is looked up once for as long as no module comes or goes.
-    pub fn named_datum(&self, module: Option<ModuleId>, named: &NameRef) -> Option<usize> {
+    pub(crate) fn named_datum(&self, module: Option<ModuleId>, named: &NameRef) -> Option<usize> {
         match named.found.get() {
             Some(found) if found.module == module && found.changes == self.changes => found.datum,
             _ => {
@@ -379,7 +379,7 @@ impl LoadedProgram {
     }
 
     /// The routine a name means in a module, or outside of all; `MODULE:ROUTINE` names one of another module.
-    pub fn routine(&self, module: Option<ModuleId>, name: &str) -> Option<RoutineId> {
+    pub(crate) fn routine(&self, module: Option<ModuleId>, name: &str) -> Option<RoutineId> {
         if let Some((module, name)) = name.split_once(':') {
             let home = self.modules.iter().find(|m| m.loaded && m.name.eq_ignore_ascii_case(module))?;
             return home.routines.get(name).copied();
@@ -390,13 +390,13 @@ impl LoadedProgram {
 
     /// Data of a name wherever they are: global, else of the first module that has them. For callers
     /// outside of the program (an operator, a test).
-    pub fn datum_anywhere(&self, name: &str) -> Option<usize> {
+    pub(crate) fn datum_anywhere(&self, name: &str) -> Option<usize> {
         let in_some_module = || self.modules.iter().filter(|m| m.loaded).find_map(|m| m.data.get(name));
         self.global_data.get(name).or_else(in_some_module).copied()
     }
 
     /// The same for a routine.
-    pub fn routine_anywhere(&self, name: &str) -> Option<RoutineId> {
+    pub(crate) fn routine_anywhere(&self, name: &str) -> Option<RoutineId> {
         let in_some_module = || self.modules.iter().filter(|m| m.loaded).find_map(|m| m.routines.get(name));
         self.routine(None, name).or_else(|| in_some_module().copied())
     }

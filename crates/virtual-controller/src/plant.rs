@@ -31,17 +31,17 @@ pub(super) enum PassStates {
 
 impl Plant {
     /// At room temperature where it deforms by that.
-    pub fn new(history: WarmthHistory, goes_by_temperature: bool) -> Self {
+    pub(crate) fn new(history: WarmthHistory, goes_by_temperature: bool) -> Self {
         Self { history, goes_by_temperature, temperature_c: ROOM_C }
     }
 
     /// No motion up to a time of the steady clock; `standing` where the program does not run either.
-    pub fn rest_until(&mut self, until_s: f64, standing: bool) {
+    pub(crate) fn rest_until(&mut self, until_s: f64, standing: bool) {
         self.history.rest_until(until_s, standing);
     }
 
     /// The arm that a motion meets which begins now.
-    pub fn arm_now(&self, robot: &TrueRobot) -> DeformedArm {
+    pub(crate) fn arm_now(&self, robot: &TrueRobot) -> DeformedArm {
         match self.goes_by_temperature {
             true => robot.arm_at(self.temperature_c),
             false => robot.arm(&self.history.warmth()),
@@ -49,7 +49,7 @@ impl Plant {
     }
 
     /// Makes the moves of a pass that began at `begin_s` of the steady clock.
-    pub fn make_moves(&mut self, moves: &[Move], begin_s: f64) -> PassStates {
+    pub(crate) fn make_moves(&mut self, moves: &[Move], begin_s: f64) -> PassStates {
         let first = moves.iter().find(|m| m.q_rad.is_some());
         let pause_end_s = first.map_or(begin_s, |m| m.began_s);
         let begin = self.history.warmth_if_resting_until(pause_end_s);
@@ -69,7 +69,7 @@ impl Plant {
 
 impl PassStates {
     /// The warm-up minute at the beginning of the pass; degrees Celsius where the robot deforms by temperature.
-    pub fn t_min(&self) -> f64 {
+    pub(crate) fn t_min(&self) -> f64 {
         match self {
             Self::Temperature(temperature_c) => *temperature_c,
             Self::Warmth { begin, .. } => begin.minute().unwrap_or(f64::INFINITY),
@@ -77,7 +77,7 @@ impl PassStates {
     }
 
     /// The deformed arm that a move meets.
-    pub fn arm_at(&self, robot: &TrueRobot, of_move: usize) -> DeformedArm {
+    pub(crate) fn arm_at(&self, robot: &TrueRobot, of_move: usize) -> DeformedArm {
         match self {
             Self::Temperature(temperature_c) => robot.arm_at(*temperature_c),
             Self::Warmth { begin, moves } => robot.arm(moves.get(of_move).unwrap_or(begin)),

@@ -127,7 +127,7 @@ pub(super) struct Types {
 }
 
 impl Types {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let all = types();
         let get = |name: &str| all.get(name).cloned().unwrap_or(Type::Num);
         Self {

@@ -54,13 +54,13 @@ pub(super) struct Feeler<'s> {
 }
 
 impl Spheres {
-    pub fn add(&mut self, sphere: Sphere) {
+    pub(crate) fn add(&mut self, sphere: Sphere) {
         let rng = ChaCha8Rng::seed_from_u64(sphere.seed);
         self.all.push((sphere, rng));
     }
 
     /// What a search by this signal feels; `None` where no sphere sets it, or the arm holds no tool.
-    pub fn feeler<'s>(&'s mut self, signal: &str, setup: &'s Setup) -> Option<Feeler<'s>> {
+    pub(crate) fn feeler<'s>(&'s mut self, signal: &str, setup: &'s Setup) -> Option<Feeler<'s>> {
         let arm = self.arm.as_ref().filter(|_| setup.tool_held)?;
         let (sphere, rng) = self.all.iter_mut().find(|(s, _)| s.signal.eq_ignore_ascii_case(signal))?;
         let noise: f64 = StandardNormal.sample(rng);
@@ -79,7 +79,7 @@ impl Spheres {
 
 impl Feeler<'_> {
     /// Metres; under 0 from where the touch is felt.
-    pub fn gap_m(&self, q_rad: &[f64; 6]) -> f64 {
+    pub(crate) fn gap_m(&self, q_rad: &[f64; 6]) -> f64 {
         let base_from_tcp = self.arm.under(&self.conditions).forward(q_rad) * self.setup.frame_from_tcp;
         (Point3::from(base_from_tcp.translation.vector) - self.centre_m).norm() - self.reach_m
     }

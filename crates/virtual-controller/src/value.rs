@@ -243,7 +243,7 @@ impl Value {
 
 /// The shortest decimal text of a `num`, as the controller shows it.
 #[must_use]
-pub fn num_text(x: f32) -> String {
+pub(crate) fn num_text(x: f32) -> String {
     if x == x.trunc() && x.abs() < 1e7 {
         return format!("{}", x as i64);
     }
@@ -263,7 +263,7 @@ pub fn num_text(x: f32) -> String {
 /// A number as a power of ten, its mantissa with so many decimals and then as `shown` leaves it: the exponent has its sign and two
 /// digits, as in 3.85E-01.
 #[must_use]
-pub fn with_exponent(x: f64, decimals: usize, shown: impl Fn(&str) -> &str) -> String {
+pub(crate) fn with_exponent(x: f64, decimals: usize, shown: impl Fn(&str) -> &str) -> String {
     let text = format!("{x:.decimals$E}");
     match text.split_once('E') {
         Some((mantissa, exponent)) => {

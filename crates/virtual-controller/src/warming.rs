@@ -40,7 +40,7 @@ pub(super) struct WarmthHistory {
 }
 
 impl WarmthHistory {
-    pub fn new(warmth: Warmth, warming: Warming, gap_min: f64, now_s: f64) -> Self {
+    pub(crate) fn new(warmth: Warmth, warming: Warming, gap_min: f64, now_s: f64) -> Self {
         let gap_min = (warming == Warming::Moving).then_some(gap_min);
         Self { warmth, gap_min, now_s, pause_min: 0.0, open: Vec::new() }
     }
@@ -50,7 +50,7 @@ impl WarmthHistory {
     }
 
     /// No motion up to a time; `standing` where the program does not run either.
-    pub fn rest_until(&mut self, until_s: f64, standing: bool) {
+    pub(crate) fn rest_until(&mut self, until_s: f64, standing: bool) {
         let dt_min = min_from_s((until_s - self.now_s).max(0.0));
         if dt_min == 0.0 {
             return;
@@ -71,7 +71,7 @@ impl WarmthHistory {
     }
 
     /// A motion, and the rest before it.
-    pub fn move_until(&mut self, began_s: f64, ended_s: f64) {
+    pub(crate) fn move_until(&mut self, began_s: f64, ended_s: f64) {
         self.rest_until(began_s, false);
         self.warmth = self.warmth_if_resting_until(began_s);
         self.open.clear();
@@ -82,7 +82,7 @@ impl WarmthHistory {
     }
 
     /// The warmth now, where there is no motion before `until_s`: that decides what the pause so far is.
-    pub fn warmth_if_resting_until(&self, until_s: f64) -> Warmth {
+    pub(crate) fn warmth_if_resting_until(&self, until_s: f64) -> Warmth {
         let ahead_min = min_from_s((until_s - self.now_s).max(0.0));
         let is_long = self.is_long(self.pause_min + ahead_min);
         let mut warmth = self.warmth;
@@ -93,7 +93,7 @@ impl WarmthHistory {
     }
 
     /// The warmth now, the pause so far taken for all of it.
-    pub fn warmth(&self) -> Warmth {
+    pub(crate) fn warmth(&self) -> Warmth {
         self.warmth_if_resting_until(self.now_s)
     }
 }

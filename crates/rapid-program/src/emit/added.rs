@@ -25,7 +25,7 @@ use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
 
 /// Data that are added for targets.
-pub enum Declaration<'p> {
+pub(super) enum Declaration<'p> {
     /// A target's elements, one a bucket.
     Array(TargetArray<'p>),
     /// A target's correction at the node of one function of time.
@@ -41,7 +41,7 @@ impl Declaration<'_> {
     ///
     /// # Errors
     /// Those of its parts.
-    pub fn write(
+    pub(super) fn write(
         &self,
         out: &mut Vec<u8>,
         style: &LayoutStyle,
@@ -57,7 +57,7 @@ impl Declaration<'_> {
 }
 
 /// What is added to a module for its motions.
-pub struct Added<'p> {
+pub(super) struct Added<'p> {
     /// New data, in the order of the motions.
     pub declarations: Vec<Declaration<'p>>,
     /// What the motions ask.
@@ -79,7 +79,7 @@ impl<'p> Added<'p> {
     ///
     /// # Errors
     /// [`EmitError::NoName`], [`EmitError::PlanMismatch`].
-    pub fn collect(
+    pub(super) fn collect(
         context: &EmitContext<'p>,
         (file, module): (&'p SourceFile, &Module),
         motions: &[usize],

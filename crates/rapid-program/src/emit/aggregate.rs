@@ -4,7 +4,7 @@ use super::insertion::white;
 use rapid_syntax::leading_decimal;
 
 /// Everything of an aggregate's text from its component `from` on, closing bracket included.
-pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
+pub(super) fn tail_of(text: &[u8], from: usize) -> &[u8] {
     let (mut depth, mut commas) = (0_u32, 0_usize);
     for (at, &byte) in text.iter().enumerate() {
         match byte {
@@ -25,7 +25,7 @@ pub fn tail_of(text: &[u8], from: usize) -> &[u8] {
 
 /// How many brackets of an array of these dimensions open before and close behind its element at `at`, counted from nought with
 /// the last dimension fastest; those round the whole array are left out.
-pub fn brackets(dims: &[usize], at: usize) -> (usize, usize) {
+pub(super) fn brackets(dims: &[usize], at: usize) -> (usize, usize) {
     let mut size = 1;
     let (mut open, mut close) = (0, 0);
     for dim in dims.iter().skip(1).rev() {
@@ -37,18 +37,18 @@ pub fn brackets(dims: &[usize], at: usize) -> (usize, usize) {
 }
 
 /// Dimensions or indices as they stand between braces: `8,8`.
-pub fn with_commas(numbers: &[usize]) -> String {
+pub(super) fn with_commas(numbers: &[usize]) -> String {
     numbers.iter().map(usize::to_string).collect::<Vec<_>>().join(",")
 }
 
 /// Whether an aggregate has so many components.
-pub fn has_components(text: &[u8], count: usize) -> bool {
+pub(super) fn has_components(text: &[u8], count: usize) -> bool {
     tail_of(text, count - 1) != b"]" && tail_of(text, count) == b"]"
 }
 
 /// Whether an aggregate's text is nothing but brackets, commas, blanks and signed decimal numbers.
 #[must_use]
-pub fn is_plain(text: &[u8]) -> bool {
+pub(super) fn is_plain(text: &[u8]) -> bool {
     let mut previous = b'[';
     for &byte in text {
         let fits = match PLAIN[usize::from(byte)] {
@@ -95,14 +95,14 @@ const PLAIN: [ByteClass; 256] = {
 
 /// The numbers of a plain aggregate, in single precision, in order; `None` where one cannot be read.
 #[must_use]
-pub fn singles(text: &[u8]) -> Option<Vec<f32>> {
+pub(super) fn singles(text: &[u8]) -> Option<Vec<f32>> {
     Some(Singles::default().of(text)?.collect())
 }
 
 /// Reads plain aggregates one after another. They mostly end as the one before does, in the same configuration and the same external
 /// axes, and what stands there is not read again.
 #[derive(Debug, Default)]
-pub struct Singles {
+pub(super) struct Singles {
     /// The last one that could be read.
     text: Vec<u8>,
     /// Its numbers, the last first, each with how many bytes lie between where it begins and the end.
@@ -111,7 +111,7 @@ pub struct Singles {
 
 impl Singles {
     /// The numbers of an aggregate, in single precision, in order; `None` where one cannot be read.
-    pub fn of(&mut self, text: &[u8]) -> Option<impl Iterator<Item = f32> + '_> {
+    pub(super) fn of(&mut self, text: &[u8]) -> Option<impl Iterator<Item = f32> + '_> {
         let alike = text.len() - common_end(&self.text, text);
         // No number goes on past a byte that parts them.
         let parted = text[alike..].iter().position(|&byte| parts(byte));

@@ -5,7 +5,7 @@ use super::insertion::white;
 
 /// Reads targets one after another. Neighbours mostly end alike, in configuration and external axes: what was read once is compared.
 #[derive(Debug, Default)]
-pub struct ArrayReader<'b> {
+pub(super) struct ArrayReader<'b> {
     /// Of the element at hand.
     values: Vec<f32>,
     /// Where the last one's configuration, or a jointtarget's external axes, began: what stood there, and the numbers in it.
@@ -19,7 +19,7 @@ pub struct ArrayReader<'b> {
 impl<'b> ArrayReader<'b> {
     /// Calls `visit` with where each element of a one-dimensional array's `text` stands and its numbers, in single precision, in
     /// order; `None` where something else stands there.
-    pub fn each(&mut self, text: &'b [u8], mut visit: impl FnMut(usize, usize, &[f32])) -> Option<()> {
+    pub(super) fn each(&mut self, text: &'b [u8], mut visit: impl FnMut(usize, usize, &[f32])) -> Option<()> {
         let mut at = past_white(text, 0);
         if text.get(at) != Some(&b'[') {
             return None;

@@ -11,7 +11,7 @@ use rapid_syntax::tree::{FileItem, Module};
 ///
 /// # Errors
 /// [`EmitError::PlanMismatch`].
-pub fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
+pub(super) fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
     let mismatch = |text: String| Err(EmitError::PlanMismatch(text));
     if plan.motions.len() != program.motions.len() {
         return mismatch(format!("{} motions, {} planned", program.motions.len(), plan.motions.len()));
@@ -37,7 +37,7 @@ pub fn check_plan(program: &Program, plan: &Plan) -> Result<(), EmitError> {
 ///
 /// # Errors
 /// [`EmitError::NoModule`], [`EmitError::PlanMismatch`].
-pub fn changes(program: &Program, plan: &Plan) -> Result<Changes, EmitError> {
+pub(super) fn changes(program: &Program, plan: &Plan) -> Result<Changes, EmitError> {
     let mut changes = Changes::new();
     let place = |id: FileId, offset: u32| {
         let file = program.file(id);

@@ -8,7 +8,7 @@ use super::aggregate::Singles;
 use super::insertion::white;
 
 /// What every line of a comment block begins with that is read back.
-pub const MARK: &str = "! driftpost ";
+pub(super) const MARK: &str = "! driftpost ";
 
 const SIX_BITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+-";
 
@@ -49,13 +49,13 @@ impl Fnv {
 
 /// A number as so many characters of six bits each.
 #[must_use]
-pub fn of_number<const N: usize>(number: u64) -> [u8; N] {
+pub(super) fn of_number<const N: usize>(number: u64) -> [u8; N] {
     std::array::from_fn(|i| SIX_BITS[(number >> (6 * (N - 1 - i)) & 63) as usize])
 }
 
 /// The number that [`of_number`] wrote; `None` where it did not.
 #[must_use]
-pub fn number_of(text: &[u8]) -> Option<u64> {
+pub(super) fn number_of(text: &[u8]) -> Option<u64> {
     text.iter().try_fold(0, |number, character| {
         let six = SIX_BITS.iter().position(|known| known == character)?;
         Some(number << 6 | six as u64)
@@ -64,12 +64,16 @@ pub fn number_of(text: &[u8]) -> Option<u64> {
 
 /// A checksum of three characters for an aggregate's numbers, however they are spelled.
 #[must_use]
-pub fn of_numbers(text: &[u8]) -> [u8; 3] {
+pub(super) fn of_numbers(text: &[u8]) -> [u8; 3] {
     of_numbers_with(text, &mut Singles::default(), |_| ()).unwrap_or_else(of_no_numbers)
 }
 
 /// The same, each number being shown to `visit`; `None` where one cannot be read.
-pub fn of_numbers_with(text: &[u8], reader: &mut Singles, mut visit: impl FnMut(f32)) -> Option<[u8; 3]> {
+pub(super) fn of_numbers_with(
+    text: &[u8],
+    reader: &mut Singles,
+    mut visit: impl FnMut(f32),
+) -> Option<[u8; 3]> {
     let mut hash = Fnv::new();
     reader.of(text)?.for_each(|value| {
         hash.add_single(value);
@@ -80,12 +84,12 @@ pub fn of_numbers_with(text: &[u8], reader: &mut Singles, mut visit: impl FnMut(
 
 /// The checksum of an aggregate that cannot be read.
 #[must_use]
-pub fn of_no_numbers() -> [u8; 3] {
+pub(super) fn of_no_numbers() -> [u8; 3] {
     Fnv::new().checksum()
 }
 
 /// Checksums of an array's elements: three characters for all, then two for each.
-pub struct Elements {
+pub(super) struct Elements {
     all: Fnv,
     each: Vec<u8>,
 }
@@ -93,12 +97,12 @@ pub struct Elements {
 impl Elements {
     /// Those of no element yet; so many will come.
     #[must_use]
-    pub fn new(count: usize) -> Self {
+    pub(super) fn new(count: usize) -> Self {
         Self { all: Fnv::new(), each: Vec::with_capacity(2 * count) }
     }
 
     /// Takes in the next element's text, which `reader` reads.
-    pub fn add(&mut self, element: &[u8], reader: &mut Singles) {
+    pub(super) fn add(&mut self, element: &[u8], reader: &mut Singles) {
         let mut own = Fnv::new();
         if let Some(values) = reader.of(element) {
             values.for_each(|value| {
@@ -110,7 +114,7 @@ impl Elements {
     }
 
     /// The same by its numbers.
-    pub fn add_numbers(&mut self, values: impl IntoIterator<Item = f32>) {
+    pub(super) fn add_numbers(&mut self, values: impl IntoIterator<Item = f32>) {
         let mut own = Fnv::new();
         for value in values {
             self.all.add_single(value);
@@ -121,7 +125,7 @@ impl Elements {
 
     /// Three characters for all, then two for each.
     #[must_use]
-    pub fn checksums(&self) -> Vec<u8> {
+    pub(super) fn checksums(&self) -> Vec<u8> {
         [&self.all.checksum::<3>()[..], &self.each].concat()
     }
 }
@@ -129,7 +133,7 @@ impl Elements {
 /// A checksum of three characters for a declaration or a routine: its words and numbers, without comments, white space, capitals, and
 /// without the value of a PERS, which moves on.
 #[must_use]
-pub fn of_code(text: &[u8]) -> [u8; 3] {
+pub(super) fn of_code(text: &[u8]) -> [u8; 3] {
     let mut hash = Fnv::new();
     let mut rest = text;
     let (mut persistent, mut value) = (false, false);
@@ -164,7 +168,7 @@ pub fn of_code(text: &[u8]) -> [u8; 3] {
 
 /// A checksum of six characters for lines of the comment block.
 #[must_use]
-pub fn of_lines<'l>(lines: impl Iterator<Item = (&'l [u8], &'l [u8])>) -> [u8; 6] {
+pub(super) fn of_lines<'l>(lines: impl Iterator<Item = (&'l [u8], &'l [u8])>) -> [u8; 6] {
     let mut hash = Fnv::new();
     for (key, text) in lines {
         [key, b": ", text, b"\n"].into_iter().for_each(|part| hash.add(part));
@@ -173,7 +177,7 @@ pub fn of_lines<'l>(lines: impl Iterator<Item = (&'l [u8], &'l [u8])>) -> [u8; 6
 }
 
 /// Bytes as lower-case hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
+pub(super) fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|b| format!("{b:02x}")).collect()
 }
 

@@ -11,7 +11,7 @@ use nalgebra::Isometry3;
 
 /// An array of poses: a row a target, its own pose first, then its correction at the node of each function of time.
 #[derive(Clone, Debug)]
-pub struct ChoiceData {
+pub(super) struct ChoiceData {
     /// The name of the data.
     pub name: String,
     /// The name of the hash that tells a target's row.
@@ -23,20 +23,20 @@ pub struct ChoiceData {
 impl ChoiceData {
     /// Which row a target is.
     #[must_use]
-    pub fn hash(&self) -> RowHash {
+    pub(super) fn hash(&self) -> RowHash {
         let poses: Vec<Isometry3<f64>> = self.rows.iter().map(|(pose, _)| *pose).collect();
         RowHash::of(&poses)
     }
 
     /// Whether it is the same under another name.
     #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
+    pub(super) fn is_same(&self, other: &Self) -> bool {
         self.rows == other.rows
     }
 
     /// Appends the declaration; gives what it is recognised by.
     #[must_use]
-    pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
+    pub(super) fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
         let columns = self.rows.first().map_or(0, |(_, corrections)| corrections.len()) + 1;
         out.extend_from_slice(&style.indent);
         let head = format!("LOCAL CONST pose {}{{{},{columns}}}:=[", self.name, self.rows.len());

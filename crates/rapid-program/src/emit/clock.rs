@@ -37,7 +37,7 @@ const CASE_LINE: usize = 120;
 
 /// Which law the minute follows while the program runs and stands.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Law {
+pub(super) enum Law {
     /// Two equal lags in a row, warming and cooling with a time constant each, minutes.
     TwoStage {
         /// Time constant of warming, minutes.
@@ -82,7 +82,7 @@ impl Law {
     /// [`EmitError::BadTime`] for a time constant or pause that is not a positive number,
     /// [`EmitError::ClockOfOtherKind`] for a measured temperature where `range_c` says that the deformation goes by
     /// time, and the other way.
-    pub fn of(clock: &Clock, range_c: Option<[f64; 2]>) -> Result<Self, EmitError> {
+    pub(super) fn of(clock: &Clock, range_c: Option<[f64; 2]>) -> Result<Self, EmitError> {
         let positive = |name: &'static str, value: f64| {
             if value.is_finite() && value > 0.0 {
                 Ok(value)
@@ -141,7 +141,7 @@ fn read(source: &Sensor) -> Result<String, EmitError> {
 
 /// What a program asks the clock for.
 #[derive(Clone, Debug)]
-pub enum Choice<'a> {
+pub(super) enum Choice<'a> {
     /// The bucket in force.
     Bucket(&'a Schedule),
     /// What corrections are scaled by.
@@ -150,7 +150,7 @@ pub enum Choice<'a> {
 
 /// The core of a program: its clock, and what is asked of it.
 #[derive(Clone, Debug)]
-pub struct CoreText<'a> {
+pub(super) struct CoreText<'a> {
     /// The law that the clock follows.
     pub law: &'a Law,
     /// The law of the drift's growth, where all of it follows one.
@@ -166,7 +166,7 @@ pub struct CoreText<'a> {
 impl CoreText<'_> {
     /// The data declarations, one a line, indented by two blanks a level.
     #[must_use]
-    pub fn data(&self, names: &Names) -> Vec<String> {
+    pub(super) fn data(&self, names: &Names) -> Vec<String> {
         let shown = if matches!(self.law, Law::Sensor { .. }) { "tcDegrees" } else { "tcMinute" };
         let mut lines: Vec<String> = DATA.lines().map(|line| line.replace("@SHOWN@", shown)).collect();
         match &self.choice {
@@ -185,7 +185,7 @@ impl CoreText<'_> {
 
     /// The routines, line by line, indented by two blanks a level, an empty line between two.
     #[must_use]
-    pub fn routines(&self, names: &Names) -> Vec<String> {
+    pub(super) fn routines(&self, names: &Names) -> Vec<String> {
         let shares = matches!(&self.choice, Choice::Scale(scaled) if scaled.functions.course.is_of_share());
         let law = match self.law {
             Law::TwoStage { .. } => [STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),

@@ -27,10 +27,10 @@ const NORMALISE_DEG: f64 = 0.05;
 
 /// The compensated motions (positions in [`Program::motions`]) of each changed module, by its file and its position among
 /// the file's items.
-pub type Changes = BTreeMap<(FileId, usize), Vec<usize>>;
+pub(super) type Changes = BTreeMap<(FileId, usize), Vec<usize>>;
 
 /// What modules are emitted from, and what they have in common.
-pub struct EmitContext<'e> {
+pub(super) struct EmitContext<'e> {
     /// The program as it was read.
     pub program: &'e Program,
     /// What becomes of its motions.
@@ -52,7 +52,7 @@ impl<'e> EmitContext<'e> {
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a motion asks for a model that RAPID cannot hold.
-    pub fn new(
+    pub(super) fn new(
         (program, plan): (&'e Program, &'e Plan),
         options: &'e EmitOptions,
         (law, core): (&'e Law, Core),
@@ -78,13 +78,13 @@ impl<'e> EmitContext<'e> {
 
     /// The core's data, one a line.
     #[must_use]
-    pub fn data(&self) -> Vec<String> {
+    pub(super) fn data(&self) -> Vec<String> {
         self.text.data(&self.names)
     }
 
     /// The core's routines, line by line.
     #[must_use]
-    pub fn routines(&self) -> Vec<String> {
+    pub(super) fn routines(&self) -> Vec<String> {
         self.text.routines(&self.names)
     }
 }

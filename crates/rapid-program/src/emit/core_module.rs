@@ -10,7 +10,7 @@ use rapid_syntax::SourceFile;
 
 /// The common module, to stand beside a changed file of the same task.
 #[must_use]
-pub fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> EmittedFile {
+pub(super) fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> EmittedFile {
     let name = context.names.core("tcCore");
     let style =
         LayoutStyle { eol: majority_eol(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };

@@ -16,7 +16,7 @@ const TURN_DECIMALS: i32 = 8;
 
 /// The correction of a target, or of all elements of an array, at the node of one function of time.
 #[derive(Clone, Debug)]
-pub struct CorrectionData {
+pub(super) struct CorrectionData {
     /// The name of the data.
     pub name: String,
     /// Of an array, for a target that differs with an array's element; else empty.
@@ -28,13 +28,13 @@ pub struct CorrectionData {
 impl CorrectionData {
     /// Whether it is the same under another name.
     #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
+    pub(super) fn is_same(&self, other: &Self) -> bool {
         self.dims == other.dims && self.values == other.values
     }
 
     /// Appends the declaration; gives what it is recognised by.
     #[must_use]
-    pub fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
+    pub(super) fn write(&self, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
         let joint = matches!(self.values.first(), Some(Correction::Joints { .. }));
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
@@ -67,7 +67,7 @@ impl CorrectionData {
 }
 
 /// Appends a correction as RAPID's `pose`, or `robjoint`.
-pub fn write_correction(out: &mut Vec<u8>, correction: &Correction) {
+pub(super) fn write_correction(out: &mut Vec<u8>, correction: &Correction) {
     match correction {
         Correction::Pose { shift_m, turn } => {
             out.push(b'[');

@@ -11,12 +11,12 @@ use std::ops::Range;
 const DIGITS: usize = 64;
 
 /// The line of the comment block, its digest not known yet.
-pub fn line() -> String {
+pub(super) fn line() -> String {
     format!("{MARK}digest: {}", "0".repeat(DIGITS))
 }
 
 /// Puts the digest into a file, and into the edits that made it of its source.
-pub fn seal(bytes: &mut [u8], edits: &mut [Edit]) {
+pub(super) fn seal(bytes: &mut [u8], edits: &mut [Edit]) {
     let in_file = places(bytes);
     let digest = of(bytes, &in_file);
     let mut left = in_file.len();

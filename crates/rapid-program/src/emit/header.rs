@@ -16,7 +16,7 @@ const WIDTH: usize = 160;
 
 /// What `restore` reads out of a comment block.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Record {
+pub(super) struct Record {
     /// SHA-256 of the source file, hexadecimal.
     pub source_sha256: String,
     /// Name of the source file.
@@ -49,7 +49,7 @@ pub struct Record {
 
 /// The block's lines, without line ends: `about` for people, then what `restore` needs.
 #[must_use]
-pub fn lines(about: &[String], record: &Record) -> Vec<String> {
+pub(super) fn lines(about: &[String], record: &Record) -> Vec<String> {
     let mut lines = vec![format!(
         "{MARK}{} made this module: targets corrected for thermal drift. Do not edit by hand.",
         env!("CARGO_PKG_VERSION")
@@ -131,7 +131,7 @@ fn wrap(lines: &mut Vec<String>, first: &str, next: &str, text: &str) {
 /// ASCII for any bytes: what is not printable is written `\xNN`, and so are a backslash, and blanks at
 /// which a line could lose its end.
 #[must_use]
-pub fn escape(text: &[u8]) -> String {
+pub(super) fn escape(text: &[u8]) -> String {
     let mut out = String::new();
     for &byte in text {
         if (0x21..0x7f).contains(&byte) && byte != b'\\' {
@@ -152,7 +152,7 @@ fn one_line(text: &str) -> String {
 
 /// The bytes that [`escape`] wrote; `None` where it did not.
 #[must_use]
-pub fn unescape(text: &[u8]) -> Option<Vec<u8>> {
+pub(super) fn unescape(text: &[u8]) -> Option<Vec<u8>> {
     let mut out = Vec::with_capacity(text.len());
     let mut rest = text;
     while let Some((&byte, tail)) = rest.split_first() {
@@ -179,13 +179,13 @@ fn cut(text: &str, most: usize) -> usize {
 
 /// A printable ASCII form of a file's name.
 #[must_use]
-pub fn plain(name: &str) -> String {
+pub(super) fn plain(name: &str) -> String {
     name.chars().map(|c| if c == ' ' || c.is_ascii_graphic() { c } else { '?' }).collect()
 }
 
 /// Whether a comment is the first of a block of ours.
 #[must_use]
-pub fn begins(comment: &[u8]) -> bool {
+pub(super) fn begins(comment: &[u8]) -> bool {
     let text = comment.strip_prefix(b"!").unwrap_or(comment).trim_ascii_start();
     text.strip_prefix(b"driftpost ").is_some_and(|rest| rest.first().is_some_and(u8::is_ascii_digit))
 }
@@ -193,7 +193,7 @@ pub fn begins(comment: &[u8]) -> bool {
 impl Record {
     /// The name in use for one of the core's.
     #[must_use]
-    pub fn core<'a>(&'a self, name: &'a str) -> &'a str {
+    pub(super) fn core<'a>(&'a self, name: &'a str) -> &'a str {
         self.renamed.get(name).map_or(name, String::as_str)
     }
 }
@@ -203,7 +203,7 @@ impl Record {
 ///
 /// # Errors
 /// A sentence.
-pub fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize), String> {
+pub(super) fn read<'l>(lines: impl Iterator<Item = &'l [u8]>) -> Result<(Record, usize), String> {
     let (entries, count) = entries(lines)?;
     let mut record = Record::default();
     let pairs = || entries.iter().map(|entry| (entry.key.as_slice(), entry.text.as_slice()));

@@ -9,7 +9,7 @@ use crate::compensate::plan::{Form, Plan, Totals};
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// What the comment block tells people.
-pub fn header_text(
+pub(super) fn header_text(
     (names, core, text): (&Names, Core, &CoreText<'_>),
     options: &EmitOptions,
     plan: &Plan,

@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 ///
 /// # Errors
 /// [`EmitError::HiddenName`], naming the first such declaration.
-pub fn check(context: &EmitContext<'_>, changes: &Changes) -> Result<(), EmitError> {
+pub(super) fn check(context: &EmitContext<'_>, changes: &Changes) -> Result<(), EmitError> {
     let mut asked: BTreeSet<String> = BTreeSet::new();
     for line in context.data().iter().chain(&context.routines()) {
         let code = line.split('!').next().unwrap_or_default();

@@ -8,7 +8,7 @@ use rapid_syntax::tree::{Module, ModuleItem, Routine, Stmt, StmtKind};
 
 /// How a file writes its lines.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LayoutStyle {
+pub(super) struct LayoutStyle {
     /// Its line end: the most frequent one.
     pub eol: &'static [u8],
     /// Blanks before what stands in a module.
@@ -20,7 +20,7 @@ pub struct LayoutStyle {
 impl LayoutStyle {
     /// The style of `module` in `source`.
     #[must_use]
-    pub fn of(source: &[u8], module: &Module) -> Self {
+    pub(super) fn of(source: &[u8], module: &Module) -> Self {
         let first = module.items.iter().find(|i| matches!(i, ModuleItem::Data(_) | ModuleItem::Routine(_)));
         let indent = first.map(|i| indent_at(source, i.range().start).to_vec()).unwrap_or_default();
         let outer = indent_at(source, module.range.start);
@@ -34,7 +34,7 @@ impl LayoutStyle {
     }
 
     /// Appends a line that is indented by two blanks a level, the first level being the module's.
-    pub fn push(&self, out: &mut Vec<u8>, line: &str) {
+    pub(super) fn push(&self, out: &mut Vec<u8>, line: &str) {
         let text = line.trim_start_matches(' ');
         if !text.is_empty() {
             out.extend_from_slice(&self.indent);
@@ -48,7 +48,7 @@ impl LayoutStyle {
 
     /// Appends a part of a value that may be continued on the next line, one level further in: there it goes where the line, `column`
     /// bytes long so far, would be longer than `most` bytes with it.
-    pub fn push_part(&self, out: &mut Vec<u8>, column: &mut usize, part: &[u8], most: usize) {
+    pub(super) fn push_part(&self, out: &mut Vec<u8>, column: &mut usize, part: &[u8], most: usize) {
         if *column + part.len() > most {
             out.extend_from_slice(self.eol);
             out.extend_from_slice(&self.indent);
@@ -62,7 +62,7 @@ impl LayoutStyle {
 
 /// The most frequent line end; LF where there is none.
 #[must_use]
-pub fn majority_eol(source: &[u8]) -> &'static [u8] {
+pub(super) fn majority_eol(source: &[u8]) -> &'static [u8] {
     let (mut crlf, mut lf, mut cr) = (0_usize, 0_usize, 0_usize);
     for at in memchr::memchr2_iter(b'\n', b'\r', source) {
         if source[at] == b'\n' {
@@ -139,13 +139,13 @@ fn after_line(source: &[u8], end: usize) -> usize {
 
 /// Where the comment block goes.
 #[must_use]
-pub fn header(source: &[u8], module: &Module) -> u32 {
+pub(super) fn header(source: &[u8], module: &Module) -> u32 {
     after_line(source, module.head.end as usize) as u32
 }
 
 /// Where data go: after the last data before the first routine.
 #[must_use]
-pub fn data(source: &[u8], module: &Module) -> u32 {
+pub(super) fn data(source: &[u8], module: &Module) -> u32 {
     let last = module
         .items
         .iter()
@@ -160,7 +160,7 @@ pub fn data(source: &[u8], module: &Module) -> u32 {
 
 /// Where routines go: before ENDMODULE; `None` where there is none.
 #[must_use]
-pub fn routines(source: &[u8], module: &Module) -> Option<u32> {
+pub(super) fn routines(source: &[u8], module: &Module) -> Option<u32> {
     let end = module.end?.start as usize;
     let start = line_start(source, end);
     Some(if source[start..end].iter().all(|&b| blank(b)) { start } else { end } as u32)
@@ -168,7 +168,7 @@ pub fn routines(source: &[u8], module: &Module) -> Option<u32> {
 
 /// Every statement of a routine, in source order, those inside others included.
 #[must_use]
-pub fn statements(routine: &Routine) -> Vec<&Stmt> {
+pub(super) fn statements(routine: &Routine) -> Vec<&Stmt> {
     let mut found = Vec::new();
     let mut open: Vec<&Stmt> = routine.body.iter().collect();
     open.extend(routine.handlers.iter().flat_map(|h| &h.body));
@@ -195,14 +195,14 @@ pub fn statements(routine: &Routine) -> Vec<&Stmt> {
 
 /// Whether `at` is the first byte of a line, so that whole lines can be put in there.
 #[must_use]
-pub fn at_line_start(source: &[u8], at: u32) -> bool {
+pub(super) fn at_line_start(source: &[u8], at: u32) -> bool {
     line_start(source, at as usize) == at as usize
 }
 
 /// The range of what was put in as whole lines, or right before a token: from the beginning of the line
 /// where only blanks stand before `range`, to past the line end that follows it.
 #[must_use]
-pub fn whole_lines(source: &[u8], range: TextRange) -> TextRange {
+pub(super) fn whole_lines(source: &[u8], range: TextRange) -> TextRange {
     let (start, end) = (range.start as usize, range.end as usize);
     let line = line_start(source, start);
     let from = if source[line..start].iter().all(|&b| blank(b)) { line } else { start };
@@ -213,7 +213,7 @@ pub fn whole_lines(source: &[u8], range: TextRange) -> TextRange {
 
 /// The range with the empty line before it, where it begins a line and one is there.
 #[must_use]
-pub fn with_empty_line_before(source: &[u8], range: TextRange) -> TextRange {
+pub(super) fn with_empty_line_before(source: &[u8], range: TextRange) -> TextRange {
     let start = range.start as usize;
     let before = match source.get(..start) {
         Some([.., b'\r', b'\n']) => start - 2,

@@ -16,7 +16,7 @@ use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
 
 /// The edits of a module; `motions`: the compensated ones, positions in [`Program::motions`](crate::program::Program::motions).
-pub fn edits(
+pub(super) fn edits(
     context: &EmitContext<'_>,
     (file, module): (&SourceFile, &Module),
     motions: &[usize],
@@ -77,7 +77,7 @@ pub fn edits(
 }
 
 /// Checksums for data and for the routines of other lines.
-pub fn code_checksums(data: &[String], routines: &[String]) -> Vec<u8> {
+pub(super) fn code_checksums(data: &[String], routines: &[String]) -> Vec<u8> {
     let of = |lines: &[String], heads: Vec<usize>| -> Vec<u8> {
         let ends = heads.iter().skip(1).copied().chain([lines.len()]);
         let codes = heads.iter().zip(ends).map(|(&from, to)| lines[from..to].join("\n"));

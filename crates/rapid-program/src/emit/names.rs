@@ -38,12 +38,12 @@ pub(super) const ASKED: [&str; 9] =
     ["tcK", "tcI", "tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
 
 /// The longest identifier that RAPID takes, characters.
-pub const MAX_NAME: usize = 32;
+pub(super) const MAX_NAME: usize = 32;
 
 /// The names of the core's data and routines, as they were thought out, and the words of the given files
 /// that begin with `tc`.
 #[derive(Clone, Debug, Default)]
-pub struct Names {
+pub(super) struct Names {
     taken: BTreeSet<String>,
     renamed: BTreeMap<String, String>,
 }
@@ -51,7 +51,7 @@ pub struct Names {
 impl Names {
     /// The names that the files of `program` take, in lower case.
     #[must_use]
-    pub fn taken(program: &Program) -> BTreeSet<String> {
+    pub(super) fn taken(program: &Program) -> BTreeSet<String> {
         let mut taken = BTreeSet::new();
         for file in &program.files {
             words(&file.bytes, |word| {
@@ -70,7 +70,7 @@ impl Names {
 
     /// Names that collide with none of `taken`; `core` is the core's RAPID text.
     #[must_use]
-    pub fn new<'a>(taken: BTreeSet<String>, core: impl Iterator<Item = &'a str>) -> Self {
+    pub(super) fn new<'a>(taken: BTreeSet<String>, core: impl Iterator<Item = &'a str>) -> Self {
         let mut ours: BTreeSet<String> = ASKED.map(str::to_owned).into();
         for text in core {
             words(text.as_bytes(), |word| {
@@ -92,19 +92,19 @@ impl Names {
 
     /// The name in use for one of the core's.
     #[must_use]
-    pub fn core<'a>(&'a self, name: &'a str) -> &'a str {
+    pub(super) fn core<'a>(&'a self, name: &'a str) -> &'a str {
         self.renamed.get(name).map_or(name, String::as_str)
     }
 
     /// Those of the core's names that are in use under another one.
     #[must_use]
-    pub fn renamed(&self) -> &BTreeMap<String, String> {
+    pub(super) fn renamed(&self) -> &BTreeMap<String, String> {
         &self.renamed
     }
 
     /// `text` with the core's names as they are in use.
     #[must_use]
-    pub fn rename(&self, text: &str) -> String {
+    pub(super) fn rename(&self, text: &str) -> String {
         if self.renamed.is_empty() {
             return text.to_owned();
         }
@@ -123,7 +123,7 @@ impl Names {
     }
 
     /// Takes `wish`, or `wish_2`, `wish_3` ... where it is taken; `None` where that grows too long.
-    pub fn claim(&mut self, wish: &str) -> Option<String> {
+    pub(super) fn claim(&mut self, wish: &str) -> Option<String> {
         let mut name = wish.to_owned();
         for n in 2_u32.. {
             if name.len() > MAX_NAME {

@@ -102,13 +102,13 @@ pub fn write_robjoint(out: &mut Vec<u8>, q_rad: [Option<f64>; 6]) -> [f32; 6] {
 }
 
 /// Appends six optional numbers as RAPID's `extjoint`; `None` is `9E9`. Gives what is read back.
-pub fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) -> [f32; 6] {
+pub(super) fn write_optional(out: &mut Vec<u8>, values: [Option<f64>; 6]) -> [f32; 6] {
     write_list(out, values.map(|v| v.unwrap_or(f64::INFINITY)))
 }
 
 /// A frame as RAPID's `pose`, mm.
 #[must_use]
-pub fn pose(frame: &Isometry3<f64>) -> String {
+pub(super) fn pose(frame: &Isometry3<f64>) -> String {
     let turn = frame.rotation;
     let mut text = vec![b'['];
     write_pos(&mut text, frame.translation.vector.into());
@@ -119,7 +119,7 @@ pub fn pose(frame: &Isometry3<f64>) -> String {
 }
 
 /// A number as RAPID text.
-pub fn num(value: f64) -> String {
+pub(super) fn num(value: f64) -> String {
     let mut out = Vec::new();
     write_num(&mut out, value);
     String::from_utf8_lossy(&out).into_owned()

@@ -18,7 +18,7 @@ const COORDINATE: usize = 4;
 
 /// Where the value of a target argument stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Original {
+pub(super) struct Original {
     /// The value, an aggregate of numbers.
     pub value: TextRange,
     /// It is the initial value of named data.
@@ -26,7 +26,7 @@ pub struct Original {
 }
 
 /// A module's data by name.
-pub struct Declarations<'t> {
+pub(super) struct Declarations<'t> {
     bytes: &'t [u8],
     module: HashMap<Vec<u8>, TextRange>,
     /// The data of each routine that has some, by where it begins: name and initial value.
@@ -36,7 +36,7 @@ pub struct Declarations<'t> {
 impl<'t> Declarations<'t> {
     /// Of a module in `bytes`.
     #[must_use]
-    pub fn new(bytes: &'t [u8], module: &Module) -> Self {
+    pub(super) fn new(bytes: &'t [u8], module: &Module) -> Self {
         let data = module.items.iter().filter_map(|item| match item {
             ModuleItem::Data(data) => Some(data),
             _ => None,
@@ -59,7 +59,7 @@ impl<'t> Declarations<'t> {
 
     /// Where the initial value of data named `name` stands, seen from `routine`.
     #[must_use]
-    pub fn initial_value(&self, name: &[u8], routine: &Routine) -> Option<TextRange> {
+    pub(super) fn initial_value(&self, name: &[u8], routine: &Routine) -> Option<TextRange> {
         let local = self.local.get(&routine.range.start).map(Vec::as_slice).unwrap_or_default();
         let local = local.iter().find(|(local, _)| local.of(self.bytes).eq_ignore_ascii_case(name));
         match local {
@@ -70,7 +70,7 @@ impl<'t> Declarations<'t> {
 
     /// Where the value of a target argument stands; `None` where it is worked out.
     #[must_use]
-    pub fn original(&self, argument: TextRange, routine: &Routine) -> Option<Original> {
+    pub(super) fn original(&self, argument: TextRange, routine: &Routine) -> Option<Original> {
         let text = argument.of(self.bytes);
         if text.first() == Some(&b'[') {
             return is_plain(text).then_some(Original { value: argument, declared: false });
@@ -82,7 +82,7 @@ impl<'t> Declarations<'t> {
 
 /// The fingerprints of a module's originals, each once, in the order of the motions.
 #[derive(Default)]
-pub struct Fingerprints {
+pub(super) struct Fingerprints {
     declared: HashSet<u32>,
     text: Vec<u8>,
     reader: Singles,
@@ -90,7 +90,7 @@ pub struct Fingerprints {
 
 impl Fingerprints {
     /// Takes in an original; its fingerprint, where it is one that was not there before.
-    pub fn add(&mut self, bytes: &[u8], original: Original) -> Option<&[u8]> {
+    pub(super) fn add(&mut self, bytes: &[u8], original: Original) -> Option<&[u8]> {
         if original.declared && !self.declared.insert(original.value.start) {
             return None;
         }
@@ -101,14 +101,14 @@ impl Fingerprints {
 
     /// Those of all originals, one after another.
     #[must_use]
-    pub fn text(self) -> Vec<u8> {
+    pub(super) fn text(self) -> Vec<u8> {
         self.text
     }
 }
 
 /// The fingerprints of the originals of motions of a module in `bytes`.
 #[must_use]
-pub fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
+pub(super) fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
     let declarations = Declarations::new(bytes, module);
     let routines: Vec<&Routine> = module.routines().collect();
     let mut fingerprints = Fingerprints::default();
@@ -136,7 +136,7 @@ fn add_fingerprint(text: &[u8], reader: &mut Singles, out: &mut Vec<u8>) {
 
 /// How far a target is from where it was when a fingerprint of it was made: mm or degrees, with the unit.
 #[must_use]
-pub fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
+pub(super) fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
     let TargetNumbers { values, count, step, .. } = TargetNumbers::of(text, &mut Singles::default());
     let values = &values[..count];
     let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|coordinate| {

@@ -10,9 +10,9 @@ use robot_model::units::mm_from_m;
 use std::ops::Range;
 
 /// A target that was touched up by less is still the one that it is, mm: its correction is as good there.
-pub const NEAR_MM: f64 = 5.0;
+pub(super) const NEAR_MM: f64 = 5.0;
 /// Scalar product of the quaternions of a target and the row that the hash says, at least.
-pub const SAME_TURN: f64 = 0.9999;
+pub(super) const SAME_TURN: f64 = 0.9999;
 /// The scalar product of rows that both may be within [`SAME_TURN`] of one and within 0.999 of a target: 7 deg.
 const ALIKE: f64 = 0.998;
 /// A sum so near to a whole number is not taken: rounding could bring it to the other side.
@@ -26,7 +26,7 @@ const SCALES: [[f64; 2]; 2] = [[0.0113, 0.217], [0.107, 1.03]];
 /// Where a row is found: cell `trunc(|weights . (x, y, z)| + |weights . (q1, q2, q3, q4)|) mod cells` holds its number. A quaternion and
 /// its opposite are one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RowHash {
+pub(super) struct RowHash {
     /// A target this near to the row is nearer to no other, mm.
     within_mm: f64,
     /// Per mm in x, y, z, and of the parts of the quaternion, w first.
@@ -39,7 +39,7 @@ impl RowHash {
     /// Of the poses of all rows. Where no weights tell all of them apart (rows less than some 0.1 mm and 7 deg apart), the one cell of
     /// row 1 is left: all others are then searched for.
     #[must_use]
-    pub fn of(poses: &[Isometry3<f64>]) -> Self {
+    pub(super) fn of(poses: &[Isometry3<f64>]) -> Self {
         let keys: Vec<[f64; 7]> = poses.iter().map(key).collect();
         let mut random = 0_u32;
         let mut weight = |scale: f64| {
@@ -61,7 +61,7 @@ impl RowHash {
 
     /// Appends the declaration; gives what it is recognised by.
     #[must_use]
-    pub fn write(&self, name: &str, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
+    pub(super) fn write(&self, name: &str, out: &mut Vec<u8>, style: &LayoutStyle) -> Vec<u8> {
         let numbers = std::iter::once(self.within_mm).chain(self.weights).map(num);
         let all: Vec<String> = numbers.chain(self.cells.iter().map(usize::to_string)).collect();
         let value = format!("[{}]", all.join(","));
@@ -76,7 +76,7 @@ impl RowHash {
 
     /// The row's number as a RAPID expression of target `tcP` and hash `tcRow`.
     #[must_use]
-    pub fn expression() -> String {
+    pub(super) fn expression() -> String {
         let sum = |from: usize, parts: &[&str]| {
             let part = |(k, part): (usize, &&str)| format!("tcRow{{{}}}*tcP.{part}", from + k);
             parts.iter().enumerate().map(part).collect::<Vec<_>>().join("+")

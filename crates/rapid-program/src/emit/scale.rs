@@ -25,7 +25,7 @@ const WIDTH: usize = 110;
 
 /// What corrections are scaled by, and what is asked for it.
 #[derive(Clone, Debug)]
-pub struct Scaled<'a> {
+pub(super) struct Scaled<'a> {
     /// The functions of time.
     pub functions: &'a TimeFunctions,
     /// Motions ask for a robtarget with its correction.
@@ -51,7 +51,7 @@ impl Course {
 impl Scaled<'_> {
     /// The data that the functions need.
     #[must_use]
-    pub fn data(&self) -> Vec<String> {
+    pub(super) fn data(&self) -> Vec<String> {
         let mut lines: Vec<String> = DATA.lines().map(str::to_owned).collect();
         lines.extend((1..=self.functions.count()).map(|r| format!("  LOCAL VAR num tcF{r}:=0;")));
         if let Some((live, tests)) = &self.live {
@@ -89,7 +89,7 @@ impl Scaled<'_> {
 
     /// The lines of the routines that scale.
     #[must_use]
-    pub fn routines(&self) -> Vec<String> {
+    pub(super) fn routines(&self) -> Vec<String> {
         let mut parts = vec![CHOOSE.to_owned(), self.scaling()];
         let count = self.functions.count();
         let corrections: Vec<String> = match count {
@@ -153,7 +153,7 @@ impl Scaled<'_> {
 
     /// The minute at which all is settled.
     #[must_use]
-    pub fn settled_min(&self, growth: Option<GrowthLaw>) -> f64 {
+    pub(super) fn settled_min(&self, growth: Option<GrowthLaw>) -> f64 {
         match &self.functions.course {
             Course::Knots { at_min, .. } => at_min.last().copied().unwrap_or(0.0),
             Course::Share | Course::ShareSquared | Course::FromCold | Course::FromColdSquared => {

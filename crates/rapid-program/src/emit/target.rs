@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// The longest line that RAPID takes, characters.
-pub const MAX_LINE: usize = 255;
+pub(super) const MAX_LINE: usize = 255;
 
 /// The text of element 1 of a target's array, on one line if it came so from the source.
 ///
@@ -23,7 +23,7 @@ pub const MAX_LINE: usize = 255;
 ///
 /// # Errors
 /// [`EmitError::PlanMismatch`] for a target whose pose the plan does not tell.
-pub fn first_element<'s>(
+pub(super) fn first_element<'s>(
     literal: Option<&'s [u8]>,
     original: Option<&TargetValue>,
 ) -> Result<Cow<'s, [u8]>, EmitError> {
@@ -70,7 +70,7 @@ fn write_joint_tail(out: &mut Vec<u8>, ext: &ExtJoint) {
 }
 
 /// The array of a target, or of all elements of an array that it is one of.
-pub struct TargetArray<'p> {
+pub(super) struct TargetArray<'p> {
     /// The name of the array.
     pub name: String,
     /// Where the source names an array's element, those of its array; else empty.
@@ -80,7 +80,7 @@ pub struct TargetArray<'p> {
 }
 
 /// The elements of one target.
-pub struct ArrayRow<'p> {
+pub(super) struct ArrayRow<'p> {
     /// The target as programmed.
     pub original: TargetValue,
     /// The text of element 1.
@@ -92,7 +92,7 @@ pub struct ArrayRow<'p> {
 impl TargetArray<'_> {
     /// Whether it is the array of these dimensions and rows.
     #[must_use]
-    pub fn is_of(&self, dims: &[usize], rows: &[ArrayRow<'_>]) -> bool {
+    pub(super) fn is_of(&self, dims: &[usize], rows: &[ArrayRow<'_>]) -> bool {
         let same =
             |(a, b): (&ArrayRow<'_>, &ArrayRow<'_>)| a.original == b.original && a.corrected == b.corrected;
         self.dims == dims && self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
@@ -102,7 +102,7 @@ impl TargetArray<'_> {
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
-    pub fn write(
+    pub(super) fn write(
         &self,
         out: &mut Vec<u8>,
         style: &LayoutStyle,
@@ -155,7 +155,7 @@ impl TargetArray<'_> {
 
 /// A target that no bucket changes; `None` where it is no pose and no joints of all axes.
 #[must_use]
-pub fn as_it_is(original: &TargetValue) -> Option<Corrected> {
+pub(super) fn as_it_is(original: &TargetValue) -> Option<Corrected> {
     match original {
         TargetValue::Rob(target) => {
             let frame = &target.object_from_tcp;
@@ -173,7 +173,7 @@ pub fn as_it_is(original: &TargetValue) -> Option<Corrected> {
 
 /// How far a corrected target is from the original: mm of a robtarget, degrees of the joint that changes most.
 #[must_use]
-pub fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
+pub(super) fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
     match (original, corrected) {
         (TargetValue::Rob(target), Corrected::Pose { position_m, .. }) => {
             let to = Vector3::from(*position_m);

@@ -5,18 +5,18 @@ use rws_double::{Double, Holder, Options, Personality};
 use std::time::Duration;
 
 /// A module with data of a corrected program.
-pub const MODULE: &str = "MODULE Part\n  ! driftpost 0.1.0 made this module\n  TASK PERS num tcMode:=-1;\n  TASK PERS num tcMinute:=64.7;\n\
+pub(crate) const MODULE: &str = "MODULE Part\n  ! driftpost 0.1.0 made this module\n  TASK PERS num tcMode:=-1;\n  TASK PERS num tcMinute:=64.7;\n\
     \x20 LOCAL PERS num tcState{6}:=[0,0,0,0,0,0];\n  LOCAL VAR string tcSaid:=\"\";\n  PERS string tcNote:=\"a\";\nENDMODULE\n";
 
 /// A double that takes requests as fast as they come.
-pub fn double(personality: Personality) -> Double {
+pub(crate) fn double(personality: Personality) -> Double {
     let double = Double::start(&Options { least_gap: Duration::ZERO, ..Options::new(personality) }).unwrap();
     double.with(|c| c.load(MODULE, "ProgMod"));
     double
 }
 
 /// A client that asks as fast as it can.
-pub fn hasty() -> Settings {
+pub(crate) fn hasty() -> Settings {
     Settings {
         pace: Duration::ZERO,
         deadline: Duration::from_millis(400),
@@ -26,19 +26,19 @@ pub fn hasty() -> Settings {
     }
 }
 
-pub fn user() -> Credentials {
+pub(crate) fn user() -> Credentials {
     Credentials::new("Default User", "robotics")
 }
 
-pub fn open_with(double: &Double, settings: &Settings) -> Result<Session, LinkError> {
+pub(crate) fn open_with(double: &Double, settings: &Settings) -> Result<Session, LinkError> {
     Session::open(&Host::parse(&double.root()).unwrap(), &user(), &mut Pins::in_memory(), settings)
 }
 
-pub fn open(double: &Double) -> Session {
+pub(crate) fn open(double: &Double) -> Session {
     open_with(double, &hasty()).unwrap()
 }
 
-pub fn dialect(personality: Personality) -> Dialect {
+pub(crate) fn dialect(personality: Personality) -> Dialect {
     match personality {
         Personality::Rw6 => Dialect::Rw6,
         Personality::Rw7 => Dialect::Rw7,
@@ -47,7 +47,7 @@ pub fn dialect(personality: Personality) -> Dialect {
 }
 
 /// What must hold of a double when its client has gone.
-pub fn is_left_clean(double: &Double) {
+pub(crate) fn is_left_clean(double: &Double) {
     assert_eq!(double.hits(), Vec::<String>::new(), "nothing that could move the robot");
     assert_eq!(double.too_fast(), 0, "no request too soon");
     assert_eq!(double.sessions(), 0, "logged out:\n{}", double.requests().join("\n"));

@@ -15,7 +15,7 @@ pub(crate) struct Args<'c> {
 
 impl<'c> Args<'c> {
     /// The argument at a position.
-    pub fn at(&self, index: usize) -> Result<&'c Expr, Fault> {
+    pub(crate) fn at(&self, index: usize) -> Result<&'c Expr, Fault> {
         match self.positional.get(index) {
             Some(e) => Ok(e),
             None => fatal(format!("argument {} is missing", index + 1)),
@@ -23,24 +23,24 @@ impl<'c> Args<'c> {
     }
 
     /// Whether a switch or named argument is given.
-    pub fn has(&self, name: &str) -> bool {
+    pub(crate) fn has(&self, name: &str) -> bool {
         self.named.iter().any(|(n, _)| ***n == *name)
     }
 
     /// The names of switches and named arguments that are given.
-    pub fn names(&self) -> impl Iterator<Item = &'c Name> + '_ {
+    pub(crate) fn names(&self) -> impl Iterator<Item = &'c Name> + '_ {
         self.named.iter().map(|(name, _)| *name)
     }
 
     /// The value given by name.
-    pub fn named(&self, name: &str) -> Option<&'c Expr> {
+    pub(crate) fn named(&self, name: &str) -> Option<&'c Expr> {
         self.named.iter().find(|(n, _)| ***n == *name).and_then(|(_, e)| *e)
     }
 }
 
 impl Interpreter<'_> {
     /// Sorts the arguments of a call; `\x?y` counts where `y` is present.
-    pub fn args<'c>(&self, callee: &'c str, call: &'c Call) -> Args<'c> {
+    pub(crate) fn args<'c>(&self, callee: &'c str, call: &'c Call) -> Args<'c> {
         let mut args = Args { callee, positional: Vec::new(), named: Vec::new() };
         for arg in &call.args {
             match arg {
@@ -58,7 +58,7 @@ impl Interpreter<'_> {
     }
 
     /// Whether an optional parameter was given.
-    pub fn is_given(&self, expr: &Expr) -> bool {
+    pub(crate) fn is_given(&self, expr: &Expr) -> bool {
         match expr.kind {
             ExprKind::Local(slot) => !matches!(self.machine.stack.local(slot), Some(Binding::Absent) | None),
             _ => true,

@@ -11,7 +11,7 @@ use rapid_syntax::tree::ParamMode;
 
 impl Interpreter<'_> {
     /// A statement that calls: a procedure of the program, else an instruction of the controller.
-    pub fn call_procedure(&mut self, name: &Name, spelt: &str, call: &Call) -> Result<(), Fault> {
+    pub(crate) fn call_procedure(&mut self, name: &Name, spelt: &str, call: &Call) -> Result<(), Fault> {
         let Some(routine) = self.program.routine(self.machine.stack.scope.0, name) else {
             return self.built_ins.instruction(self, name, spelt, call);
         };
@@ -25,7 +25,7 @@ impl Interpreter<'_> {
     }
 
     /// A function call in an expression.
-    pub fn call_function(
+    pub(crate) fn call_function(
         &mut self,
         name: &Name,
         spelt: &str,
@@ -45,7 +45,7 @@ impl Interpreter<'_> {
     }
 
     /// The slots of a routine's parameters for a call.
-    pub fn bind(&mut self, routine: RoutineId, call: &Call) -> Result<Vec<Slot>, Fault> {
+    pub(crate) fn bind(&mut self, routine: RoutineId, call: &Call) -> Result<Vec<Slot>, Fault> {
         let code = self.code(routine)?;
         let module = self.program.module_of(routine);
         let args = self.args("", call);
@@ -121,7 +121,7 @@ impl Interpreter<'_> {
     }
 
     /// The name of the signal an argument means.
-    pub fn signal_name(&mut self, expr: &Expr) -> Result<Name, Fault> {
+    pub(crate) fn signal_name(&mut self, expr: &Expr) -> Result<Name, Fault> {
         match &expr.kind {
             ExprKind::Name(named) => Ok(named.name.clone()),
             ExprKind::Local(slot) => match self.machine.stack.local(*slot) {
@@ -133,7 +133,7 @@ impl Interpreter<'_> {
     }
 
     /// CONNECT: a new interrupt for a trap.
-    pub fn connect(&mut self, interrupt: &Expr, trap: &Name) -> Result<(), Fault> {
+    pub(crate) fn connect(&mut self, interrupt: &Expr, trap: &Name) -> Result<(), Fault> {
         let Some(routine) = self.program.routine(self.machine.stack.scope.0, trap) else {
             return raise("err_refunkprc", format!("there is no trap {trap}"));
         };
@@ -151,7 +151,7 @@ impl Interpreter<'_> {
     }
 
     /// Start the trap of an interrupt that is due; traps do not interrupt traps.
-    pub fn interrupt(&mut self) -> Result<(), Fault> {
+    pub(crate) fn interrupt(&mut self) -> Result<(), Fault> {
         if self.machine.interrupts.list.is_empty() || self.machine.stack.frames.iter().any(|f| f.trap) {
             return Ok(());
         }

@@ -13,7 +13,7 @@ use rapid_syntax::tree::{self, DataKind};
 
 impl Interpreter<'_> {
     /// The place an expression names, with its type; `None` where it names none.
-    pub fn data_ref(&mut self, expr: &Expr) -> Result<Option<(DataRef, Type)>, Fault> {
+    pub(crate) fn data_ref(&mut self, expr: &Expr) -> Result<Option<(DataRef, Type)>, Fault> {
         match &expr.kind {
             ExprKind::Local(slot) => {
                 let at = self.machine.stack.scope.1 + slot;
@@ -65,7 +65,7 @@ impl Interpreter<'_> {
     }
 
     /// Whether a place is CONST, VAR or PERS.
-    pub fn access(&self, place: &DataRef) -> Access {
+    pub(crate) fn access(&self, place: &DataRef) -> Access {
         match place.root {
             DataRoot::Data(d) => match self.program.data.get(d).map(|d| d.kind) {
                 Some(DataKind::Pers) => Access::Persistent,
@@ -80,7 +80,7 @@ impl Interpreter<'_> {
     }
 
     /// The value at a place.
-    pub fn read(&mut self, place: &DataRef) -> Result<Value, Fault> {
+    pub(crate) fn read(&mut self, place: &DataRef) -> Result<Value, Fault> {
         if let DataRoot::Data(datum) = place.root {
             if let Some(value) = self.machine.data.pinned.get(&datum).filter(|_| place.path.is_empty()) {
                 return Ok(value.clone());
@@ -111,7 +111,7 @@ impl Interpreter<'_> {
     }
 
     /// Assign to a place.
-    pub fn write(&mut self, place: &DataRef, value: Value) -> Result<(), Fault> {
+    pub(crate) fn write(&mut self, place: &DataRef, value: Value) -> Result<(), Fault> {
         if self.access(place) == Access::Constant {
             return fatal("an assignment to a constant");
         }
@@ -198,7 +198,7 @@ impl Interpreter<'_> {
     }
 
     /// The value that data begin with: dimensions and initial value are evaluated and compared.
-    pub fn declared_value(
+    pub(crate) fn declared_value(
         &mut self,
         name: &str,
         ty: &Type,

@@ -16,7 +16,7 @@ pub(super) const MAX_NESTING: usize = 400;
 impl Interpreter<'_> {
     /// The value of an expression; `want` is the type of what it is for, which gives aggregates their
     /// type and numbers as written their precision.
-    pub fn eval(&mut self, expr: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
+    pub(crate) fn eval(&mut self, expr: &Expr, want: Option<&Type>) -> Result<Value, Fault> {
         self.machine.stack.nesting += 1;
         let value = if self.machine.stack.nesting > MAX_NESTING {
             fatal("expressions or function calls nested too deep")
@@ -50,7 +50,7 @@ impl Interpreter<'_> {
     }
 
     /// The value of an expression as a type.
-    pub fn eval_as(&mut self, expr: &Expr, ty: &Type) -> Result<Value, Fault> {
+    pub(crate) fn eval_as(&mut self, expr: &Expr, ty: &Type) -> Result<Value, Fault> {
         if *ty == Type::Num
             && let Some(x) = self.pure_num(expr)
         {
@@ -64,7 +64,7 @@ impl Interpreter<'_> {
     }
 
     /// The value of a `num` expression (a `dnum` is not one).
-    pub fn eval_num(&mut self, expr: &Expr) -> Result<f32, Fault> {
+    pub(crate) fn eval_num(&mut self, expr: &Expr) -> Result<f32, Fault> {
         if let Some(x) = self.pure_num(expr) {
             return Ok(x);
         }
@@ -75,7 +75,7 @@ impl Interpreter<'_> {
     }
 
     /// The value of a condition.
-    pub fn eval_bool(&mut self, expr: &Expr) -> Result<bool, Fault> {
+    pub(crate) fn eval_bool(&mut self, expr: &Expr) -> Result<bool, Fault> {
         if let Some(b) = self.pure_bool(expr) {
             return Ok(b);
         }
@@ -103,7 +103,7 @@ impl Interpreter<'_> {
 
     /// The data a name means here. Data that are LOCAL to another module are taken from there, and that is
     /// said: RoboDK's pages use what the first one declares; no controller loads them.
-    pub fn resolve_datum(&mut self, named: &NameRef) -> Option<usize> {
+    pub(crate) fn resolve_datum(&mut self, named: &NameRef) -> Option<usize> {
         if let Some(datum) = self.program.named_datum(self.machine.stack.scope.0, named) {
             return Some(datum);
         }
@@ -150,7 +150,7 @@ impl Interpreter<'_> {
     }
 
     /// The value of a signal; a unit that is down raises an error.
-    pub fn signal_value(&mut self, name: &Rc<str>) -> Result<Value, Fault> {
+    pub(crate) fn signal_value(&mut self, name: &Rc<str>) -> Result<Value, Fault> {
         if self.machine.signals.units_down.contains(name) {
             return raise("err_norununit", format!("no contact with the unit of signal {name}"));
         }

@@ -22,7 +22,7 @@ const LEAVING_PASSES: u64 = 1_000;
 
 impl Interpreter<'_> {
     /// Execute until only `base` routines are left in execution.
-    pub fn run(&mut self, base: usize) -> Result<(), Fault> {
+    pub(crate) fn run(&mut self, base: usize) -> Result<(), Fault> {
         while self.machine.stack.frames.len() > base {
             self.machine.limits.next_step(base == 0).map_err(|limit| match limit {
                 LimitReached::Moves => Fault::Ended(Outcome::Stopped),
@@ -211,7 +211,7 @@ impl Interpreter<'_> {
     }
 
     /// Put a routine with its slots on the stack and evaluate its declarations.
-    pub fn enter(&mut self, routine: RoutineId, slots: Vec<Slot>, trap: bool) -> Result<(), Fault> {
+    pub(crate) fn enter(&mut self, routine: RoutineId, slots: Vec<Slot>, trap: bool) -> Result<(), Fault> {
         if self.machine.stack.frames.len() >= 500 {
             return fatal("the chain of calls is too deep");
         }
@@ -248,7 +248,7 @@ impl Interpreter<'_> {
     }
 
     /// The executable form of a routine, made when it is first called.
-    pub fn code(&self, routine: RoutineId) -> Result<Rc<Code>, Fault> {
+    pub(crate) fn code(&self, routine: RoutineId) -> Result<Rc<Code>, Fault> {
         match self.program.code(routine) {
             Some(code) => Ok(code),
             None => fatal("no such routine"),
@@ -344,7 +344,7 @@ impl Interpreter<'_> {
     }
 
     /// Call a function of the program in an expression.
-    pub fn run_function(&mut self, routine: RoutineId, slots: Vec<Slot>) -> Result<Value, Fault> {
+    pub(crate) fn run_function(&mut self, routine: RoutineId, slots: Vec<Slot>) -> Result<Value, Fault> {
         let base = self.machine.stack.frames.len();
         let functions =
             self.machine.stack.frames.iter().filter(|f| self.program.is_function(f.routine)).count();

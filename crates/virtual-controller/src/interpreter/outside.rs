@@ -8,7 +8,7 @@ use crate::predefined;
 
 impl Interpreter<'_> {
     /// Runs a routine without arguments to its end.
-    pub fn run_routine(&mut self, routine: RoutineId) -> Outcome {
+    pub(crate) fn run_routine(&mut self, routine: RoutineId) -> Outcome {
         let bottom = self.machine.stack.mark();
         self.machine.meter.is_on = self.program.is_function(routine);
         let result = self
@@ -18,7 +18,7 @@ impl Interpreter<'_> {
     }
 
     /// Goes on where the program was stopped.
-    pub fn resume_run(&mut self) -> Outcome {
+    pub(crate) fn resume_run(&mut self) -> Outcome {
         let result = self.run(0);
         self.ended(result, StackMark::bottom())
     }

@@ -51,22 +51,22 @@ impl DataPath {
 
 impl Interpreter<'_> {
     /// The value of a `num` expression.
-    pub fn pure_num(&mut self, expr: &Expr) -> Option<f32> {
+    pub(crate) fn pure_num(&mut self, expr: &Expr) -> Option<f32> {
         self.pure(expr, Self::num_of)
     }
 
     /// The value of a condition.
-    pub fn pure_bool(&mut self, expr: &Expr) -> Option<bool> {
+    pub(crate) fn pure_bool(&mut self, expr: &Expr) -> Option<bool> {
         self.pure(expr, Self::bool_of)
     }
 
     /// A copy of a component or element.
-    pub fn pure_value(&mut self, expr: &Expr) -> Option<Value> {
+    pub(crate) fn pure_value(&mut self, expr: &Expr) -> Option<Value> {
         self.pure(expr, |vm, expr, depth| vm.value_of(expr, depth).cloned())
     }
 
     /// Assigns a number to data that hold one, or to a number in a record or array; whether that was all there was to do.
-    pub fn assign_num(&mut self, target: &Expr, value: &Expr) -> bool {
+    pub(crate) fn assign_num(&mut self, target: &Expr, value: &Expr) -> bool {
         if !value.is_pure {
             return false;
         }

@@ -29,12 +29,12 @@ const KEPT_TEXT: u32 = 8 << 20;
 
 impl DataValues {
     /// How far a datum's value is known.
-    pub fn state(&self, datum: usize) -> &DataState {
+    pub(crate) fn state(&self, datum: usize) -> &DataState {
         self.states.get(datum).unwrap_or(&DataState::Untouched)
     }
 
     /// The same, to be changed.
-    pub fn state_mut(&mut self, datum: usize) -> &mut DataState {
+    pub(crate) fn state_mut(&mut self, datum: usize) -> &mut DataState {
         if self.states.len() <= datum {
             self.states.resize_with(datum + 1, DataState::default);
         }
@@ -42,7 +42,7 @@ impl DataValues {
     }
 
     /// The value, where it is known.
-    pub fn known(&self, datum: usize) -> Option<&Value> {
+    pub(crate) fn known(&self, datum: usize) -> Option<&Value> {
         match self.state(datum) {
             DataState::Known(value) => Some(value),
             _ => None,
@@ -50,7 +50,7 @@ impl DataValues {
     }
 
     /// Whether a constant with an initial value of so many bytes of text is to be evaluated whole, where only a part of it is asked for.
-    pub fn keep_constant(&mut self, text: u32) -> bool {
+    pub(crate) fn keep_constant(&mut self, text: u32) -> bool {
         let sum = self.constant_text.saturating_add(text);
         let keep = sum <= KEPT_TEXT;
         if keep {
@@ -60,7 +60,7 @@ impl DataValues {
     }
 
     /// The datum begins again with its initial value.
-    pub fn forget(&mut self, datum: usize) {
+    pub(crate) fn forget(&mut self, datum: usize) {
         *self.state_mut(datum) = DataState::Untouched;
     }
 }
@@ -89,7 +89,7 @@ pub(crate) enum Selector {
 
 impl Selector {
     /// Number of the component or element in what holds it, from 0.
-    pub fn position(self) -> usize {
+    pub(crate) fn position(self) -> usize {
         let (Self::Field(at) | Self::Element(at)) = self;
         at
     }
@@ -97,7 +97,7 @@ impl Selector {
 
 impl DataRef {
     /// The whole of a module's datum.
-    pub fn data(datum: usize) -> Self {
+    pub(crate) fn data(datum: usize) -> Self {
         Self { root: DataRoot::Data(datum), path: Vec::new() }
     }
 }

@@ -24,17 +24,17 @@ pub(crate) struct Interrupts {
 
 impl Interrupts {
     /// The number that the next interrupt gets.
-    pub fn next_number(&self) -> f32 {
+    pub(crate) fn next_number(&self) -> f32 {
         self.list.iter().map(|i| i.number).fold(0.0, f32::max) + 1.0
     }
 
     /// Connects a trap to an interrupt.
-    pub fn connect(&mut self, number: f32, trap: RoutineId) {
+    pub(crate) fn connect(&mut self, number: f32, trap: RoutineId) {
         self.list.push(Interrupt { number, trap, timer: None, single: false, asleep: false });
     }
 
     /// The trap of an interrupt that is due at `now_s` of the steady clock; its timer is set on.
-    pub fn take_due(&mut self, now_s: f64) -> Option<RoutineId> {
+    pub(crate) fn take_due(&mut self, now_s: f64) -> Option<RoutineId> {
         let due = |i: &&mut Interrupt| !i.asleep && i.timer.is_some_and(|(_, at_s)| at_s <= now_s);
         let interrupt = self.list.iter_mut().find(due)?;
         interrupt.timer = match interrupt.timer {
@@ -50,7 +50,7 @@ impl Interrupts {
     }
 
     /// Lets interrupts of a number, or all, sleep or wake.
-    pub fn set_asleep(&mut self, number: Option<f32>, asleep: bool) {
+    pub(crate) fn set_asleep(&mut self, number: Option<f32>, asleep: bool) {
         for i in self.list.iter_mut().filter(|i| number.is_none_or(|n| i.number == n)) {
             i.asleep = asleep;
         }

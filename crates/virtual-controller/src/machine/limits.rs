@@ -54,7 +54,7 @@ impl Default for RunLimits {
 
 impl RunLimits {
     /// A run begins that may take so many steps.
-    pub fn begin(&mut self, steps: StepLimit) {
+    pub(crate) fn begin(&mut self, steps: StepLimit) {
         (self.steps, self.idle) = (steps, 0);
     }
 
@@ -62,7 +62,7 @@ impl RunLimits {
     ///
     /// # Errors
     /// No step is left, or no move before the stop.
-    pub fn next_step(&mut self, outermost: bool) -> Result<(), LimitReached> {
+    pub(crate) fn next_step(&mut self, outermost: bool) -> Result<(), LimitReached> {
         if self.steps.0 == 0 || self.idle >= IDLE_STEPS {
             return Err(LimitReached::Steps { moving: self.idle < IDLE_STEPS });
         }
@@ -76,7 +76,7 @@ impl RunLimits {
     }
 
     /// A move was made.
-    pub fn count_move(&mut self) {
+    pub(crate) fn count_move(&mut self) {
         self.moves_made += 1;
         self.idle = 0;
         if let Some(moves) = &mut self.moves_left {

@@ -18,7 +18,7 @@ pub(crate) struct Log {
 
 impl Log {
     /// Shows a message; the controller's own only once at each place.
-    pub fn report(&mut self, source: &'static str, text: String, at: SourceLine) {
+    pub(crate) fn report(&mut self, source: &'static str, text: String, at: SourceLine) {
         let message = Message { source, text, at };
         if self.messages.len() < MOST_MESSAGES
             && (source != "controller" || !self.messages.contains(&message))
@@ -28,7 +28,7 @@ impl Log {
     }
 
     /// What was shown since the last time this was asked for.
-    pub fn take_messages(&mut self) -> Vec<Message> {
+    pub(crate) fn take_messages(&mut self) -> Vec<Message> {
         std::mem::take(&mut self.messages)
     }
 }

@@ -25,7 +25,7 @@ pub(crate) struct Disk {
 
 impl Disk {
     /// The name of a file: the last part of its path, in lower case.
-    pub fn file_name(path: &str) -> String {
+    pub(crate) fn file_name(path: &str) -> String {
         path.rsplit(['/', '\\', ':']).next().unwrap_or(path).to_lowercase()
     }
 }

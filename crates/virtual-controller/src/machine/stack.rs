@@ -18,7 +18,7 @@ pub(crate) struct Slot {
 
 impl Slot {
     /// A local that holds the initial value of its type.
-    pub fn local(ty: Type) -> Self {
+    pub(crate) fn local(ty: Type) -> Self {
         Self { binding: Binding::Own(ty.initial()), ty, constant: false }
     }
 }
@@ -113,24 +113,24 @@ pub(crate) struct StackMark {
 
 impl StackMark {
     /// No routine is in execution.
-    pub fn bottom() -> Self {
+    pub(crate) fn bottom() -> Self {
         CallStack::default().mark()
     }
 }
 
 impl CallStack {
     /// No routine is in execution any more.
-    pub fn clear(&mut self) {
+    pub(crate) fn clear(&mut self) {
         *self = Self::default();
     }
 
     /// How high it is now.
-    pub fn mark(&self) -> StackMark {
+    pub(crate) fn mark(&self) -> StackMark {
         StackMark { frames: self.frames.len(), slots: self.slots.len(), scope: self.scope }
     }
 
     /// Leaves what was entered since.
-    pub fn unwind_to(&mut self, mark: StackMark) {
+    pub(crate) fn unwind_to(&mut self, mark: StackMark) {
         self.frames.truncate(mark.frames);
         self.slots.truncate(mark.slots);
         self.scope = mark.scope;
@@ -138,19 +138,19 @@ impl CallStack {
     }
 
     /// What a local of the routine in execution holds.
-    pub fn local(&self, slot: usize) -> Option<&Binding> {
+    pub(crate) fn local(&self, slot: usize) -> Option<&Binding> {
         self.slots.get(self.scope.1 + slot).map(|s| &s.binding)
     }
 
     /// Gives a hidden local a value.
-    pub fn set_local(&mut self, slot: usize, value: Value) {
+    pub(crate) fn set_local(&mut self, slot: usize, value: Value) {
         if let Some(slot) = self.slots.get_mut(self.scope.1 + slot) {
             slot.binding = Binding::Own(value);
         }
     }
 
     /// The number in a hidden local, 0 where there is none.
-    pub fn local_num(&self, slot: usize) -> f32 {
+    pub(crate) fn local_num(&self, slot: usize) -> f32 {
         match self.local(slot) {
             Some(Binding::Own(v)) => v.number().unwrap_or(0.0) as f32,
             _ => 0.0,
@@ -158,14 +158,14 @@ impl CallStack {
     }
 
     /// The next instruction of the routine in execution is the one at `to`.
-    pub fn jump(&mut self, to: usize) {
+    pub(crate) fn jump(&mut self, to: usize) {
         if let Some(frame) = self.frames.last_mut() {
             frame.pc = to;
         }
     }
 
     /// Takes the innermost routine off.
-    pub fn pop(&mut self) -> Option<Frame> {
+    pub(crate) fn pop(&mut self) -> Option<Frame> {
         let frame = self.frames.pop();
         if let Some(frame) = &frame {
             self.slots.truncate(frame.base);

@@ -6,7 +6,7 @@ use robot_model::deform::thermal_filter::MOST_SHARE;
 
 /// Where the amount of drift and the time constants come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Amount {
+pub(super) enum Amount {
     /// The table: numbers in the text.
     OfTable,
     /// Touches of a fixed point: the data `tcAmount`, `tcTau`, `tcTauCool` and `tcHas`.
@@ -15,7 +15,7 @@ pub enum Amount {
 
 impl Amount {
     /// All of the drift.
-    pub fn full(self) -> &'static str {
+    pub(super) fn full(self) -> &'static str {
         match self {
             Self::OfTable => "1",
             Self::Learnt => "tcAmount",
@@ -23,7 +23,7 @@ impl Amount {
     }
 
     /// So much of all of it.
-    pub fn times(self, share: &str) -> String {
+    pub(super) fn times(self, share: &str) -> String {
         match self {
             Self::OfTable => share.to_owned(),
             Self::Learnt => format!("tcAmount*({share})"),
@@ -31,7 +31,7 @@ impl Amount {
     }
 
     /// A time constant, minutes, or the name of the data that hold it.
-    pub fn tau(self, tau_min: f64, name: &str) -> String {
+    pub(super) fn tau(self, tau_min: f64, name: &str) -> String {
         match self {
             Self::OfTable => num(tau_min),
             Self::Learnt => name.to_owned(),
@@ -39,7 +39,7 @@ impl Amount {
     }
 
     /// No state holds more of the table's drift.
-    pub fn most(self) -> f64 {
+    pub(super) fn most(self) -> f64 {
         match self {
             Self::OfTable => 1.0,
             Self::Learnt => MOST_SHARE,
@@ -47,7 +47,7 @@ impl Amount {
     }
 
     /// What has come of the drift, where `tcE` of it is still to come.
-    pub fn grown(self) -> &'static str {
+    pub(super) fn grown(self) -> &'static str {
         match self {
             Self::OfTable => "    tcWarm:=tcPart(1-tcE);",
             Self::Learnt => "    tcWarm:=tcHas;",
@@ -55,7 +55,7 @@ impl Amount {
     }
 
     /// The warm-up minute, where `tcE` of the drift is still to come; the table's time constant in minutes.
-    pub fn minute(self, tau_min: f64) -> String {
+    pub(super) fn minute(self, tau_min: f64) -> String {
         match self {
             Self::OfTable => "    tcMinute:=tcMinuteOf(tcE);".to_owned(),
             Self::Learnt => format!(
@@ -67,7 +67,7 @@ impl Amount {
 
     /// What buckets are chosen by: the index itself, or the share of the amplified table as the minute at which a cold robot
     /// has it.
-    pub fn index(self, index: &str) -> String {
+    pub(super) fn index(self, index: &str) -> String {
         match self {
             Self::OfTable => index.to_owned(),
             Self::Learnt => format!("tcMinuteOf(1-tcHas/{})", num(MAX_AMOUNT)),

@@ -57,57 +57,57 @@ pub(super) struct Triple {
 
 impl Triple {
     /// Zero, in variables of these names with x, y and z at the end.
-    pub fn zero(stem: &str) -> Self {
+    pub(super) fn zero(stem: &str) -> Self {
         Self { names: ["x", "y", "z"].map(|axis| format!("{stem}{axis}")), written: [false; 3] }
     }
 
     /// A component, where it is not known to be zero.
-    pub fn get(&self, k: usize) -> Option<&str> {
+    pub(super) fn get(&self, k: usize) -> Option<&str> {
         self.written[k].then_some(self.names[k].as_str())
     }
 
     /// Whether all are known to be zero.
-    pub fn is_zero(&self) -> bool {
+    pub(super) fn is_zero(&self) -> bool {
         self.written == [false; 3]
     }
 
     /// A component of the vector product with a constant.
-    pub fn cross(&self, by: &[f64; 3], k: usize) -> Vec<Summand> {
+    pub(super) fn cross(&self, by: &[f64; 3], k: usize) -> Vec<Summand> {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         [self.times(i, by[j]), self.times(j, -by[i])].into_iter().flatten().collect()
     }
 
     /// A component times a constant, as a summand.
-    pub fn times(&self, k: usize, by: f64) -> Option<Summand> {
+    pub(super) fn times(&self, k: usize, by: f64) -> Option<Summand> {
         self.get(k).map(|name| (by, name.to_owned()))
     }
 }
 
 impl Body {
     /// The statements, each indented as in a routine.
-    pub fn into_lines(self) -> Vec<String> {
+    pub(super) fn into_lines(self) -> Vec<String> {
         self.lines
     }
 
     /// A line as it is.
-    pub fn line(&mut self, text: impl AsRef<str>) {
+    pub(super) fn line(&mut self, text: impl AsRef<str>) {
         self.lines.push(format!("    {}", text.as_ref()));
     }
 
     /// Assigns a sum: `to := summands`.
-    pub fn set(&mut self, to: &str, summands: &[Summand]) {
+    pub(super) fn set(&mut self, to: &str, summands: &[Summand]) {
         self.add(to, false, summands);
     }
 
     /// The same where nothing may be left: then zero.
-    pub fn set_always(&mut self, to: &str, summands: &[Summand]) {
+    pub(super) fn set_always(&mut self, to: &str, summands: &[Summand]) {
         if !self.add(to, false, summands) {
             self.line(format!("{to}:=0;"));
         }
     }
 
     /// Assigns a sum in one statement, over as many lines as it takes.
-    pub fn set_at_once(&mut self, to: &str, summands: &[Summand]) {
+    pub(super) fn set_at_once(&mut self, to: &str, summands: &[Summand]) {
         let parts: Vec<String> =
             summands.chunks(IN_A_LINE).map(sum).filter(|part| !part.is_empty()).collect();
         for (k, part) in parts.iter().enumerate() {
@@ -122,7 +122,7 @@ impl Body {
     }
 
     /// `to := [to +] summands`, in statements that are not long; whether anything was written.
-    pub fn add(&mut self, to: &str, mut has: bool, summands: &[Summand]) -> bool {
+    pub(super) fn add(&mut self, to: &str, mut has: bool, summands: &[Summand]) -> bool {
         let kept: Vec<Summand> = summands.iter().filter(|(by, _)| !is_nothing(*by)).cloned().collect();
         for some in kept.chunks(IN_A_LINE) {
             let text = sum(some);
@@ -138,12 +138,12 @@ impl Body {
     }
 
     /// Adds summands to a component.
-    pub fn increase(&mut self, to: &mut Triple, k: usize, summands: &[Summand]) {
+    pub(super) fn increase(&mut self, to: &mut Triple, k: usize, summands: &[Summand]) {
         to.written[k] = self.add(&to.names[k].clone(), to.written[k], summands);
     }
 
     /// `of := rotation * of`, rows first.
-    pub fn rotate(&mut self, of: &mut Triple, rotation: &[[f64; 3]; 3]) {
+    pub(super) fn rotate(&mut self, of: &mut Triple, rotation: &[[f64; 3]; 3]) {
         let rows: [Vec<Summand>; 3] = rotation.map(|row| {
             let all = row.iter().enumerate().filter(|(_, by)| !is_nothing(**by));
             all.filter_map(|(j, by)| of.times(j, *by)).collect()
@@ -175,7 +175,7 @@ impl Body {
     }
 
     /// `of := Rot(axis, angle) * of` about x, y or z; `sin` and `cos` are names, `sign` is the sign of the angle.
-    pub fn turn(&mut self, of: &mut Triple, axis: usize, sign: f64, [sin, cos]: [&str; 2]) {
+    pub(super) fn turn(&mut self, of: &mut Triple, axis: usize, sign: f64, [sin, cos]: [&str; 2]) {
         let (b, c) = ((axis + 1) % 3, (axis + 2) % 3);
         let product =
             |factor: &str, k: usize, by: f64| of.get(k).map(|name| (by, format!("{factor}*{name}")));

@@ -16,7 +16,7 @@ pub(super) enum Turn {
 
 impl Turn {
     /// How much it may change with a joint, rad/rad.
-    pub fn steepness(&self) -> f64 {
+    pub(super) fn steepness(&self) -> f64 {
         match *self {
             Self::Constant { .. } => 0.0,
             Self::Gain { gain, .. } => gain.abs(),
@@ -25,12 +25,12 @@ impl Turn {
     }
 
     /// In proportion to a joint.
-    pub fn is_gain(&self) -> bool {
+    pub(super) fn is_gain(&self) -> bool {
         matches!(self, Self::Gain { .. })
     }
 
     /// The function of time that it follows.
-    pub fn function(&self) -> Option<usize> {
+    pub(super) fn function(&self) -> Option<usize> {
         match *self {
             Self::Constant { function, .. } => function,
             _ => None,
@@ -38,7 +38,7 @@ impl Turn {
     }
 
     /// At these joints, radians.
-    pub fn at(&self, joint: usize, q_rad: &[f64; 6], functions: &[f64]) -> f64 {
+    pub(super) fn at(&self, joint: usize, q_rad: &[f64; 6], functions: &[f64]) -> f64 {
         match *self {
             Self::Constant { function, rad } => {
                 rad * function.map_or(1.0, |r| functions.get(r).copied().unwrap_or(0.0))
@@ -52,7 +52,7 @@ impl Turn {
     }
 
     /// As RAPID, where `tcQ` holds the joints in degrees; gear lines take more than a summand ([`super::gears`]).
-    pub fn summand(&self, sign: f64) -> Option<Summand> {
+    pub(super) fn summand(&self, sign: f64) -> Option<Summand> {
         match *self {
             Self::Constant { function, rad } => {
                 Some((sign * rad, function.map_or_else(String::new, |r| format!("tcF{}", r + 1))))
@@ -73,7 +73,7 @@ pub(super) struct Compliance {
 
 impl Compliance {
     /// Takes in another turn on top.
-    pub fn add(&mut self, whole: f64, link: [f64; 6]) {
+    pub(super) fn add(&mut self, whole: f64, link: [f64; 6]) {
         self.whole += whole;
         for (to, by) in self.link.iter_mut().zip(link) {
             *to += by;
@@ -81,12 +81,12 @@ impl Compliance {
     }
 
     /// Shares of the links in it, as multiples of `scale`.
-    pub fn shares(&self, scale: f64) -> [f64; 7] {
+    pub(super) fn shares(&self, scale: f64) -> [f64; 7] {
         std::array::from_fn(|k| self.link.get(k).map_or(self.whole, |c| self.whole + c) / scale)
     }
 
     /// What its shares are multiples of: 0 where nothing gives.
-    pub fn scale(&self) -> f64 {
+    pub(super) fn scale(&self) -> f64 {
         if self.whole != 0.0 {
             return self.whole;
         }
