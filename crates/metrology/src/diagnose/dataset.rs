@@ -1,5 +1,6 @@
 //! What every effect is written over: the arm at each station, its axes, loads, time, direction.
 
+pub(super) use super::twist::Twist;
 use crate::measure::{Channels, Reading, Registration, Standing, Station};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
@@ -7,9 +8,6 @@ use robot_model::deform::identified::ThermalState;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{JointKind, Joints, MOST_JOINTS, SerialArm};
 use std::collections::BTreeMap;
-
-/// How the measured point moves: metres and radians in base axes, per unit of one parameter.
-pub(super) type Twist = [f64; 6];
 
 /// How a station shows its point's motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -183,13 +181,13 @@ impl Observation {
     /// What is seen of a motion of the point.
     #[must_use]
     pub(super) fn observed(&self, twist: Twist) -> Twist {
-        let [x, y, z, ..] = twist;
+        let [x, y, z, ..] = twist.0;
         match self.kind {
             ObservationKind::Instrument => twist,
-            ObservationKind::Nest | ObservationKind::Touch => [x, y, z, 0.0, 0.0, 0.0],
+            ObservationKind::Nest | ObservationKind::Touch => Twist([x, y, z, 0.0, 0.0, 0.0]),
             ObservationKind::Along(u) => {
                 let along = u * u.dot(&Vector3::new(x, y, z));
-                [along.x, along.y, along.z, 0.0, 0.0, 0.0]
+                Twist([along.x, along.y, along.z, 0.0, 0.0, 0.0])
             }
         }
     }
@@ -223,7 +221,7 @@ impl Observation {
     pub(super) fn jacobian_column(&self, j: usize) -> Twist {
         if self.slides[j] {
             let v = &self.axes[j];
-            return [v.x, v.y, v.z, 0.0, 0.0, 0.0];
+            return Twist([v.x, v.y, v.z, 0.0, 0.0, 0.0]);
         }
         self.rotation_about(&self.axes[j], &self.origins_m[j])
     }
@@ -232,7 +230,7 @@ impl Observation {
     #[must_use]
     pub(super) fn rotation_about(&self, axis: &Vector3<f64>, through_m: &Vector3<f64>) -> Twist {
         let v = axis.cross(&(self.point_m - through_m));
-        [v.x, v.y, v.z, axis.x, axis.y, axis.z]
+        Twist([v.x, v.y, v.z, axis.x, axis.y, axis.z])
     }
 
     /// The point's motion per unit of offset `k` (dx dy dz rx ry rz) of frame `i`.
@@ -240,7 +238,7 @@ impl Observation {
     pub(super) fn frame_offset(&self, i: usize, k: usize) -> Twist {
         let axis = self.parents[i].column(k % 3).into_owned();
         if k < 3 {
-            [axis.x, axis.y, axis.z, 0.0, 0.0, 0.0]
+            Twist([axis.x, axis.y, axis.z, 0.0, 0.0, 0.0])
         } else {
             self.rotation_about(&axis, &self.origins_m[i])
         }
@@ -262,7 +260,7 @@ const LENGTH_PER_RAD_M: f64 = 0.1;
 /// The twist times a factor.
 #[must_use]
 pub(super) fn scaled(twist: Twist, factor: f64) -> Twist {
-    twist.map(|v| v * factor)
+    Twist(twist.map(|v| v * factor))
 }
 
 /// Everything the effects may look at.

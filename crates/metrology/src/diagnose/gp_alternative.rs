@@ -3,7 +3,7 @@
 //!
 //! They say that something is there that the library lacks, and where; never how it works.
 
-use super::dataset::{Dataset, Observation, scaled};
+use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::design::{Design, side_by_side};
 use super::gp_features::{bumps, compress, farthest_points};
 use super::gp_over_time::{cycle_columns, hidden_load_columns};
@@ -184,7 +184,7 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
             let side = observation.as_angle(middle).signum();
             let frame = if body == 2 { observation.flange } else { observation.parents[middle + body] };
             let axes = frame.column_iter();
-            out.extend(axes.map(|a| [side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0]));
+            out.extend(axes.map(|a| Twist([side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0])));
         })),
         GpAlternative::Pair(a, b, j) => {
             let at = |observation: &Observation| {
@@ -305,7 +305,7 @@ fn shifts(
     design.stack(dataset, 3 * centres.len(), |_, observation, out| {
         let axes = axes(observation);
         for f in bumps(&at(observation), centres, length) {
-            out.extend(axes.column_iter().map(|a| [f * a[0], f * a[1], f * a[2], 0.0, 0.0, 0.0]));
+            out.extend(axes.column_iter().map(|a| Twist([f * a[0], f * a[1], f * a[2], 0.0, 0.0, 0.0])));
         }
     })
 }

@@ -1,6 +1,6 @@
 //! Structure over time that has a shape of its own: a load that comes and goes, what goes to and fro, a cause that grows.
 
-use super::dataset::{Dataset, Observation, scaled};
+use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::design::Design;
 use super::effects::usual_compliance;
 use super::gp_features::{bumps, compress};
@@ -19,7 +19,7 @@ pub(super) fn hidden_load_columns(design: &Design, dataset: &Dataset, length: f6
     let wrist = dataset.joints().saturating_sub(3);
     compress(&design.stack(dataset, 2 * centres.len(), |_, observation, out| {
         let give = |joints: std::ops::Range<usize>| {
-            let mut all = [0.0; 6];
+            let mut all = Twist::default();
             for j in joints {
                 let turn = compliance[j] * observation.loads.unit_torque_n_m[j];
                 for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
@@ -42,7 +42,7 @@ pub(super) fn cycle_columns(design: &Design, dataset: &Dataset, half_cycles: u32
         let (sin, cos) = (rate * dataset.progress(observation)).sin_cos();
         for axis in 0..3 {
             for wave in [sin, cos] {
-                let mut shift = [0.0; 6];
+                let mut shift = Twist::default();
                 shift[axis] = wave;
                 out.push(shift);
             }

@@ -290,7 +290,8 @@ fn residuals_of(
     let PredictedStations { stations: scaled, poses } =
         predicted(robot, &stations.stations, model, payload_m);
     let registration = register(&scaled, &poses, stations.targets, tool_m)?;
-    let residuals = scaled.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
+    let residuals =
+        scaled.iter().zip(&poses).map(|(s, pose)| Twist(registration.residual(s, pose))).collect();
     Ok(ModelResiduals { residuals, registration })
 }
 

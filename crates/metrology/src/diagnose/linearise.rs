@@ -36,7 +36,7 @@ pub(super) fn linearise(
 ) -> Result<Linearised, RegisterError> {
     let chain = SerialChain::nominal(robot);
     let nominal_left: Vec<Twist> =
-        stations.stations.iter().map(|s| nominal.residual(s, &s.pose(&chain))).collect();
+        stations.stations.iter().map(|s| Twist(nominal.residual(s, &s.pose(&chain)))).collect();
     let frames = SerialFrames::of(robot);
     let mut offsets = SerialOffsets::default();
     let mut registration = nominal.clone();
@@ -50,8 +50,12 @@ pub(super) fn linearise(
         let observations: Vec<Observation> =
             stations.stations.iter().map(|s| Observation::new(robot, &chain, &registration, s)).collect();
         let dataset = Dataset::new(robot, observations, channels);
-        let left: Vec<Twist> =
-            stations.stations.iter().zip(&poses).map(|(s, pose)| registration.residual(s, pose)).collect();
+        let left: Vec<Twist> = stations
+            .stations
+            .iter()
+            .zip(&poses)
+            .map(|(s, pose)| Twist(registration.residual(s, pose)))
+            .collect();
         let residuals = restored(&dataset, &left, &offsets);
         if round == ROUNDS || nominal.median_m < LINEAR_M {
             return Ok(Linearised {

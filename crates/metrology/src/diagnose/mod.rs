@@ -39,6 +39,7 @@ mod slow_noise;
 mod spectrum;
 mod terms;
 mod time_course;
+mod twist;
 mod validate;
 mod verdict;
 pub mod warmup;

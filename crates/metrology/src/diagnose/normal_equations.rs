@@ -348,7 +348,7 @@ mod tests {
                     2e-4 * (7.0 * observation.q_rad[1]).sin() - 1e-4 * (3.0 * observation.q_rad[1]).cos();
                 let third = 5e-5 * (5.0 * observation.q_rad[2]).cos();
                 let (a, b) = (observation.jacobian_column(1), observation.jacobian_column(2));
-                std::array::from_fn(|k| second * a[k] + third * b[k])
+                Twist(std::array::from_fn(|k| second * a[k] + third * b[k]))
             })
             .collect();
         let all: Vec<usize> = (0..120).collect();

@@ -191,11 +191,11 @@ fn twists(
     let mut out: Vec<Twist> = (0..6).map(|k| observation.frame_offset(0, k)).collect();
     for k in 0..3 {
         let axis = observation.flange.column(k);
-        out.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
+        out.push(Twist([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]));
     }
     for nest in 0..nests {
         for k in 0..3 {
-            let mut shift = [0.0; 6];
+            let mut shift = Twist::default();
             shift[k] = f64::from(u8::from(observation.fixed_point == Some(nest)));
             out.push(shift);
         }

@@ -52,7 +52,7 @@ fn columns(design: &Design, dataset: &Dataset, tau: f64) -> DMatrix<f64> {
         for k in 1..=waves {
             let size_m = UNIT_M * (variance(k) / total).sqrt() * (PI * k as f64 * progress).cos();
             out.extend((0..3).map(|axis| -> Twist {
-                let mut shift = [0.0; 6];
+                let mut shift = Twist::default();
                 shift[axis] = size_m;
                 shift
             }));

@@ -290,7 +290,7 @@ impl Design {
             left.iter_mut().zip(self.column(column)).for_each(|(left, value)| *left -= c * value);
         }
         self.visits.restore(&mut left);
-        let mut out = vec![[0.0; 6]; self.order.len()];
+        let mut out = vec![Twist::default(); self.order.len()];
         for (rows, &i) in left.chunks_exact(d).zip(&self.order) {
             let root = self.whitening.weights[i].sqrt().max(1e-12);
             for (k, (to, value)) in out[i].iter_mut().zip(rows).enumerate() {

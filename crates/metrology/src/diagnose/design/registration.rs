@@ -24,12 +24,12 @@ pub(crate) fn twists(at: DataPoint<'_>, targets: usize, out: &mut Vec<Twist>) {
         for k in 0..3 {
             let axis: Vector3<f64> = observation.flange.column(k).into_owned();
             let here = f64::from(u8::from(observation.target == target));
-            out.push([axis.x * here, axis.y * here, axis.z * here, 0.0, 0.0, 0.0]);
+            out.push(Twist([axis.x * here, axis.y * here, axis.z * here, 0.0, 0.0, 0.0]));
         }
     }
     for fixed_point in 0..dataset.fixed_points {
         for k in 0..3 {
-            let mut shift = [0.0; 6];
+            let mut shift = Twist::default();
             shift[k] = f64::from(u8::from(observation.fixed_point == Some(fixed_point)));
             out.push(shift);
         }
@@ -37,7 +37,7 @@ pub(crate) fn twists(at: DataPoint<'_>, targets: usize, out: &mut Vec<Twist>) {
     if dataset.rows_per_observation == 6 {
         for k in 0..3 {
             let axis = observation.flange.column(k);
-            out.push([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]);
+            out.push(Twist([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]));
         }
     }
 }

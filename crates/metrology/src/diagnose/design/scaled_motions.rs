@@ -178,7 +178,7 @@ impl Design {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::dataset::{Twist, evenly_spread};
     use crate::diagnose::design::Whitening;
     use crate::diagnose::effects::{RigidBody, testable_effects};
     use robot_model::robot::Axis;
@@ -186,7 +186,7 @@ mod tests {
     /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
     fn problem() -> (Dataset, Design) {
         let dataset = evenly_spread(60);
-        let residuals: Vec<[f64; 6]> = (0..60).map(|i| [1e-4 * f64::from(i % 7); 6]).collect();
+        let residuals: Vec<Twist> = (0..60).map(|i| Twist([1e-4 * f64::from(i % 7); 6])).collect();
         let whitening = Whitening::independent((0..60).map(|i| 1.0 + f64::from(i % 4)).collect(), 0.2);
         let group_of: Vec<usize> = (0..60).map(|i| i % 3).collect();
         let design = Design::new(&dataset, &residuals, 1, whitening, &group_of);

@@ -114,13 +114,13 @@ fn directions(dataset: &Dataset, whitening: &Whitening, observations: &[usize]) 
     let turned = |axis: &Vector3<f64>| {
         rows(&|i| {
             let v = axis.cross(&(point(i) - centre));
-            [v.x, v.y, v.z, axis.x, axis.y, axis.z]
+            Twist([v.x, v.y, v.z, axis.x, axis.y, axis.z])
         })
     };
     let plain = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turned(&axis));
     let gram = Matrix3::from_fn(|a, b| plain[a].iter().zip(&plain[b]).map(|(a, b)| a * b).sum());
     let shifts = (0..3).map(|k| {
-        let mut shift = [0.0; 6];
+        let mut shift = Twist::default();
         shift[k] = 1.0;
         (rows(&|_| shift), false)
     });
@@ -216,8 +216,9 @@ mod tests {
     fn products_are_those_under_the_inverse_covariance() {
         let (dataset, whitening) = three_reflectors(10);
         let n = dataset.observations.len();
-        let residuals: Vec<Twist> =
-            (0..n).map(|i| [1e-4 * (i % 7) as f64, 2e-4, -1e-4 * (i % 5) as f64, 0.0, 0.0, 0.0]).collect();
+        let residuals: Vec<Twist> = (0..n)
+            .map(|i| Twist([1e-4 * (i % 7) as f64, 2e-4, -1e-4 * (i % 5) as f64, 0.0, 0.0, 0.0]))
+            .collect();
         // Three groups, none of which cuts a visit.
         let group_of: Vec<usize> = (0..n).map(|i| (i / 3) % 3).collect();
         let plain = Whitening::independent(vec![1.0; n], 0.2);
@@ -248,7 +249,7 @@ mod tests {
         let (dataset, whitening) = three_reflectors(10);
         let n = dataset.observations.len();
         let residuals: Vec<Twist> =
-            (0..n).map(|i| [1e-4 * (i % 7) as f64, 2e-4, -1e-4, 0.0, 0.0, 0.0]).collect();
+            (0..n).map(|i| Twist([1e-4 * (i % 7) as f64, 2e-4, -1e-4, 0.0, 0.0, 0.0])).collect();
         let design = Design::new(&dataset, &residuals, 1, whitening, &vec![0; n]);
         let left = design.residuals(&vec![0.0; design.width() - 1]);
         for (left, put_in) in left.iter().zip(&residuals) {
@@ -262,7 +263,7 @@ mod tests {
         let (mut dataset, whitening) = three_reflectors(300);
         let mut random = SplitMix64::new(5);
         let n = dataset.observations.len();
-        let mut residuals = vec![[0.0; 6]; n];
+        let mut residuals = vec![Twist::default(); n];
         for visit in &dataset.visits {
             let [shift, turn] = [4e-5, 2e-4].map(|sigma| Vector3::from_fn(|_, _| sigma * random.normal()));
             let centre = visit.iter().map(|&i| dataset.observations[i].point_m).sum::<Vector3<f64>>()

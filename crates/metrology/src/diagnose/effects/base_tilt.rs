@@ -50,7 +50,7 @@ impl Effect for BaseTilt {
         out.extend(about(&observation.loads.base_moment_n_m));
         for moment in &observation.loads.link_base_moment_n_m[..observation.joints()] {
             let [x, y] = about(moment);
-            out.push(std::array::from_fn(|i| x[i] + y[i]));
+            out.push(Twist(std::array::from_fn(|i| x[i] + y[i])));
         }
     }
 }

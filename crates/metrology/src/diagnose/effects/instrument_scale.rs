@@ -29,13 +29,13 @@ impl Effect for InstrumentScale {
         }]
     }
     fn signature(&self, _variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
-        out.push([
+        out.push(Twist([
             at.observation.point_m.x,
             at.observation.point_m.y,
             at.observation.point_m.z,
             0.0,
             0.0,
             0.0,
-        ]);
+        ]));
     }
 }

@@ -89,7 +89,7 @@ impl Effect for PayloadMass {
                 hangs * compliance[j] * observation.loads.unit_torque_n_m[j],
             )
         };
-        let mut all = [0.0; 6];
+        let mut all = Twist::default();
         for j in 0..joints {
             for (sum, part) in all.iter_mut().zip(give(j)) {
                 *sum += part;
@@ -99,7 +99,7 @@ impl Effect for PayloadMass {
         out.extend(soft(joints).map(give));
         // And its weight may pull elsewhere than at the measured point.
         for k in 0..3 {
-            let mut all = [0.0; 6];
+            let mut all = Twist::default();
             for (j, compliance) in compliance.iter().enumerate() {
                 let turn = hangs * compliance * observation.loads.unit_lever_n[j][k];
                 for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {

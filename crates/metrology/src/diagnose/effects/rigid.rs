@@ -73,13 +73,13 @@ impl RigidBody {
             Self::Tool => {
                 for k in 0..3 {
                     let axis = observation.flange.column(k);
-                    out.push([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]);
+                    out.push(Twist([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]));
                 }
                 if dataset.rows_per_observation == 6 {
                     for k in 0..3 {
                         // About the measured point itself: its shift stands above.
                         let axis = observation.flange.column(k);
-                        out.push([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]);
+                        out.push(Twist([0.0, 0.0, 0.0, axis[0], axis[1], axis[2]]));
                     }
                 }
             }

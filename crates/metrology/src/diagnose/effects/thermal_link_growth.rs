@@ -62,6 +62,6 @@ impl Effect for ThermalLinkGrowth {
                 grown[1][k] += along[k];
             }
         }
-        out.extend(grown);
+        out.extend(grown.map(Twist));
     }
 }

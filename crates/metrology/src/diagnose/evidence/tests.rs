@@ -45,7 +45,7 @@ fn problem(seed: u64, sigma_m: f64, size: f64, geometry: f64) -> Problem {
         .map(|observation| {
             let mut all = Vec::new();
             candidate.scaled_signature(dataset.at(observation), &mut all);
-            let mut sum = all[0].map(|v| v * size);
+            let mut sum = scaled(all[0], size);
             for (error, twist) in errors.iter().zip(geometry_columns(observation)) {
                 sum.iter_mut().zip(twist).for_each(|(to, from)| *to += error * from);
             }

@@ -93,7 +93,7 @@ mod tests {
     /// Rows of noise of 20 um, each coordinate `memory` times the row's before, and a wave of `half_cycles` of `size` times that.
     fn lines(seed: usize, memory: f64, (half_cycles, size): (f64, f64)) -> Vec<u32> {
         let dataset = evenly_spread(100);
-        let mut residuals = vec![[0.0; 6]; 100];
+        let mut residuals = vec![Twist::default(); 100];
         let mut last = [0.0; 3];
         for (i, residual) in residuals.iter_mut().enumerate() {
             let wave = size * (PI * half_cycles * dataset.progress(&dataset.observations[i])).sin();

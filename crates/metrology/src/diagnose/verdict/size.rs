@@ -1,6 +1,7 @@
 //! Causes with their sizes, fitted beside the others.
 
 use super::cause_group::CauseGroup;
+use crate::diagnose::dataset::Twist;
 use crate::diagnose::design::Design;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::linear_fit::{LinearFit, solve};
@@ -173,7 +174,7 @@ fn seen_m(
     }
     let without = design.residuals(&vec![0.0; coefficients.len()]);
     let moved = design.residuals(&coefficients);
-    without.iter().zip(&moved).map(|(a, b)| shift_m(&std::array::from_fn(|k| a[k] - b[k]))).collect()
+    without.iter().zip(&moved).map(|(a, b)| shift_m(&Twist(std::array::from_fn(|k| a[k] - b[k])))).collect()
 }
 
 /// How many of an effect's columns are its own: what a warm-up effect adds as a constant is no part of it.
@@ -194,7 +195,7 @@ fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: 
             buffer.clear();
             candidate.effect().signature(&candidate.variant, linear.dataset.at(observation), &mut buffer);
             let n_reported = reported(candidate, buffer.len());
-            let mut sum = [0.0; 6];
+            let mut sum = Twist::default();
             for ((twist, &column), prior_sigma) in
                 buffer.iter().zip(columns).zip(&candidate.prior_sigma).take(n_reported)
             {
