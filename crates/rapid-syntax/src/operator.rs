@@ -17,7 +17,7 @@ pub(super) fn binding(op: BinaryOp) -> u8 {
     }
 }
 
-/// As comparisons bind.
+/// The binding power of comparisons: a higher one binds before a lower one.
 pub(super) const COMPARISON: u8 = 2;
 
 /// `operator = "OR" | "XOR" | "AND" | "<" | "<=" | "<>" | "=" | ">=" | ">" | "+" | "-" | "*" | "/" | "DIV" | "MOD" ;`

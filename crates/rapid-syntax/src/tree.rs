@@ -104,9 +104,9 @@ pub enum Scope {
     /// Without a word: the whole task (or, in a routine, the routine).
     #[default]
     Global,
-    /// `LOCAL`: the module.
+    /// `LOCAL`: seen in its module alone.
     Local,
-    /// `TASK`: the task.
+    /// `TASK`: seen in all modules of its task.
     Task,
 }
 

@@ -13,7 +13,7 @@ pub enum DataKind {
     Persistent,
     /// Lives with the program.
     Variable,
-    /// `CONST`: never changes.
+    /// `CONST`: it never changes.
     Constant,
 }
 

@@ -59,7 +59,7 @@ pub(super) type CommandedOrSkipped = Result<CommandedJoints, SkipReason>;
 /// Joints, and what the nominal controller takes them for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CommandedJoints {
-    /// Radians.
+    /// The joints that the controller is sent to, radians.
     pub(super) q_rad: [f64; 6],
     /// Where these joints put the nominal arm's flange.
     pub(super) base_from_flange: Isometry3<f64>,

@@ -9,7 +9,7 @@ use std::ops::{Index, IndexMut};
 pub(super) trait Id: Copy {
     /// That of a position; a program declares fewer than 2³² things.
     fn at(position: usize) -> Self;
-    /// Its position.
+    /// The position that it is the number of, from 0.
     fn position(self) -> usize;
 }
 

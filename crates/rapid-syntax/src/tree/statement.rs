@@ -47,7 +47,7 @@ pub enum StmtKind {
     Exit,
     /// `CONNECT interrupt WITH trap;`
     Connect(Box<ConnectStmt>),
-    /// `;` alone.
+    /// A `;` that ends no statement.
     Empty,
     /// `<SMT>` and the like.
     Placeholder,

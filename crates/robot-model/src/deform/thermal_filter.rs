@@ -13,7 +13,7 @@ use nalgebra::{SMatrix, SVector};
 pub const STATES: usize = 5;
 /// Estimated state: lags, amount, logarithms of the time constants.
 pub type StateVector = SVector<f64, STATES>;
-/// Covariance of [`StateVector`].
+/// Covariance of a [`StateVector`], in the order of its elements.
 pub type Covariance = SMatrix<f64, STATES, STATES>;
 
 /// One standard deviation of the state where nothing is known yet but the table: lags, amount, logarithms.

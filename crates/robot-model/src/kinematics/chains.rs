@@ -150,7 +150,7 @@ pub(super) fn eight_poses(base_from_flange: &[Isometry3<f64>]) -> Pose<Lanes> {
 
 /// Where eight flanges stand.
 struct EightFlanges {
-    /// w first.
+    /// Each flange's orientation in the base: w, x, y, z.
     quaternions: [Lanes; 4],
     positions_m: Vec3<Lanes>,
 }

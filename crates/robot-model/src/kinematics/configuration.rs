@@ -11,9 +11,9 @@ use std::f64::consts::FRAC_PI_2;
 pub struct Configuration {
     /// floor(q1 / 90°): 0 is 0° to 90°, -1 is -90° to 0°.
     pub cf1: i32,
-    /// floor(q4 / 90°).
+    /// The same quarter turn of joint 4, floor(q4 / 90°).
     pub cf4: i32,
-    /// floor(q6 / 90°).
+    /// The same quarter turn of joint 6, floor(q6 / 90°).
     pub cf6: i32,
     /// 4 · (wrist centre behind axis 1) + 2 · (wrist centre behind the lower arm) + (joint 5 negative).
     pub cfx: i32,

@@ -126,7 +126,7 @@ struct RightAngledOne<'a> {
 }
 
 impl Kernel for RightAngledOne<'_> {
-    /// As [`ForwardOne`]'s.
+    /// The same figures of the flange as [`ForwardOne`] gives.
     type Output = [[f64; 4]; 4];
 
     #[inline(always)]

@@ -13,7 +13,7 @@ use super::steps::Step;
 /// Whether the axis behind each joint stands across it; else it stands along it.
 const ACROSS: [bool; 6] = [true, false, true, true, true, false];
 
-/// Rx(90 deg).
+/// A quarter turn about x, Rx(90 deg).
 const TILT: Mat3 = [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
 
 /// An arm of six joints whose constant frames are `Trans(p) Rz(a)` or `Trans(p) Rz(a) Rx(90 deg) Rz(b)`, a and b being quarter turns.

@@ -77,7 +77,7 @@ struct ReachedFrame {
 }
 
 impl ReachedFrame {
-    /// The base itself.
+    /// The base itself, before the first step.
     fn base(model: &LiveModel, body: &mut Body) -> Self {
         let mut seen = SEEN.map(|(_, axis)| Triple::zero(&format!("tcU{axis}")));
         let first_step = &model.steps[0];

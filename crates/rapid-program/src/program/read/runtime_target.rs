@@ -210,7 +210,7 @@ fn occurring(elements: &[TargetValue], values: &[TargetValue]) -> Option<Box<[us
 
 /// Whether two targets are too near to be told apart by where they are.
 fn look_alike(a: &RobTarget, b: &RobTarget) -> bool {
-    /// mm
+    /// Distance of the points, mm.
     const NEAR_MM: f64 = 0.02;
     /// Scalar product of the quaternions, some 7 deg; the emitted function tells those apart that are under 0.999.
     const ALIKE: f64 = 0.998;
