@@ -29,6 +29,9 @@ pub(crate) struct Sums {
     pub cross: DMatrix<f64>,
 }
 
+/// Columns of the design that there is room for beyond those that are there.
+const COLUMNS_AHEAD: usize = 16;
+
 impl Design {
     /// Products of `columns` with each other and with the design.
     #[must_use]
@@ -80,7 +83,7 @@ impl Design {
             inner_products(columns.rows(rows.start, rows.len()), new.rows(rows.start, rows.len()))
         };
         let of_groups: Vec<DMatrix<f64>> = self.groups.iter().map(of_group).collect();
-        products.cross.reserve_exact(columns.ncols() * of_groups.len() * new.ncols());
+        products.reserve(new.ncols());
         for column in 0..new.ncols() {
             for of in &of_groups {
                 products.cross.extend(of.column(column).iter());
@@ -115,6 +118,14 @@ impl Products {
         let all: Vec<usize> = (0..self.groups).collect();
         self.add_groups(&all, known / self.p.max(1), 1.0, &mut total[known..]);
         self.total = total;
+    }
+
+    /// Makes room for `more` columns of the design, and for some after them: thousands of candidates are not copied for each that joins.
+    pub(super) fn reserve(&mut self, more: usize) {
+        let column = self.p * self.groups;
+        if self.cross.capacity() < self.cross.len() + more * column {
+            self.cross.reserve_exact(more.max(COLUMNS_AHEAD) * column);
+        }
     }
 
     /// Columns of the design that are covered.

@@ -158,8 +158,8 @@ impl Design {
         };
         let crossed: Vec<DMatrix<f64>> = self.groups.par_iter().map(of_group).collect();
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
+            products[c].reserve(self.width() - known);
             let to = &mut products[c].cross;
-            to.reserve_exact(member.len() * (self.width() - known) * crossed.len());
             for column in 0..self.width() - known {
                 for of in &crossed {
                     to.extend(member.iter().map(|p| of[(p.factor, column * width + p.plain)] * p.sigma));

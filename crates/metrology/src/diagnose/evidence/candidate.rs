@@ -1,9 +1,14 @@
-//! A candidate over a nuisance model: what is left of it, and its evidence.
+//! A candidate over a nuisance model: what is left of it, with itself, with the data and with geometry.
 
-use super::prior::size_prior;
+use super::accumulate::add_columns;
+use super::principal::Pairs;
 use super::{EvidencePeak, NuisanceModel};
 use crate::diagnose::design::Sums;
 use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
+
+/// With more parameters than these a product of whole matrices is quicker than one of columns.
+const MOST_BY_COLUMNS: usize = 5;
 
 /// A candidate over a nuisance model; [`NuisanceModel::update`] follows a nuisance model that has grown.
 pub(crate) struct Projected {
@@ -49,8 +54,10 @@ impl NuisanceModel {
         let p = hat.len();
         for direction in &self.directions[candidate.known..] {
             hat.fill(0.0);
-            let columns = sums.cross.as_slice().chunks_exact(p);
-            for (d, column) in direction.weights.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
+            let Range { start, end } = direction.support;
+            let columns = sums.cross.as_slice()[start * p..].chunks_exact(p);
+            let weights = &direction.weights[start..end];
+            for (d, column) in weights.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
                 for (to, from) in hat.iter_mut().zip(column) {
                     *to += d * from;
                 }
@@ -62,8 +69,10 @@ impl NuisanceModel {
                     *to -= along * other;
                 }
             }
-            for (a, along) in hat.iter().enumerate() {
-                candidate.geometry.column_mut(a).axpy(-along, &direction.geometry, 1.0);
+            let rows = direction.geometry.as_slice();
+            let geometry = candidate.geometry.as_mut_slice().chunks_exact_mut(rows.len().max(1));
+            for (column, along) in geometry.zip(&*hat) {
+                column.iter_mut().zip(rows).for_each(|(to, from)| *to -= along * from);
             }
         }
         candidate.known = self.directions.len();
@@ -84,7 +93,7 @@ impl NuisanceModel {
                 }
             }
         }
-        let with_geometry = &self.turn * &projected.geometry;
+        let with_geometry = self.along_geometry(projected);
         for (k, weight) in self.geometry_shares(ratio).enumerate() {
             taken.row_mut(flat + k).copy_from(&(weight * with_geometry.row(k)));
         }
@@ -127,92 +136,27 @@ impl NuisanceModel {
         own.max(0.0).sqrt()
     }
 
-    /// Evidence of a projected candidate.
-    #[must_use]
-    pub(crate) fn evidence(&self, candidate: &Projected) -> EvidencePeak {
-        let with_geometry = &self.turn * &candidate.geometry;
-        self.over_ratios(self.signal_of_unit_size(candidate), |ratio, terms| {
-            self.size_terms(candidate, &with_geometry, ratio, 1, terms);
-        })
-    }
-
-    /// The few ratios round the null's best at which [`Self::screening_evidence`] looks.
-    #[must_use]
-    pub(crate) fn screening_grid(&self, null: &EvidencePeak) -> Vec<ScreeningPoint> {
-        [0.0, null.geometry_ratio, 0.25 * null.geometry_ratio]
-            .into_iter()
-            .map(|ratio| {
-                let (log, sigma_m) = self.at_ratio(ratio);
-                let (q, _) = self.with_ratio(ratio);
-                ScreeningPoint {
-                    ratio,
-                    q,
-                    base: log - self.marginal.at(q).0 - 0.5 * self.slow_log_det,
-                    sigma_m,
-                }
-            })
-            .collect()
-    }
-
-    /// No evidence of the candidate at these ratios is above this: its whole signal at no price.
-    #[must_use]
-    pub(crate) fn evidence_upper_bound(
-        &self,
-        candidate: &Projected,
-        screening_grid: &[ScreeningPoint],
-    ) -> f64 {
-        let with_geometry = &self.turn * &candidate.geometry;
-        screening_grid
-            .iter()
-            .map(|point| {
-                let off: f64 = self
-                    .pairs(candidate, &with_geometry, point.ratio)
-                    .iter()
-                    .filter(|(h, _)| *h > 0.0)
-                    .map(|(h, u)| u * u / h)
-                    .sum();
-                point.base + self.marginal.at(point.q - off).0
-            })
-            .fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// A quick estimate of the evidence: the best of few ratios, sizes in steps of four.
-    #[must_use]
-    pub(crate) fn screening_evidence(
-        &self,
-        candidate: &Projected,
-        screening_grid: &[ScreeningPoint],
-    ) -> EvidencePeak {
-        let with_geometry = &self.turn * &candidate.geometry;
-        let signal_of_unit_size = self.signal_of_unit_size(candidate);
-        let mut best = EvidencePeak::NONE;
-        let mut terms = Vec::with_capacity(self.size_ratios.len());
-        for point in screening_grid {
-            self.size_terms(candidate, &with_geometry, point.ratio, 2, &mut terms);
-            for &(size, off, gain) in &terms {
-                let (log, sigma_m) = self.marginal.at(point.q - off);
-                let log =
-                    point.base + log + gain + size_prior(size * point.sigma_m, size * signal_of_unit_size);
-                if log > best.log_evidence {
-                    best = EvidencePeak {
-                        log_evidence: log,
-                        sigma_m,
-                        geometry_ratio: point.ratio,
-                        size_ratio: size,
-                    };
-                }
-            }
+    /// A candidate's products with geometry along geometry's own directions: (directions x parameters).
+    pub(super) fn along_geometry(&self, candidate: &Projected) -> DMatrix<f64> {
+        let (from, width) = (&candidate.geometry, candidate.geometry.ncols());
+        if width > MOST_BY_COLUMNS {
+            return &self.turn * from;
         }
-        best
+        let mut along = DMatrix::zeros(self.turn.nrows(), width);
+        let rows = self.turn.nrows().max(1);
+        for (a, to) in along.as_mut_slice().chunks_exact_mut(rows).enumerate() {
+            add_columns(to, from.column(a).as_slice(), self.turn.as_slice().chunks_exact(rows));
+        }
+        along
     }
 
     /// Root mean square over the rows of the signal of one prior sigma, metres.
-    fn signal_of_unit_size(&self, candidate: &Projected) -> f64 {
+    pub(super) fn signal_of_unit_size(&self, candidate: &Projected) -> f64 {
         (candidate.own.trace().max(0.0) / self.m).sqrt()
     }
 
     /// The candidate's signal and its product with the data along its own directions, geometry at `ratio` out.
-    fn pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Pairs {
+    pub(super) fn pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Pairs {
         if candidate.own.nrows() == 2 {
             return self.two_pairs(candidate, with_geometry, ratio);
         }
@@ -252,26 +196,33 @@ impl NuisanceModel {
         let mut with_y = candidate.with_y.clone();
         if ratio > 0.0 {
             let r2 = ratio * ratio;
-            for (k, l) in self.lambda.iter().enumerate() {
+            let mut shares = with_geometry.transpose();
+            for (row, l) in shares.as_mut_slice().chunks_exact_mut(p.max(1)).zip(self.lambda.iter()) {
                 let f = r2 / (1.0 + r2 * l);
-                let row = with_geometry.row(k);
-                for a in 0..p {
-                    let fa = f * row[a];
-                    with_y[a] -= fa * self.gy[k];
-                    for b in 0..p {
-                        own[(a, b)] -= fa * row[b];
-                    }
-                }
+                row.iter_mut().for_each(|row| *row *= f);
             }
+            let shares = || shares.as_slice().chunks_exact(p.max(1));
+            let mut by: Vec<f64> = self.gy.iter().map(|gy| -gy).collect();
+            add_columns(with_y.as_mut_slice(), &by, shares());
+            // From the diagonal down: the matrix is symmetric.
+            for (b, column) in own.as_mut_slice().chunks_exact_mut(p.max(1)).enumerate() {
+                by.iter_mut().zip(with_geometry.column(b).iter()).for_each(|(by, row)| *by = -row);
+                add_columns(&mut column[b..], &by, shares().map(|share| &share[b..]));
+            }
+            own.fill_upper_triangle_with_lower_triangle();
         }
         (own, with_y)
     }
 
     /// By how many standard deviations the candidate's first parameter is positive where it `peak` most.
     #[must_use]
-    pub(crate) fn sign(&self, candidate: &Projected, peak: &EvidencePeak) -> f64 {
-        let with_geometry = &self.turn * &candidate.geometry;
-        let (mut own, with_y) = self.reduced(candidate, &with_geometry, peak.geometry_ratio);
+    pub(super) fn sign(
+        &self,
+        candidate: &Projected,
+        with_geometry: &DMatrix<f64>,
+        peak: &EvidencePeak,
+    ) -> f64 {
+        let (mut own, with_y) = self.reduced(candidate, with_geometry, peak.geometry_ratio);
         let precision = peak.size_ratio.max(1e-12).powi(-2);
         for a in 0..own.nrows() {
             own[(a, a)] += precision;
@@ -279,81 +230,5 @@ impl NuisanceModel {
         let Some(covariance) = own.cholesky().map(|c| c.inverse()) else { return 0.0 };
         let mean = (covariance.row(0) * &with_y)[0];
         mean / (peak.sigma_m * covariance[(0, 0)].max(1e-300).sqrt())
-    }
-
-    /// For each size ratio, or every `step`-th: it, what it takes off the squares, and what it adds to ln evidence; into `terms`.
-    fn size_terms(
-        &self,
-        candidate: &Projected,
-        with_geometry: &DMatrix<f64>,
-        ratio: f64,
-        step: usize,
-        terms: &mut Vec<(f64, f64, f64)>,
-    ) {
-        let pairs = self.pairs(candidate, with_geometry, ratio);
-        terms.clear();
-        terms.extend(self.size_ratios.iter().step_by(step).map(|&size| {
-            let s2 = size * size;
-            let mut off = 0.0;
-            let mut log_det = 0.0;
-            let mut det = 1.0_f64;
-            for &(h, u) in pairs.iter() {
-                let h = h.max(0.0);
-                off += s2 / (1.0 + s2 * h) * u * u;
-                det *= 1.0 + s2 * h;
-                // One logarithm for many factors, short of overflow.
-                if det > 1e100 {
-                    log_det += det.ln();
-                    det = 1.0;
-                }
-            }
-            (size, off, -0.5 * (log_det + det.ln()))
-        }));
-    }
-}
-
-/// One geometry ratio prepared for a first look.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ScreeningPoint {
-    ratio: f64,
-    q: f64,
-    base: f64,
-    sigma_m: f64,
-}
-
-/// Eigenvalues of a candidate's matrix with its products with the data turned into its eigenvectors.
-enum Pairs {
-    /// Of one or two parameters; a missing second is zero, which takes and prices nothing.
-    Few([(f64, f64); 2]),
-    /// Of three parameters and more.
-    Many(Vec<(f64, f64)>),
-}
-
-impl Pairs {
-    fn of_two([a, b, d]: [f64; 3], with_y: [f64; 2]) -> Self {
-        let angle = 0.5 * (2.0 * b).atan2(a - d);
-        let (s, c) = angle.sin_cos();
-        let first = a * c * c + 2.0 * b * s * c + d * s * s;
-        Self::Few([(first, c * with_y[0] + s * with_y[1]), (a + d - first, c * with_y[1] - s * with_y[0])])
-    }
-
-    fn of(own: DMatrix<f64>, with_y: &DVector<f64>) -> Self {
-        if own.nrows() == 1 {
-            return Self::Few([(own[(0, 0)], with_y[0]), (0.0, 0.0)]);
-        }
-        let eigen = own.symmetric_eigen();
-        let turned = eigen.eigenvectors.transpose() * with_y;
-        Self::Many(eigen.eigenvalues.iter().copied().zip(turned.iter().copied()).collect())
-    }
-}
-
-impl std::ops::Deref for Pairs {
-    type Target = [(f64, f64)];
-
-    fn deref(&self) -> &Self::Target {
-        match self {
-            Self::Few(pairs) => pairs,
-            Self::Many(pairs) => pairs,
-        }
     }
 }

@@ -61,7 +61,7 @@ impl NuisanceModel {
     /// The same with sizes summed about `near` alone.
     pub(super) fn evidence_about(&self, both: &Projected, first: usize, near: [f64; 2]) -> PairPeak {
         let p = both.own.nrows();
-        let with_geometry = &self.turn * &both.geometry;
+        let with_geometry = self.along_geometry(both);
         let signal = |from: usize, to: usize| {
             ((from..to).map(|k| both.own[(k, k)]).sum::<f64>().max(0.0) / self.m).sqrt()
         };

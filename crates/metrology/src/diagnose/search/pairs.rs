@@ -214,7 +214,10 @@ impl Library<'_> {
             // What stands there now is compared as it is.
             let first_look = match Some(c) == single {
                 true => f64::INFINITY,
-                false => bare.screening_evidence(&projected, &grid).log_evidence + self.log_prior[c],
+                false => {
+                    let screened = bare.screened(&projected, &grid);
+                    bare.screening_evidence(&screened, &grid).log_evidence + self.log_prior[c]
+                }
             };
             let candidate = &self.candidates[c];
             let cause = (candidate.kind, candidate.variant.joint, candidate.variant.joint_b);

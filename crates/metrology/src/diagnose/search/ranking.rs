@@ -2,10 +2,10 @@
 
 use super::chosen::NULL_PRIOR;
 use super::library::{Library, TrackedCandidate};
-use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, ScreeningPoint};
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, Screened, ScreeningPoint};
 use crate::diagnose::marginal::{log_sum, normal_cdf};
 use rayon::prelude::*;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Candidates that are looked at after their upper bounds.
 const LONG_LIST: usize = 320;
@@ -96,9 +96,23 @@ impl Library<'_> {
         projected: &Projected,
         candidate: usize,
     ) -> EvidencePeak {
-        let mut peak = nuisance.evidence(projected);
+        let grid = nuisance.screening_grid(&nuisance.null());
+        let screened = nuisance.screened(projected, &grid);
+        let first = nuisance.screening_evidence(&screened, &grid);
+        self.evidence_of(nuisance, &screened, &first, candidate)
+    }
+
+    /// The same of a candidate that was looked at first.
+    fn evidence_of(
+        &self,
+        nuisance: &NuisanceModel,
+        screened: &Screened<'_>,
+        first: &EvidencePeak,
+        candidate: usize,
+    ) -> EvidencePeak {
+        let mut peak = nuisance.evidence_of(screened, first);
         if self.candidates[candidate].sign_constrained {
-            peak.log_evidence += sign_nats(nuisance.sign(projected, &peak));
+            peak.log_evidence += sign_nats(nuisance.sign_of(screened, &peak));
         }
         peak
     }
@@ -112,23 +126,21 @@ impl Library<'_> {
     ) -> HypothesisRanking {
         let null = nuisance.null();
         let screening_grid = nuisance.screening_grid(&null);
-        let best = |scores: Vec<f64>, among: Vec<usize>, most: usize| {
-            let mut order: Vec<(usize, f64)> = among.into_iter().zip(scores).collect();
-            order.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-            order.truncate(most);
-            order.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
+        let best = |mut scores: Vec<(usize, f64)>| {
+            scores.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+            scores.truncate(LONG_LIST);
+            scores.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
         };
-        let all: Vec<usize> = (0..tracked.len()).collect();
-        let score = |among: &[usize], of: &(dyn Fn(&Projected) -> f64 + Sync)| -> Vec<f64> {
-            among
-                .par_iter()
-                .map(|&i| of(&tracked[i].projected) + self.log_prior[tracked[i].candidate])
-                .collect()
-        };
-        let upper_bounds = score(&all, &|p| nuisance.evidence_upper_bound(p, &screening_grid));
-        let long = best(upper_bounds, all, LONG_LIST);
-        let firsts = score(&long, &|p| nuisance.screening_evidence(p, &screening_grid).log_evidence);
-        let seen: Vec<usize> = best(firsts, long, LONG_LIST);
+        let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
+        let screened: Vec<Screened<'_>> =
+            tracked.par_iter().map(|f| nuisance.screened(&f.projected, &screening_grid)).collect();
+        let bounds = screened.iter().enumerate().map(|(i, s)| (i, s.upper_bound() + log_prior(i)));
+        let long = best(bounds.collect());
+        let firsts: BTreeMap<usize, EvidencePeak> = long
+            .par_iter()
+            .map(|&i| (i, nuisance.screening_evidence(&screened[i], &screening_grid)))
+            .collect();
+        let seen = best(firsts.iter().map(|(&i, first)| (i, first.log_evidence + log_prior(i))).collect());
         let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
         // Thousands of gear lines must not push out the one variant of an effect that explains as much.
         let mut kinds = BTreeSet::new();
@@ -144,9 +156,9 @@ impl Library<'_> {
         let mut ranked: Vec<(Hypothesis, f64, EvidencePeak)> = order
             .par_iter()
             .map(|&i| {
-                let TrackedCandidate { candidate: c, projected, .. } = tracked[i];
-                let peak = self.evidence(nuisance, projected, *c);
-                (Hypothesis::Effect(*c), peak.log_evidence + self.log_prior[*c], peak)
+                let c = tracked[i].candidate;
+                let peak = self.evidence_of(nuisance, &screened[i], &firsts[&i], c);
+                (Hypothesis::Effect(c), peak.log_evidence + self.log_prior[c], peak)
             })
             .collect();
         if gp_alternatives {
@@ -174,13 +186,14 @@ impl Library<'_> {
         screening_grid: &[ScreeningPoint],
         null: &EvidencePeak,
     ) -> Vec<(Hypothesis, f64, EvidencePeak)> {
-        let seen: Vec<(Projected, EvidencePeak)> = self
-            .gp_alternatives
+        let projected: Vec<Projected> =
+            self.gp_alternatives.par_iter().map(|s| nuisance.project(&s.sums)).collect();
+        let seen: Vec<(Screened<'_>, EvidencePeak)> = projected
             .par_iter()
-            .map(|s| {
-                let projected = nuisance.project(&s.sums);
-                let first = nuisance.screening_evidence(&projected, screening_grid);
-                (projected, first)
+            .map(|projected| {
+                let screened = nuisance.screened(projected, screening_grid);
+                let first = nuisance.screening_evidence(&screened, screening_grid);
+                (screened, first)
             })
             .collect();
         let best = seen
@@ -191,9 +204,9 @@ impl Library<'_> {
         seen.par_iter()
             .zip(&self.gp_alternatives)
             .enumerate()
-            .map(|(k, ((projected, first), s))| {
+            .map(|(k, ((screened, first), s))| {
                 let near = first.log_evidence + s.log_prior > best - FAR_BEHIND_NATS;
-                let peak = if near { nuisance.evidence(projected) } else { *first };
+                let peak = if near { nuisance.evidence_of(screened, first) } else { *first };
                 (Hypothesis::GpAlternative(k), peak.log_evidence + s.log_prior, peak)
             })
             .collect()
