@@ -5,6 +5,10 @@ use super::linearise::{Linearised, shift_m};
 
 /// A station further than this many sigmas from the model, and alone there, is false.
 pub(super) const FALSE_SIGMAS: f64 = 4.5;
+/// So many of the nearest stations are asked whether they are off alike.
+const NEAREST: usize = 3;
+/// Two errors point the same way, or one along a joint's motion, from this cosine on.
+const ALONG: f64 = 0.7;
 
 /// Weight of each station beside that of its repeats, and whether it is set aside as false.
 #[derive(Clone)]
@@ -55,7 +59,7 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
     let here = &residuals[i];
     let alike = |k: usize| {
         let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
-        shift_m(&residuals[k]) > 0.5 * limit_m && along > 0.7 * shift_m(here) * shift_m(&residuals[k])
+        shift_m(&residuals[k]) > 0.5 * limit_m && along > ALONG * shift_m(here) * shift_m(&residuals[k])
     };
     // Most of the nearest: two false rows that happen to lie side by side do not excuse each other.
     let same_visit =
@@ -69,12 +73,38 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
         near.select_nth_unstable_by(count, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         2 * near[..count].iter().filter(|(_, k)| alike(*k)).count() > count
     };
-    let place = most(&|k| (observations[k].point_m - observations[i].point_m).norm_squared(), 3);
+    let place = most(&|k| (observations[k].point_m - observations[i].point_m).norm_squared(), NEAREST);
     let time = || {
         linear.dataset.time_min.is_some()
-            && most(&|k| (observations[k].clock() - observations[i].clock()).abs(), 3)
+            && most(&|k| (observations[k].clock() - observations[i].clock()).abs(), NEAREST)
     };
-    place || time()
+    place || time() || turned_alike(linear, residuals, i, limit_m)
+}
+
+/// Whether some joint, turned a little, would put the station `i` where it was measured, and likewise most of those at which that
+/// joint stood nearest: then it is what the joint does there, at its end or in the middle, wherever the arm was.
+fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
+    let observations = &linear.dataset.observations;
+    let visits = &linear.dataset.visits;
+    let visit = visits.iter().find(|visit| visit.contains(&i)).map_or(&[][..], Vec::as_slice);
+    // Turn and share of the distance that it leaves none of, where the station is far off.
+    let turn = |k: usize, joint: usize| {
+        let twist = observations[k].jacobian_column(joint);
+        let along = (0..3).map(|x| twist[x] * residuals[k][x]).sum::<f64>();
+        let lever = shift_m(&twist);
+        let far = shift_m(&residuals[k]);
+        (lever > 0.0 && far > 0.5 * limit_m && along.abs() > ALONG * lever * far).then_some(along)
+    };
+    (0..linear.dataset.joints()).any(|joint| {
+        let Some(here) = turn(i, joint) else { return false };
+        let off = |k: usize| (observations[k].q_rad[joint] - observations[i].q_rad[joint]).abs();
+        let mut near: Vec<usize> =
+            (0..observations.len()).filter(|&k| k != i && !visit.contains(&k)).collect();
+        near.sort_by(|&a, &b| off(a).total_cmp(&off(b)).then(a.cmp(&b)));
+        let alike = |k: &&usize| turn(**k, joint).is_some_and(|turn| turn * here > 0.0);
+        let near = &near[..NEAREST.min(near.len())];
+        2 * near.iter().filter(alike).count() > near.len()
+    })
 }
 
 /// Upper median of the values; 0 of none.
@@ -82,4 +112,38 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
 pub(super) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::evenly_spread;
+    use crate::measure::Registration;
+    use nalgebra::{Isometry3, Vector3};
+
+    /// At four places, apart from each other, joint 4 stands near its end and 3 mrad off; one other row is off by as much, alone.
+    #[test]
+    fn what_a_joint_does_at_its_end_is_no_false_row() {
+        let dataset = evenly_spread(60);
+        let q = |i: usize| dataset.observations[i].q_rad[3];
+        let mut at_end: Vec<usize> = (0..60).collect();
+        at_end.sort_by(|&a, &b| q(b).total_cmp(&q(a)));
+        at_end.truncate(4);
+        let alone = (0..60).find(|&i| q(i) < 0.0).unwrap();
+        let residuals: Vec<Twist> = (0..60)
+            .map(|i| {
+                let twist = dataset.observations[i].jacobian_column(3);
+                let small = [1e-5, -2e-5, 1.5e-5][i % 3];
+                let turn_rad = if at_end.contains(&i) { 3e-3 } else { 0.0 };
+                let wrong_m = if i == alone { 1e-3 } else { 0.0 };
+                let along = |k| turn_rad * twist[k] + if k == 0 { small + wrong_m } else { small };
+                Twist(std::array::from_fn(along))
+            })
+            .collect();
+        let registration = Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
+        let linear = Linearised { dataset, nominal: residuals.clone(), residuals, registration };
+        let robust = RobustWeights::of(&linear, &linear.residuals, &[1.0; 60]);
+        let aside: Vec<usize> = (0..60).filter(|&i| robust.outliers[i]).collect();
+        assert_eq!(aside, [alone]);
+    }
 }
