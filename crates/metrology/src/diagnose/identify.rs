@@ -100,8 +100,7 @@ pub(super) fn identify(
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
-        // Whoever compares with the model again needs what its sag was fitted with.
-        payload_m: (centre_m != Vector3::zeros()).then(|| linear.registration.payload_m() + centre_m),
+        payload_m: hangs_at_m(&identified, dataset, linear.registration.payload_m() + centre_m),
     });
     if dataset.time_min.is_none() {
         if let Some(last_step) = without_clock(&mut identified) {
@@ -120,6 +119,12 @@ pub(super) fn identify(
         identified.terms.retain(|term| !is_of_mounting(term));
     }
     identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
+}
+
+/// Where the payload hung that the model's sag was fitted with, flange frame, metres: whoever compares with the model again needs it,
+/// whether these data told it or it was taken to hang amid the targets, as `payload_m`. `None` where nothing gives under a payload.
+fn hangs_at_m(model: &Identified, dataset: &Dataset, payload_m: Vector3<f64>) -> Option<Vector3<f64>> {
+    (model.needs_load() && dataset.largest_payload_kg > 0.0).then_some(payload_m)
 }
 
 /// Why no model is made of what was found.
@@ -359,5 +364,27 @@ fn measured_range(rows: usize, stations: &Stations, joints: usize) -> MeasuredRa
             Joints::from_fn(joints, |j| range(&|s| s.joint_temperature_c.map(|t| t[j])).unwrap_or_default())
         }),
         payload_kg: range(&|s| s.payload_kg),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::evenly_spread;
+
+    /// A link that bends under a payload whose centre no parameter tells; without a payload, or without sag, there is none to tell.
+    #[test]
+    fn a_model_of_sag_says_where_the_payload_hung() {
+        let amid_targets = Vector3::new(0.03, -0.02, 0.1);
+        let of = |kind: EffectKind| Identified {
+            terms: vec![Term::plain(kind, None, Vec::new())],
+            ..Identified::default()
+        };
+        let bare = evenly_spread(12);
+        let loaded = Dataset { largest_payload_kg: 5.0, ..evenly_spread(12) };
+        let bends = of(EffectKind::LinkBending);
+        assert_eq!(hangs_at_m(&bends, &loaded, amid_targets), Some(amid_targets));
+        assert_eq!(hangs_at_m(&bends, &bare, amid_targets), None);
+        assert_eq!(hangs_at_m(&of(EffectKind::JointOffset), &loaded, amid_targets), None);
     }
 }
