@@ -70,10 +70,11 @@ impl Library<'_> {
 
     /// Puts `candidate` into place `i`.
     fn replace(&mut self, search: &mut Search<'_>, i: usize, best: BestEffect) {
-        let BestEffect { candidate, gain_nats, peak } = best;
+        let BestEffect { candidate, own_nats, peak, .. } = best;
         let columns = self.columns_in_design(search.design, search.column_index, &[candidate]).concat();
         self.extend(search.design);
-        search.chosen[i] = ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio };
+        search.chosen[i] =
+            ChosenCause { candidate, columns, gain_nats: own_nats, size_ratio: peak.size_ratio };
     }
 
     /// Each chosen effect against all that were ever near, in its place.
@@ -128,11 +129,8 @@ impl Library<'_> {
                     continue;
                 }
                 Some((candidate, peak)) => {
-                    self.replace(
-                        search,
-                        i,
-                        BestEffect { candidate, gain_nats: peak.log_evidence - bare, peak },
-                    );
+                    let gain_nats = peak.log_evidence - bare;
+                    self.replace(search, i, BestEffect { candidate, gain_nats, own_nats: gain_nats, peak });
                     if candidate != this {
                         whole = nuisance;
                         whole.grow(search.design, search.subset, &search.chosen[i].columns);

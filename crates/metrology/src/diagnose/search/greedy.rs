@@ -107,7 +107,7 @@ impl Library<'_> {
                 ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
                     Hypothesis::Effect(c) if self.all_offsets(*c) => {
                         let gain_nats = r.log_evidence - ranking.null.log_evidence;
-                        Some(BestEffect { candidate: *c, gain_nats, peak: *r })
+                        Some(BestEffect { candidate: *c, gain_nats, own_nats: gain_nats, peak: *r })
                     }
                     _ => None,
                 });
@@ -130,10 +130,14 @@ impl Library<'_> {
             let candidates: Vec<usize> = first.iter().map(|best| best.candidate).collect();
             let columns = self.columns_in_design(search.design, search.column_index, &candidates);
             self.extend(search.design);
-            let wanted =
-                first.into_iter().zip(columns).map(|(BestEffect { candidate, gain_nats, peak }, columns)| {
-                    ChosenCause { candidate, columns, gain_nats, size_ratio: peak.size_ratio }
-                });
+            let wanted = first.into_iter().zip(columns).map(
+                |(BestEffect { candidate, own_nats, peak, .. }, columns)| ChosenCause {
+                    candidate,
+                    columns,
+                    gain_nats: own_nats,
+                    size_ratio: peak.size_ratio,
+                },
+            );
             for (i, mut one) in wanted.enumerate() {
                 // A further line may be the shadow of those before it: it must be clear beside them.
                 if i >= sure {
@@ -174,8 +178,54 @@ impl Library<'_> {
                 continue;
             }
             lines.push(c);
-            more.push(BestEffect { candidate: c, gain_nats, peak: *peak });
+            let own_nats = peak.log_evidence - ranking.null.log_evidence;
+            more.push(BestEffect { candidate: c, gain_nats, own_nats, peak: *peak });
         }
         more
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::{Twist, evenly_spread};
+    use crate::diagnose::design::Whitening;
+    use crate::diagnose::effects::{Candidate, testable_effects};
+    use robot_model::deform::EffectKind;
+    use robot_model::robot::Axis;
+
+    /// One line of joint 2's gear among hundreds that it could be: what it gains is the evidence of this line alone, for its prior is
+    /// asked for where its odds are worked out.
+    #[test]
+    fn a_line_that_is_added_holds_no_prior_in_its_evidence() {
+        let dataset = evenly_spread(150);
+        let lines: Vec<Candidate> = testable_effects(&dataset)
+            .candidates
+            .into_iter()
+            .filter(|c| c.kind == EffectKind::GearMesh && c.variant.joint == Some(Axis::at(1)))
+            .collect();
+        assert!(lines.len() > 50, "{}", lines.len());
+        let residuals: Vec<Twist> = dataset
+            .observations
+            .iter()
+            .enumerate()
+            .map(|(i, observation)| {
+                let turn_rad = 6e-5 * (17.0 * observation.q_rad[1]).sin();
+                let twist = observation.jacobian_column(1);
+                let noise_m = 3e-5 * ((i * 7919 % 101) as f64 / 50.0 - 1.0);
+                let along = |k| turn_rad * twist[k] + if k < 3 { noise_m } else { 0.0 };
+                Twist(std::array::from_fn(along))
+            })
+            .collect();
+        let whitening = Whitening::independent(vec![1.0; 150], 0.2);
+        let mut design = Design::new(&dataset, &residuals, 1, whitening, &[0; 150]);
+        let noise = NoisePrior::new(None, Some(3e-5));
+        let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
+        let mut library = Library::new(&design, &dataset, &lines);
+        let chosen = library.search(&mut design, &[0], noise, &mut BTreeMap::new(), 5.0, &[]);
+        let one = chosen.first().unwrap();
+        assert_eq!(lines[one.candidate].variant.n, Some(17));
+        let own = library.gain(&nuisance, &[0], one.candidate);
+        assert!((one.gain_nats - own).abs() < 1e-9, "{} {own}", one.gain_nats);
     }
 }

@@ -44,8 +44,10 @@ pub(crate) struct RankedHypothesis {
 pub(super) struct BestEffect {
     /// Index into the candidates.
     pub candidate: usize,
-    /// ln evidence of its effect over nothing, nats.
+    /// ln evidence of its effect over nothing, nats: of all that the effect could be, each with its share of the effect's prior.
     pub gain_nats: f64,
+    /// ln evidence of the candidate alone over nothing, without a prior, nats.
+    pub own_nats: f64,
     /// Its evidence, and where that peaks.
     pub peak: EvidencePeak,
 }
@@ -219,7 +221,8 @@ impl Library<'_> {
                 Hypothesis::Effect(c) => Some((*c, *r)),
                 _ => None,
             })?;
-        Some(BestEffect { candidate: best, gain_nats: self.effect_gain(ranking, best), peak })
+        let own_nats = peak.log_evidence - ranking.null.log_evidence;
+        Some(BestEffect { candidate: best, gain_nats: self.effect_gain(ranking, best), own_nats, peak })
     }
 
     /// ln evidence of the whole effect that `candidate` belongs to, over nothing.
