@@ -157,7 +157,7 @@ mod tests {
     use rapid_syntax::diagnostic::TextRange;
 
     fn edit(start: u32, end: u32, text: &str) -> Edit {
-        Edit { range: TextRange::new(start, end), text: text.as_bytes().to_vec() }
+        Edit { range: TextRange::new(start, end), text: text.as_bytes().into() }
     }
 
     fn diff(source: &str, edits: &[Edit]) -> String {

@@ -151,11 +151,12 @@ mod tests {
                 "  ! driftpost 1\n  LOCAL CONST robtarget tcp{{2}}:=[\n{}",
                 "    [[1,2,3]],\n".repeat(40)
             )
-            .into_bytes(),
+            .into_bytes()
+            .into(),
         }];
         edits.extend((0..motions as u32).map(|i| {
             let at = 9 + 14 * i + 8;
-            Edit { range: TextRange::new(at, at + 1), text: b"tcp{tcK()}".to_vec() }
+            Edit { range: TextRange::new(at, at + 1), text: b"tcp{tcK()}".as_slice().into() }
         }));
         let mut short = ShortDiff::default();
         (0..files).for_each(|_| short.add("a", "b", source.as_bytes(), &edits));

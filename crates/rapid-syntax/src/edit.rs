@@ -1,6 +1,7 @@
 //! Edits over source bytes: sorted, non-overlapping replacements.
 
 use crate::diagnostic::TextRange;
+pub use crate::edit_text::EditText;
 
 /// Replace the bytes of `range` by `text`; an empty range inserts.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -8,7 +9,7 @@ pub struct Edit {
     /// The bytes that are replaced.
     pub range: TextRange,
     /// The bytes that take their place.
-    pub text: Vec<u8>,
+    pub text: EditText,
 }
 
 /// Two edits of one list that cannot both be made, or one that lies outside the source.
@@ -27,12 +28,43 @@ pub enum EditError {
 /// # Errors
 /// [`EditError`] names the edits that cannot be made; the source is then not changed at all.
 pub fn apply(source: &[u8], edits: &[Edit]) -> Result<Vec<u8>, EditError> {
-    let mut order: Vec<&Edit> = edits.iter().collect();
-    order.sort_by_key(|e| (e.range.start, e.range.end)); // stable: insertions at one place keep their order
-    let grown: usize = order.iter().map(|e| e.text.len()).sum();
+    let grown: usize = edits.iter().map(|e| e.text.len()).sum();
     let mut out = Vec::with_capacity(source.len() + grown);
+    each_piece(source, edits, |piece| {
+        out.extend_from_slice(piece);
+        true
+    })?;
+    Ok(out)
+}
+
+/// Whether [`apply`] gives `expected`, without the memory of a text.
+///
+/// # Errors
+/// As [`apply`]; where a difference stands before the edits that cannot be made, that is told.
+pub fn gives(source: &[u8], edits: &[Edit], expected: &[u8]) -> Result<bool, EditError> {
+    let mut left = Some(expected);
+    each_piece(source, edits, |piece| {
+        left = left.and_then(|left| left.strip_prefix(piece));
+        left.is_some()
+    })?;
+    Ok(left.is_some_and(<[u8]>::is_empty))
+}
+
+/// Calls `visit` for the pieces of the source with all edits made, in their order, until it says no.
+fn each_piece<'a>(
+    source: &'a [u8],
+    edits: &'a [Edit],
+    mut visit: impl FnMut(&'a [u8]) -> bool,
+) -> Result<(), EditError> {
+    let key = |edit: &Edit| (edit.range.start, edit.range.end);
+    let mut order: Vec<&Edit> = Vec::new();
+    if !edits.is_sorted_by_key(key) {
+        order.extend(edits);
+        order.sort_by_key(|edit| key(edit)); // stable: insertions at one place keep their order
+    }
     let mut last = TextRange::empty(0);
-    for edit in order {
+    for (i, edit) in edits.iter().enumerate() {
+        let edit = order.get(i).copied().unwrap_or(edit);
         let range = edit.range;
         if range.end as usize > source.len() {
             return Err(EditError::Outside(range, source.len()));
@@ -40,12 +72,13 @@ pub fn apply(source: &[u8], edits: &[Edit]) -> Result<Vec<u8>, EditError> {
         if range.start < last.end {
             return Err(EditError::Overlap(last, range));
         }
-        out.extend_from_slice(&source[last.end as usize..range.start as usize]);
-        out.extend_from_slice(&edit.text);
+        if !visit(&source[last.end as usize..range.start as usize]) || !visit(&edit.text) {
+            return Ok(());
+        }
         last = range;
     }
-    out.extend_from_slice(&source[last.end as usize..]);
-    Ok(out)
+    visit(&source[last.end as usize..]);
+    Ok(())
 }
 
 #[cfg(test)]
@@ -53,7 +86,7 @@ mod tests {
     use super::*;
 
     fn edit(start: u32, end: u32, text: &str) -> Edit {
-        Edit { range: TextRange::new(start, end), text: text.as_bytes().to_vec() }
+        Edit { range: TextRange::new(start, end), text: text.as_bytes().into() }
     }
 
     #[test]
@@ -64,6 +97,23 @@ mod tests {
         );
         assert_eq!(out.unwrap(), b"start; MoveL tcp10{tcK()},v50;");
         assert_eq!(apply(b"abc", &[]).unwrap(), b"abc");
+    }
+
+    #[test]
+    fn what_edits_give_is_told_without_making_it() {
+        let edits = [edit(10, 14, "v50"), edit(6, 9, "tcp10{tcK()}"), edit(0, 0, "start; ")];
+        let source = b"MoveL p10,v100;";
+        let made = apply(source, &edits).unwrap();
+        assert_eq!(gives(source, &edits, &made), Ok(true));
+        for at in 0..made.len() {
+            let mut other = made.clone();
+            other[at] ^= 1;
+            assert_eq!(gives(source, &edits, &other), Ok(false), "{at}");
+            assert_eq!(gives(source, &edits, &made[..at]), Ok(false), "{at}");
+        }
+        assert_eq!(gives(source, &edits, &[&made[..], b";"].concat()), Ok(false));
+        let overlap = [edit(0, 3, "x"), edit(2, 4, "y")];
+        assert_eq!(gives(b"abcdef", &overlap, b"x"), apply(b"abcdef", &overlap).map(|_| true));
     }
 
     #[test]

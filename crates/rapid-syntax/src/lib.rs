@@ -14,6 +14,7 @@ mod data;
 mod declaration;
 mod difference;
 pub mod edit;
+mod edit_text;
 mod ending;
 mod expression;
 mod input;
@@ -36,7 +37,7 @@ mod warning;
 pub mod word;
 
 pub use difference::first_difference;
-pub use edit::{Edit, EditError, apply};
+pub use edit::{Edit, EditError, EditText, apply, gives};
 pub use literal::{leading_decimal, number_value, string_value};
 pub use numbers::{parts_of_numbers, ranges_of_numbers};
 pub use parse::{parse, parse_by_productions};

@@ -194,7 +194,8 @@ mod tests {
     #[test]
     fn what_two_lines_have_in_common_stands_once() {
         let source = b"MODULE m\n  MoveL p1,v5;\n  MoveL \xfc,v5;\nENDMODULE\n";
-        let edit = |start, end, text: &str| Edit { range: TextRange::new(start, end), text: text.into() };
+        let edit =
+            |start, end, text: &str| Edit { range: TextRange::new(start, end), text: text.as_bytes().into() };
         let edits = [edit(9, 9, "! made\n"), edit(17, 19, "tcP1{tcK()}"), edit(32, 33, "tcX{tcK()}")];
         let mut review = SourceReview::default();
         review.add("a.mod", "a_tc.mod", source, &edits);

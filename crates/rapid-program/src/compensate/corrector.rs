@@ -17,6 +17,7 @@ use super::warm_joints::{CommandedOrSkipped, commanded_joints_of_each};
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, SkipReason, Target};
+use crate::program::one_or_many::OneOrMany;
 use crate::schedule::Chosen;
 use robot_model::deform::DeformedArm;
 use std::sync::Arc;
@@ -73,19 +74,19 @@ impl Corrector<'_> {
     /// The plans of some motions, their points solved side by side.
     fn correct_some(&self, motions: &[Motion], resolved: &[Resolved]) -> Vec<MotionCorrection> {
         let placed = motions.iter().zip(resolved);
-        let points: Vec<Vec<Point<'_>>> =
+        let points: Vec<OneOrMany<Point<'_>>> =
             placed.map(|(motion, resolved)| resolved.points(motion, self.model).collect()).collect();
         let all: Vec<&Point<'_>> = points.iter().flatten().collect();
         let arms = self.at.arms().as_slice().iter();
         let warm: Vec<Vec<CommandedOrSkipped>> =
             arms.map(|arm| commanded_joints_of_each(&all, arm, self.model)).collect();
-        let mut at = 0;
-        let one = |((motion, resolved), points): ((&Motion, &Resolved), &Vec<Point<'_>>)| {
+        let (mut at, mut own_warm) = (0, Vec::with_capacity(warm.len()));
+        let one = |((motion, resolved), points): ((&Motion, &Resolved), &OneOrMany<Point<'_>>)| {
             let own = at..at + points.len();
             at = own.end;
-            let warm: Vec<&[CommandedOrSkipped]> =
-                warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()).collect();
-            self.correct((motion, resolved), points, &warm)
+            own_warm.clear();
+            own_warm.extend(warm.iter().map(|all| all.get(own.clone()).unwrap_or_default()));
+            self.correct((motion, resolved), points, &own_warm)
         };
         let mut made: Vec<MotionCorrection> = motions.iter().zip(resolved).zip(&points).map(one).collect();
         if let Some(ramp) = self.at.ramp() {

@@ -12,6 +12,7 @@ use super::resolved::Resolved;
 use crate::program::Program;
 use crate::program::data::{ConfData, JointTarget};
 use crate::program::motion::{Motion, MotionId, SkipReason, TargetValue};
+use crate::program::one_or_many::OneOrMany;
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::rad_from_deg;
@@ -116,7 +117,7 @@ impl Resolver<'_> {
                 let from = self.start_postures(motion, |before| done[before.index()].as_ref());
                 done[i] = Some(resolve_motion(
                     (&motions[i], self.hinted(motion), ahead.at(i)),
-                    &from,
+                    from,
                     self.model,
                     &mut last,
                     &mut messages,
@@ -137,7 +138,7 @@ impl Resolver<'_> {
             let from = self.start_postures(id, |before| resolved.get(before.index()));
             let again = resolve_motion(
                 (motion, self.hinted(id), None),
-                &from,
+                from,
                 self.model,
                 &mut None,
                 &mut Messages::default(),
@@ -155,20 +156,22 @@ impl Resolver<'_> {
 
 fn resolve_motion(
     (motion, hinted, ahead): (&Motion, &[Hinted], Option<&PlacedTarget>),
-    from: &[StartPosture],
+    mut from: Vec<StartPosture>,
     model: &Model,
     last: &mut Option<Arc<Placement>>,
     messages: &mut Messages,
 ) -> Resolved {
     let indexed =
         motion.targets.iter().any(|target| target.value().is_none() && !target.elements().is_empty());
-    let from = from.iter().map(|&from| if indexed { from.anywhere() } else { from }).collect();
+    if indexed {
+        from.iter_mut().for_each(|from| *from = from.anywhere());
+    }
     let placed = place_targets((motion, hinted, ahead), from, model, last, messages);
     let (placement, branches, failed) = match placed {
         Ok((placement, branches)) => (Some(placement), branches, None),
         Err(why) => (None, Vec::new(), Some(why)),
     };
-    let q_rad: Vec<[f64; 6]> = branches.iter().map(|branch| branch.q_rad).collect();
+    let joints: OneOrMany<[f64; 6]> = branches.iter().map(|branch| branch.q_rad).collect();
     let unknown = branches.iter().any(|branch| !branch.others.is_empty());
     let may_be = unknown.then(|| {
         let all = |branch: Branch| std::iter::once(branch.q_rad).chain(branch.others).collect();
@@ -177,12 +180,12 @@ fn resolve_motion(
     let skip_reason = match (&motion.skip_reason, failed) {
         (Some(why), _) => Some(Arc::clone(why)),
         (None, Some(why)) => Some(Arc::new(why)),
-        (None, None) => ill_posed(motion, &q_rad, model).map(Arc::new),
+        (None, None) => ill_posed(motion, &joints, model).map(Arc::new),
     };
     let ends_at_target = motion.skip_reason.is_none();
     Resolved {
         placement,
-        joints: q_rad.into_iter().collect(),
+        joints,
         skip_reason,
         conditions: None,
         indexed,

@@ -7,6 +7,7 @@ use super::ramp::{LEVER_M, Ramp, Sample, values};
 use super::resolved::Point;
 use super::warm_joints::{CommandedJoints, CommandedOrSkipped, commanded_joints_of_each};
 use crate::parallel;
+use crate::program::one_or_many::OneOrMany;
 use crate::schedule::Moment;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use robot_model::deform::Conditions;
@@ -18,7 +19,7 @@ const SIDE_BY_SIDE: usize = 256;
 /// Fills in what is left of each motion over all moments with the corrections as they are planned; `points` are those of each.
 pub(super) fn add_errors_of_ramp(
     made: &mut [MotionCorrection],
-    points: &[Vec<Point<'_>>],
+    points: &[OneOrMany<Point<'_>>],
     ramp: &Ramp,
     model: &Model<'_>,
 ) {

@@ -22,7 +22,7 @@ use crate::compensate::plan::Form;
 use crate::program::motion::{Motion, Origin, Path, Target, WobjArgument};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
-use rapid_syntax::{Edit, SourceFile};
+use rapid_syntax::{Edit, EditText, SourceFile};
 
 /// Data that are added for targets.
 pub(super) enum Declaration<'p> {
@@ -156,9 +156,9 @@ impl<'p> Added<'p> {
         let name = context.names.core(function);
         let (start, end) = (range.start as usize, range.end as usize);
         let added = name.len() + arguments.len() + 2;
-        let mut before = name.as_bytes().to_vec();
-        before.push(b'(');
-        let mut behind = Vec::new();
+        let mut before = EditText::from(name.as_bytes());
+        before.extend_from_slice(b"(");
+        let mut behind = EditText::default();
         if insertion::line_length(&file.bytes, start) + added > MAX_LINE {
             before.extend_from_slice(style.eol);
         }
@@ -166,7 +166,7 @@ impl<'p> Added<'p> {
             behind.extend_from_slice(style.eol);
         }
         behind.extend_from_slice(arguments);
-        behind.push(b')');
+        behind.extend_from_slice(b")");
         self.edits.push(Edit { range: TextRange::empty(range.start), text: before });
         self.edits.push(Edit { range: TextRange::empty(range.end), text: behind });
     }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::change::{changes, check_plan};
+use super::checksum::hex;
 use super::clock::Law;
 use super::context::{Changes, EmitContext};
 use super::core_module::core_file;
@@ -11,13 +12,14 @@ use super::header;
 use super::hidden;
 use super::module;
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
-use super::restore::restore;
+use super::restore::{gives_back, restore};
 use crate::compensate::plan::Plan;
 use crate::parallel;
 use crate::program::{Program, task_of};
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{DataKind, FileItem, ModuleItem, Scope};
 use rapid_syntax::{Edit, SourceFile, apply};
+use sha2::{Digest, Sha256};
 
 /// Emits `program` with the targets of `plan`: the changed files, and `tcCore` where the core is separate.
 ///
@@ -112,18 +114,19 @@ pub fn compensated_at(file: &SourceFile) -> Option<u32> {
 /// A changed file, proved to give its original back.
 fn emitted_file(context: &EmitContext<'_>, id: FileId, changes: &Changes) -> Result<EmittedFile, EmitError> {
     let file = context.program.file(id);
+    let source_sha256 = hex(&Sha256::digest(&file.bytes));
     let mut edits: Vec<Edit> = Vec::new();
     for (&(_, index), motions) in changes.range((id, 0)..=(id, usize::MAX)) {
         let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
-        edits.extend(module::edits(context, (file, module), motions)?);
+        edits.extend(module::edits(context, (file, module), motions, &source_sha256)?);
     }
     edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
     let mut bytes = apply(&file.bytes, &edits)
         .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
     digest::seal(&mut bytes, &mut edits);
-    let back = restore(&bytes).map(|restored| restored.exact && restored.bytes == *file.bytes);
-    if back != Ok(true) {
-        let what = back.err().map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
+    if !gives_back(&bytes, (&file.bytes, &source_sha256)) {
+        let why = restore(&bytes).err();
+        let what = why.map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
         return Err(EmitError::NotRestored { path: file.path.clone().into(), what });
     }
     Ok(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits })

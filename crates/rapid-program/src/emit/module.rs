@@ -1,11 +1,9 @@
 //! The edits of one module: its corrected targets or corrections, what the motions ask instead of their targets, the
 //! comment block.
 
-use sha2::{Digest, Sha256};
-
 use super::added::{Added, Declaration};
 use super::aggregate::Singles;
-use super::checksum::{self, hex};
+use super::checksum;
 use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
@@ -15,11 +13,13 @@ use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
 
-/// The edits of a module; `motions`: the compensated ones, positions in [`Program::motions`](crate::program::Program::motions).
+/// The edits of a module; `motions`: the compensated ones, positions in [`Program::motions`](crate::program::Program::motions);
+/// `source_sha256`: of the file as it was read.
 pub(super) fn edits(
     context: &EmitContext<'_>,
     (file, module): (&SourceFile, &Module),
     motions: &[usize],
+    source_sha256: &str,
 ) -> Result<Vec<Edit>, EmitError> {
     let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
     let end = insertion::routines(&file.bytes, module).ok_or_else(no_end)?;
@@ -36,7 +36,7 @@ pub(super) fn edits(
     }
     let checksums = write(&added.declarations, &mut text, &style)?;
     let record = Record {
-        source_sha256: hex(&Sha256::digest(&file.bytes)),
+        source_sha256: source_sha256.to_owned(),
         source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
         is_core: false,
         settings: context.settings.clone(),
@@ -61,7 +61,7 @@ pub(super) fn edits(
             text.drain(..blanks);
         }
         if !text.is_empty() {
-            edits.push(Edit { range: TextRange::empty(at), text });
+            edits.push(Edit { range: TextRange::empty(at), text: text.into() });
         }
     };
     put(insertion::header(&file.bytes, module), block);

@@ -24,7 +24,7 @@ use comment_block::{comment_block, header_of};
 use lines::Lines;
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::FileItem;
-use rapid_syntax::{apply, parse};
+use rapid_syntax::{Edit, apply, gives, parse};
 use removal::{Remover, removal};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeSet;
@@ -53,6 +53,37 @@ pub struct Restored {
 /// # Errors
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
 pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
+    let TakenApart { edits, added, source_sha256, source_name, touched, altered } = take_apart(bytes)?;
+    let restored =
+        apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
+    check_nothing_is_left(&restored, &added)?;
+    let exact = hex(&Sha256::digest(&restored)) == source_sha256;
+    Ok(Restored { bytes: restored, source_name, touched, altered, exact })
+}
+
+/// Whether [`restore`] gives exactly `original`, whose SHA-256 is `sha256`; without the memory of its text.
+pub(super) fn gives_back(bytes: &[u8], (original, sha256): (&[u8], &str)) -> bool {
+    take_apart(bytes).is_ok_and(|TakenApart { edits, added, source_sha256, .. }| {
+        source_sha256 == sha256
+            && gives(bytes, &edits, original) == Ok(true)
+            && check_nothing_is_left(original, &added).is_ok()
+    })
+}
+
+/// What makes an original of an emitted module.
+struct TakenApart {
+    /// In the order of their places.
+    edits: Vec<Edit>,
+    /// Names that were added, in lower case.
+    added: BTreeSet<Vec<u8>>,
+    /// As the comment block says.
+    source_sha256: String,
+    source_name: String,
+    touched: Vec<ModifiedTarget>,
+    altered: Vec<Altered>,
+}
+
+fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
     let (tree, _) = parse(bytes);
     let lines = Lines::new(bytes);
     let mut edits = Vec::new();
@@ -94,14 +125,10 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
         added.extend(ASKED.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));
     }
-    let (sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
+    let (source_sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
     edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
-    let restored =
-        apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
-    check_nothing_is_left(&restored, &added)?;
-    let exact = hex(&Sha256::digest(&restored)) == sha256;
     altered.sort_by_key(Altered::line);
-    Ok(Restored { bytes: restored, source_name, touched, altered, exact })
+    Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
 }
 
 /// Whether what was added is named nowhere in what is left; `added`: names in lower case.

@@ -110,7 +110,7 @@ fn solve_poses(chain: &Chain, goals: &[Isometry3<f64>], start_q_rad: &[f64; 6]) 
 /// The same from joints of their own.
 #[inline(never)]
 fn solve_poses_from(chain: &Chain, some: &[(Isometry3<f64>, [f64; 6])]) -> Found<Lanes> {
-    let goals: Vec<Isometry3<f64>> = some.iter().map(|(goal, _)| *goal).collect();
+    let goals: [Isometry3<f64>; LANES] = std::array::from_fn(|k| some.get(k).unwrap_or(&some[0]).0);
     let start_q_rad: [Lanes; 6] = std::array::from_fn(|j| lanes::gather(some, |(_, q_rad)| q_rad[j]));
     on_widest(SolveEight { frames: chain, goal: &eight_poses(&goals), start_q_rad: &start_q_rad })
 }

@@ -41,7 +41,8 @@ impl FlangePoints {
             sin_cos: sin_cos_eight(std::array::from_fn(|j| lanes::gather(some, |(q_rad, _)| q_rad[j]))),
             on_flange_m: std::array::from_fn(|k| lanes::gather(some, |(_, on_flange_m)| on_flange_m[k])),
         };
-        let eights = points.chunks(LANES).filter(|some| worth_it(some.len())).map(eight).collect();
+        let mut eights = Vec::with_capacity(points.len().div_ceil(LANES));
+        eights.extend(points.chunks(LANES).filter(|some| worth_it(some.len())).map(eight));
         Self { points, eights }
     }
 

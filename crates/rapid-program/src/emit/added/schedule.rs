@@ -9,7 +9,7 @@ use crate::emit::context::EmitContext;
 use crate::emit::options::EmitError;
 use crate::emit::target::{ArrayRow, TargetArray, as_it_is, distance, first_element};
 use crate::program::motion::{Motion, Origin, Target, TargetValue};
-use rapid_syntax::{Edit, SourceFile};
+use rapid_syntax::{Edit, EditText, SourceFile};
 use std::borrow::Cow;
 
 impl<'p> Added<'p> {
@@ -127,15 +127,16 @@ fn with_elements_that_never_occur<'p>(
 }
 
 /// What stands in a motion for its `k`-th target: the array's element of the bucket in force.
-fn element(context: &EmitContext<'_>, array: &str, index: Option<&[u8]>, k: usize) -> Vec<u8> {
+fn element(context: &EmitContext<'_>, array: &str, index: Option<&[u8]>, k: usize) -> EditText {
     // The second point of an arc sees the moment of the first.
     let element = context.names.core(if k == 0 { "tcK" } else { "tcI" });
-    let element = if k == 0 { format!("{element}()") } else { element.to_owned() };
-    let mut text = format!("{array}{{").into_bytes();
+    let mut text = EditText::from(array.as_bytes());
+    text.extend_from_slice(b"{");
     if let Some(index) = index {
         text.extend_from_slice(index);
-        text.push(b',');
+        text.extend_from_slice(b",");
     }
-    text.extend_from_slice(format!("{element}}}").as_bytes());
+    text.extend_from_slice(element.as_bytes());
+    text.extend_from_slice(if k == 0 { b"()}" } else { b"}" });
     text
 }

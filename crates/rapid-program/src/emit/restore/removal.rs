@@ -11,7 +11,7 @@ use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Fingerprints};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
-use rapid_syntax::{Edit, ranges_of_numbers};
+use rapid_syntax::{Edit, EditText, ranges_of_numbers};
 
 /// Functions that stand round a target.
 const ROUND: [&str; 7] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
@@ -239,7 +239,7 @@ impl<'w> Remover<'w> {
                     (None, Some(Some(new))) if !into => new.text.clone(),
                     (None, _) => array.was.clone(),
                 };
-                self.edits.push(Edit { range: one.expr, text });
+                self.edits.push(Edit { range: one.expr, text: text.into() });
             }
             for new in meant.iter().flatten() {
                 touched.push(ModifiedTarget {
@@ -284,7 +284,7 @@ impl<'w> Remover<'w> {
                 continue;
             };
             if of_one.iter().all(|(_, named)| new(named).is_some_and(|new| new.agrees(first))) {
-                self.edits.push(Edit { range: init, text: first.text.clone() });
+                self.edits.push(Edit { range: init, text: first.text.as_slice().into() });
                 done.extend(of_one.iter().map(|(_, named)| named.name.as_str()));
             }
         }
@@ -302,7 +302,7 @@ impl<'w> Remover<'w> {
                     self.damaged(array.range, "an element was touched up whose array is not declared here")
                 );
             };
-            self.edits.push(Edit { range: *range, text: new.text.clone() });
+            self.edits.push(Edit { range: *range, text: new.text.as_slice().into() });
         }
         Ok(())
     }
@@ -341,7 +341,7 @@ impl<'w> Remover<'w> {
 }
 
 pub(super) fn removal(range: TextRange) -> Edit {
-    Edit { range, text: Vec::new() }
+    Edit { range, text: EditText::default() }
 }
 
 /// Whether it is a name, and no expression.
