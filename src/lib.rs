@@ -78,7 +78,8 @@ mod report;
 ///
 /// let robot = Robot::built_in("irb140").expect("it is one of the library's");
 /// let cube = ProgramFiles::one("Cube45.mod", *include_bytes!("../fixtures/robodk/irc5/Cube45.mod"));
-/// let made = Compensation::new(robot.clone(), Deformation::paper()).in_form(FormChoice::Ramp).run(&cube)?;
+/// let compensation = Compensation::new(robot.clone(), Deformation::paper()).in_form(FormChoice::Ramp);
+/// let made = compensation.run(&cube)?;
 /// let corrected = ProgramFiles::one("Cube45.mod", made.text().expect("one module"));
 ///
 /// let morning = Scenario::from_toml("steps = [\"call tcColdStart\", \"run 60\", \"stand 45\", \"run 30\"]")?;
