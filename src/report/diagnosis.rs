@@ -89,6 +89,12 @@ fn poses_below(d: &Findings) -> String {
         times => format!(" {times} times each ({} rows)", step.rows),
     };
     let cold = if step.from_cold { ", on a new warm-up from a cold start" } else { "" };
+    let nests = match step.base_nests {
+        0 => String::new(),
+        n => format!(
+            ", and at each of them {n} nests on the base, as far from its axis as can be (rows with kind = base, their fixed_id and the arm's joints and payload)"
+        ),
+    };
     let decides = match d.verdict {
         Verdict::Ambiguous if step.decides => ": that is expected to decide",
         Verdict::Ambiguous => ": that may not be enough",
@@ -98,7 +104,7 @@ fn poses_below(d: &Findings) -> String {
         Some(other) if d.verdict == Verdict::Ambiguous => format!("; or {other}"),
         _ => String::new(),
     };
-    format!("measure the {n} poses below{times}{cold}, {}{decides}{other}", step.reason)
+    format!("measure the {n} poses below{times}{cold}{nests}, {}{decides}{other}", step.reason)
 }
 
 /// What to do with this verdict.

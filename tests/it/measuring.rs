@@ -318,7 +318,11 @@ fn other_programs_layouts_say_the_same() {
     assert_eq!((nests.len(), &sa.fixed_points[..]), (6, &["N1", "N2", "N3"].map(String::from)[..]));
     assert_eq!(
         nests[4].reading,
-        Reading::Nest { fixed_point: 1, position_m: Vector3::new(1.7000105, -0.9005, -0.7995) }
+        Reading::Nest {
+            fixed_point: 1,
+            position_m: Vector3::new(1.7000105, -0.9005, -0.7995),
+            with_joints: false,
+        }
     );
 
     let robodk = joined("robodk_tracker.csv", "robodk.toml", MatchBy::Order);

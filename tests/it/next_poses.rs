@@ -1,8 +1,9 @@
 //! Whether the poses that the diagnosis proposes decide what it left open: they are measured on the same withheld robot, and so
-//! are as many random ones.
+//! are as many random ones. Nests on the base, which the exam has none of, are asked for over a fixture.
 //!
 //! `cargo test --release --test it next_poses:: -- --ignored --nocapture` prints the figures that stand in docs/EXAM.md.
 
+use assert_cmd::Command;
 use driftpost::application::Diagnosis;
 use exam::generate::{DataSet, continued_set, data_set};
 use exam::mixture::recipe;
@@ -16,6 +17,9 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 use robot_model::robot::{Axis, Joints, SerialArm};
 use robot_model::units::{m_from_mm, rad_from_deg};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
 
 /// Open sets that are gone on with.
 const OPEN: usize = 100;
@@ -222,4 +226,30 @@ fn the_poses_proposed_resolve_more_than_random_ones() {
     assert_eq!(open, OPEN);
     assert!(aimed > chance, "{aimed} of {open} by the poses proposed, {chance} by random ones");
     assert!(20 * wrong <= open, "{wrong} of {open} are wrong");
+}
+
+/// The JSON of `diagnose` over a file of `fixtures/next_measurements`.
+fn of_fixture(name: &str) -> Value {
+    let folder = Path::new("fixtures/next_measurements");
+    let out = tempfile::tempdir().unwrap();
+    let json = out.path().join("out.json");
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.arg("diagnose").arg(folder.join(name)).arg("--robot").arg(folder.join("robot.toml"));
+    command.args(["--tool", "29.1,28.7,60.9", "--sigma-mm", "0.02"]).arg("--json").arg(&json);
+    command.assert().success();
+    serde_json::from_str(&fs::read_to_string(json).unwrap()).unwrap()
+}
+
+/// A tilt of the base and the bending of link 1 look alike at any pose; nests on the base move with one of them alone.
+#[test]
+fn nests_on_the_base_are_asked_for_where_poses_cannot_tell_and_do_tell() {
+    let before = of_fixture("before.csv");
+    assert_eq!(before["verdict"], "ambiguous");
+    let step = &before["next_step"];
+    let poses = before["next_measurements"].as_array().unwrap().len();
+    assert_eq!(step["base_nests"], 3);
+    assert!(poses > 0 && step["rows"] == 4 * poses, "{step}");
+    let after = of_fixture("after.csv");
+    assert_eq!(after["verdict"], "explained");
+    assert_eq!(after["causes"][0]["effect"], "base_tilt");
 }

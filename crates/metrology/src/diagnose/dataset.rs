@@ -110,6 +110,9 @@ impl Observation {
             let payload_kg = station.payload_kg.unwrap_or(0.0);
             loads = loads_at(robot.geometry(), &frames, &axes, payload_at_m, payload_kg);
         } else {
+            if matches!(station.reading, Reading::Nest { with_joints: true, .. }) {
+                loads = base_loads(robot, chain, registration, station);
+            }
             axes = Joints::all(joints, Vector3::zeros());
             flange = Matrix3::zeros();
             parents.iter_mut().skip(1).for_each(|parent| *parent = Matrix3::zeros());
@@ -242,6 +245,27 @@ impl Observation {
         } else {
             self.rotation_about(&axis, &self.origins_m[i])
         }
+    }
+}
+
+/// What weighs on the base while a nest on it is read; nothing else under load moves the nest.
+fn base_loads(
+    robot: &SerialArm,
+    chain: &SerialChain,
+    registration: &Registration,
+    station: &Station,
+) -> Loads {
+    let frames = chain.frames(&station.q_rad);
+    let joints = chain.joints();
+    let axes = Joints::from_fn(joints, |j| frames[j].rotation * robot.joints[j].axis.into_inner());
+    let flange = chain.forward(&station.q_rad);
+    let payload_at_m = flange.translation.vector + flange.rotation * registration.payload_m();
+    let payload_kg = station.payload_kg.unwrap_or(0.0);
+    let all = loads_at(robot.geometry(), &frames, &axes, payload_at_m, payload_kg);
+    Loads {
+        base_moment_n_m: all.base_moment_n_m,
+        link_base_moment_n_m: all.link_base_moment_n_m,
+        ..Loads::default()
     }
 }
 

@@ -159,6 +159,8 @@ pub struct NextStep {
     pub rows: usize,
     /// Readings of each pose.
     pub readings_per_pose: usize,
+    /// Nests on the base that are read at each pose, with the arm's joints in their rows; 0: none.
+    pub base_nests: usize,
     /// To be measured on a new warm-up, from a cold start.
     pub from_cold: bool,
     /// By how much the ln odds of the right cause over the nearest wrong one are expected to grow.

@@ -87,7 +87,9 @@ pub fn signatures(
         .enumerate()
         .map(|(i, m)| {
             let reading = match m.nest {
-                Some((fixed_point, position_m)) => Reading::Nest { fixed_point, position_m },
+                Some((fixed_point, position_m)) => {
+                    Reading::Nest { fixed_point, position_m, with_joints: false }
+                }
                 None => Reading::Point { position_m: Vector3::zeros() },
             };
             let involves_arm = m.nest.is_none();

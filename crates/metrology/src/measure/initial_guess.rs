@@ -24,11 +24,36 @@ pub(super) fn without_fit(
 
 /// The registration with its fixed points where base and targets put them.
 pub(super) fn with_fixed_points(
+    fit: Registration,
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+) -> Registration {
+    let all: Vec<usize> = (0..fit.fixed_points_m.len()).collect();
+    placed(fit, &all, stations, poses)
+}
+
+/// The registration of the stations of a `part` with the fixed points that none of them shows where all `stations` put them.
+pub(super) fn with_fixed_points_beyond(
+    part: &[Station],
     mut fit: Registration,
     stations: &[Station],
     poses: &[Isometry3<f64>],
 ) -> Registration {
-    for fixed_point in 0..fit.fixed_points_m.len() {
+    let last = stations.iter().filter_map(|s| s.reading.fixed_point()).max();
+    fit.fixed_points_m.resize(last.map_or(0, |last| last + 1), Vector3::zeros());
+    let shown = |fixed_point: &usize| part.iter().any(|s| s.reading.fixed_point() == Some(*fixed_point));
+    let beyond: Vec<usize> = (0..fit.fixed_points_m.len()).filter(|p| !shown(p)).collect();
+    placed(fit, &beyond, stations, poses)
+}
+
+/// The registration with `fixed_points` placed anew by the stations that show them.
+fn placed(
+    mut fit: Registration,
+    fixed_points: &[usize],
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+) -> Registration {
+    for &fixed_point in fixed_points {
         let here =
             || stations.iter().zip(poses).filter(|(s, _)| s.reading.fixed_point() == Some(fixed_point));
         let mut sum = Vector3::zeros();
@@ -70,9 +95,13 @@ struct WireLength {
     length_m: f64,
 }
 
-/// The point from which points lie as far as measured: |p|^2 - L^2 = 2 p.w - |w|^2, linear in w and |w|^2.
+/// The point from which points lie as far as measured: |p|^2 - L^2 = 2 p.w - |w|^2, linear in w and |w|^2;
+/// `None` of no length.
 fn trilaterated(lengths: &[WireLength]) -> Option<Vector3<f64>> {
     let n = lengths.len();
+    if n == 0 {
+        return None;
+    }
     let rows = DMatrix::from_fn(n, 4, |r, c| if c < 3 { 2.0 * lengths[r].from_m[c] } else { -1.0 });
     let right = DVector::from_fn(n, |r, _| lengths[r].from_m.norm_squared() - lengths[r].length_m.powi(2));
     let solved = rows.svd(true, true).solve(&right, 1e-9).ok()?;

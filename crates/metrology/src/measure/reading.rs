@@ -14,12 +14,14 @@ pub enum Reading {
         /// In the instrument's frame, metres.
         position_m: Vector3<f64>,
     },
-    /// A nest on base or floor, in the instrument's frame; the arm has no part in it.
+    /// A nest on base or floor, in the instrument's frame; the arm does not carry it.
     Nest {
         /// Index of the fixed point.
         fixed_point: usize,
         /// In the instrument's frame, metres.
         position_m: Vector3<f64>,
+        /// Whether its row says where the arm stood, whose weight tilts the base.
+        with_joints: bool,
     },
     /// The tip touches a fixed point: a closed loop without an instrument.
     Touch {
@@ -90,7 +92,9 @@ impl Reading {
     pub fn with_coordinates_m(&self, coordinates_m: Vector3<f64>) -> Self {
         match *self {
             Self::Point { .. } => Self::Point { position_m: coordinates_m },
-            Self::Nest { fixed_point, .. } => Self::Nest { fixed_point, position_m: coordinates_m },
+            Self::Nest { fixed_point, with_joints, .. } => {
+                Self::Nest { fixed_point, position_m: coordinates_m, with_joints }
+            }
             Self::Length { fixed_point, .. } => Self::Length { fixed_point, length_m: coordinates_m.x },
             Self::Touch { fixed_point } => Self::Touch { fixed_point },
         }

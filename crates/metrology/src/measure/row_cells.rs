@@ -209,6 +209,10 @@ impl RowCells<'_> {
         Ok(Vector3::new(self.length_m(x)?, self.length_m(y)?, self.length_m(z)?))
     }
 
+    fn has_joints(&self) -> bool {
+        self.columns.joints.iter().all(|name| !self.empty(name))
+    }
+
     /// What the row saw; `fixed_point` numbers fixed points by kind and name.
     pub(super) fn reading(
         &self,
@@ -223,6 +227,7 @@ impl RowCells<'_> {
             return Ok(Reading::Nest {
                 fixed_point: fixed_point("nest", &name),
                 position_m: self.position_m()?,
+                with_joints: self.has_joints(),
             });
         }
         if !kind.is_empty() && !kind.eq_ignore_ascii_case("pose") {
@@ -251,7 +256,7 @@ impl RowCells<'_> {
         target: usize,
         reading: Reading,
     ) -> Result<MeasurementRow, MeasureError> {
-        let q_rad = if reading.involves_arm() || self.columns.joints.iter().all(|name| !self.empty(name)) {
+        let q_rad = if reading.involves_arm() || self.has_joints() {
             self.joints()?
         } else {
             Joints::all(self.columns.joints.len(), 0.0)

@@ -20,7 +20,7 @@ pub struct MeasurementRow {
     pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
-    /// Joints, radians, those that slide metres; at a nest they say nothing.
+    /// Joints, radians, those that slide metres; at a nest where the arm stood, 0 where its row does not say.
     pub q_rad: Joints,
     /// What the instrument, or the touch, gave.
     pub reading: Reading,

@@ -27,7 +27,7 @@ pub struct Station {
     pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
-    /// Joints; at a nest they say nothing.
+    /// Joints; at a nest where the arm stood, 0 where its row does not say.
     pub q_rad: Joints,
     /// What was measured, the mean of the rows.
     pub reading: Reading,
@@ -150,19 +150,21 @@ pub fn alone(measurements: &Measurements, used: &[usize]) -> Vec<Station> {
     used.iter().filter_map(|&index| mean(&measurements.rows, &[index], &pose_of)).collect()
 }
 
-/// The pose of each kept row: its `pose_id`, or, without that column, equal joints; a nest is a pose of its own.
+/// The pose of each kept row: its `pose_id`, or, without that column, equal joints; a nest is a pose of its own, one for each stand of the arm.
 pub(super) fn pose_numbers(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
     let rows = used.iter().filter_map(|&i| measurements.rows.get(i));
     if measurements.channels.pose_id {
         return rows.map(|row| row.pose).collect();
     }
     let mut seen: BTreeMap<Joints<u64>, usize> = BTreeMap::new();
-    let mut nests: BTreeMap<usize, usize> = BTreeMap::new();
+    let mut nests: BTreeMap<(usize, Joints<u64>), usize> = BTreeMap::new();
     let mut touched: BTreeMap<usize, Vec<(Joints, usize)>> = BTreeMap::new();
     let mut next = 0;
     rows.map(|row| {
         let pose = match row.reading {
-            Reading::Nest { fixed_point, .. } => *nests.entry(fixed_point).or_insert(next),
+            Reading::Nest { fixed_point, .. } => {
+                *nests.entry((fixed_point, row.q_rad.map(f64::to_bits))).or_insert(next)
+            }
             Reading::Touch { fixed_point } => {
                 let known = touched.entry(fixed_point).or_default();
                 let near = |q: &Joints| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);

@@ -11,9 +11,7 @@ pub(super) fn other_means(kinds: &[EffectKind], channels: &Channels) -> Option<&
     };
     let has = |list: &[EffectKind]| kinds.iter().any(|k| list.contains(k));
     if has(&[InstrumentScale]) {
-        return Some(
-            "measure a scale bar, or the same poses from a second stand of the instrument: lengths then count apart from links",
-        );
+        return Some("measure a scale bar: lengths then count apart from links");
     }
     if has(&[BaseDrift, BaseStep]) {
         return Some(

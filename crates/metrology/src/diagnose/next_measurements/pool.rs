@@ -12,6 +12,8 @@ use robot_model::robot::{Joints, SerialArm};
 use std::f64::consts::TAU;
 
 const CANDIDATES: usize = 400;
+/// With nests each takes four times the arithmetic.
+const CANDIDATES_WITH_NESTS: usize = 150;
 /// Away from the ends of the joints' ranges, share of the range.
 const MARGIN: f64 = 0.05;
 /// The measured point stays this far above the base's plane, metres.
@@ -26,11 +28,25 @@ pub(super) enum When {
     FromCold,
 }
 
+/// What is measured at each pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Setup {
+    /// When the poses are measured.
+    pub when: When,
+    /// Whether nests on the base are read at each pose.
+    pub with_nests: bool,
+}
+
+/// Nests on the base.
+pub(super) const NESTS: usize = 3;
+/// How far they are from the base's axis, metres.
+const NEST_RADIUS_M: f64 = 0.4;
+
 /// A pose that could be measured next.
 #[derive(Clone, Debug)]
 pub(super) struct PoolPose {
-    /// The arm as it would stand there.
-    pub observation: Observation,
+    /// The arm as it would stand there, and the nests on the base that are read meanwhile.
+    pub observations: Vec<Observation>,
     /// As it is written.
     pub next: NextMeasurement,
 }
@@ -40,7 +56,7 @@ pub(super) fn pool(
     robot: &SerialArm,
     linear: &Linearised,
     options: &DiagnosisOptions,
-    when: When,
+    Setup { when, with_nests }: Setup,
     most: usize,
 ) -> Vec<PoolPose> {
     let dataset = &linear.dataset;
@@ -53,8 +69,10 @@ pub(super) fn pool(
     let registration = Registration {
         instrument_from_base: Isometry3::identity(),
         tools_m: vec![tool_m],
+        fixed_points_m: linear.registration.fixed_points_m.iter().copied().chain(nests_m()).collect(),
         ..linear.registration.clone()
     };
+    let first_nest = linear.registration.fixed_points_m.len();
     let most_kg = dataset.largest_payload_kg;
     let payloads_kg = match dataset.channels.payload {
         true => vec![0.0, if most_kg > 0.0 { most_kg } else { USUAL_PAYLOAD_KG }],
@@ -63,8 +81,9 @@ pub(super) fn pool(
     let ranges = ranges(robot, linear);
     let last = dataset.observations.iter().max_by(|a, b| a.clock().total_cmp(&b.clock()));
     let mut all = Vec::new();
-    for _ in 0..20 * CANDIDATES {
-        if all.len() == CANDIDATES {
+    let candidates = if with_nests { CANDIDATES_WITH_NESTS } else { CANDIDATES };
+    for _ in 0..20 * candidates {
+        if all.len() == candidates {
             break;
         }
         let mut q_rad = Joints::all(robot.joints.len(), 0.0);
@@ -108,9 +127,20 @@ pub(super) fn pool(
             continue;
         }
         let next = NextMeasurement { q_deg: robot.in_deg_or_mm(&q_rad), payload_kg, dir: direction };
-        all.push(PoolPose { observation, next });
+        let nests = (first_nest..first_nest + NESTS).filter(|_| with_nests).map(|fixed_point| {
+            let reading = Reading::Nest { fixed_point, position_m: Vector3::zeros(), with_joints: true };
+            Observation::new(robot, &chain, &registration, &Station { reading, ..station.clone() })
+        });
+        let observations = std::iter::once(observation).chain(nests).collect();
+        all.push(PoolPose { observations, next });
     }
     all
+}
+
+/// Where nests on the base are taken to stand, base frame.
+fn nests_m() -> impl Iterator<Item = Vector3<f64>> {
+    let angles = (0..NESTS).map(|n| TAU * n as f64 / NESTS as f64);
+    angles.map(|angle| Vector3::new(NEST_RADIUS_M * angle.cos(), NEST_RADIUS_M * angle.sin(), 0.0))
 }
 
 /// What is hung on where the file has payloads and all are 0, kg.

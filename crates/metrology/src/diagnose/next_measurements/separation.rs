@@ -32,7 +32,9 @@ pub(super) struct Pair {
     pub weight: f64,
     /// Columns of the one that is taken to be true, with their coefficients.
     pub signal: Vec<Coefficient>,
-    /// Which of the alternatives' models is fitted to it.
+    /// Which of the models it is the signal of.
+    pub model: usize,
+    /// Which of the models is fitted to it.
     pub fitted: usize,
     /// The probability that it is true, over both.
     pub truth: f64,
@@ -90,14 +92,84 @@ impl RivalModel {
 /// What each pair misses at each pose of a pool, while poses are taken.
 pub(super) struct Separation {
     sigma_m: f64,
+    /// Rows of a pose.
     rows: usize,
+    poses: usize,
     pairs: Vec<Pair>,
-    /// For each alternative's model, pose and row: the row in axes in which its uncertainty is round.
-    spread: Vec<Vec<Vec<DVector<f64>>>>,
-    /// For each pair, pose and row: what the alternative misses, metres.
-    missed_m: Vec<Vec<Vec<f64>>>,
+    /// What each rival's model knows of the rows of the pool.
+    models: Vec<Prediction>,
+    /// For each pair, pose by pose and row by row: what the rival misses, metres.
+    missed_m: Vec<Vec<f64>>,
     /// L of each pair over the poses taken.
     lambda: Vec<f64>,
+}
+
+/// How surely one model foretells the rows of each pose of the pool.
+struct Prediction {
+    /// Columns of the model.
+    width: usize,
+    /// Pose by pose and row by row: the row in axes in which the model's uncertainty is round.
+    spread: Vec<f64>,
+    /// How surely the rows of each pose are foretold.
+    covers: Vec<Cover>,
+}
+
+/// The covariance of a pose's rows over the noise's variance, row by row.
+struct Cover {
+    covariance: Vec<f64>,
+    inverse: Vec<f64>,
+    log_determinant: f64,
+}
+
+impl Cover {
+    fn new(covariance: DMatrix<f64>) -> Self {
+        let flat = covariance.as_slice().to_vec();
+        let n = covariance.nrows();
+        // What nothing is known of parts nothing.
+        let unknown = (vec![0.0; n * n], f64::INFINITY);
+        let (inverse, log_determinant) = covariance.cholesky().map_or(unknown, |factor| {
+            let log = factor.l_dirty().diagonal().iter().map(|d| 2.0 * d.ln()).sum();
+            (factor.inverse().as_slice().to_vec(), log)
+        });
+        Self { covariance: flat, inverse, log_determinant }
+    }
+}
+
+impl Prediction {
+    fn new(
+        model: &RivalModel,
+        factor: &Cholesky<f64, nalgebra::Dyn>,
+        pool: &[Vec<Vec<f64>>],
+        rows: usize,
+    ) -> Self {
+        let (width, lower) = (model.columns.len(), factor.l());
+        let mut spread = Vec::with_capacity(pool.len() * rows * width);
+        for row in pool.iter().flatten() {
+            let z = DVector::from_iterator(width, model.columns.iter().map(|c| row[c.column]));
+            let z = lower.solve_lower_triangular(&z).unwrap_or(z);
+            spread.extend(z.iter());
+        }
+        let mut prediction = Self { width, spread, covers: Vec::new() };
+        prediction.cover(rows, pool.len());
+        prediction
+    }
+
+    fn row(&self, index: usize) -> &[f64] {
+        &self.spread[index * self.width..(index + 1) * self.width]
+    }
+
+    fn cover(&mut self, rows: usize, poses: usize) {
+        let of = |pose: usize| {
+            let row = |r| self.row(pose * rows + r);
+            let noise = |r, c| f64::from(u8::from(r == c));
+            Cover::new(DMatrix::from_fn(rows, rows, |r, c| dot(row(r), row(c)) + noise(r, c)))
+        };
+        self.covers = (0..poses).map(of).collect();
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 impl Separation {
@@ -110,21 +182,6 @@ impl Separation {
         sigma_m: f64,
     ) -> Option<Self> {
         let factors: Vec<_> = models.iter().map(|m| m.cholesky(gram)).collect::<Option<_>>()?;
-        let spread = models
-            .iter()
-            .zip(&factors)
-            .map(|(model, factor)| {
-                let lower = factor.l();
-                let row = |row: &Vec<f64>| {
-                    let z = DVector::from_iterator(
-                        model.columns.len(),
-                        model.columns.iter().map(|c| row[c.column]),
-                    );
-                    lower.solve_lower_triangular(&z).unwrap_or(z)
-                };
-                pool.iter().map(|rows| rows.iter().map(row).collect()).collect()
-            })
-            .collect();
         let missed_m = pairs
             .iter()
             .map(|pair| {
@@ -142,90 +199,108 @@ impl Separation {
                         model.columns.iter().zip(taken.iter()).map(|(c, size)| row[c.column] * size).sum();
                     seen - fitted
                 };
-                pool.iter().map(|rows| rows.iter().map(row).collect()).collect()
+                pool.iter().flatten().map(row).collect()
             })
             .collect();
         let rows = pool.first().map_or(0, Vec::len);
-        Some(Self { sigma_m, rows, lambda: vec![0.0; pairs.len()], pairs, spread, missed_m })
+        let models = models.iter().zip(&factors).map(|(m, f)| Prediction::new(m, f, pool, rows)).collect();
+        let lambda = vec![0.0; pairs.len()];
+        Some(Self { sigma_m, rows, poses: pool.len(), lambda, pairs, models, missed_m })
     }
 
-    /// The bound on choosing wrongly, with `more` of each pair's L.
-    fn bound(&self, more: impl Fn(usize) -> f64) -> f64 {
-        self.pairs
-            .iter()
-            .enumerate()
-            .map(|(k, pair)| pair.weight * (-(self.lambda[k] + more(k)) / 8.0).exp())
-            .sum()
+    /// L of pair `k` beyond what the doubt about its shape leaves open, from each pair's L.
+    fn beyond_doubt(&self, k: usize, lambda: &impl Fn(usize) -> f64) -> f64 {
+        let doubt = self.pairs[k].shape;
+        lambda(k) - doubt.map_or(0.0, |shape| shape.share * (shape.lambda + lambda(shape.over_nothing)))
     }
 
-    /// L over the poses taken, of the two that are parted least, whichever is true; where one contains the other, it is only the
+    /// The bound on choosing wrongly, with each pair's L.
+    fn bound(&self, lambda: &impl Fn(usize) -> f64) -> f64 {
+        let pairs = self.pairs.iter().enumerate().filter(|(_, pair)| pair.weight > 0.0);
+        pairs.map(|(k, pair)| pair.weight * (-self.beyond_doubt(k, lambda) / 8.0).exp()).sum()
+    }
+
+    /// L over the poses taken of the two of each number, whichever is true; where one contains the other, it is only the
     /// richer that can be told.
-    pub(super) fn least(&self) -> f64 {
+    pub(super) fn parted(&self) -> Vec<f64> {
         let all = self.pairs.iter().filter_map(|pair| pair.both).max().map_or(0, |last| last + 1);
         let mut sums = vec![0.0; all];
-        for (pair, lambda) in self.pairs.iter().zip(&self.lambda) {
-            let doubt = pair
-                .shape
-                .map_or(0.0, |shape| shape.share * (shape.lambda + self.lambda[shape.over_nothing]));
+        for (k, pair) in self.pairs.iter().enumerate() {
             if let Some(both) = pair.both {
-                sums[both] += pair.truth * (lambda - doubt).max(0.0);
+                sums[both] += pair.truth * self.beyond_doubt(k, &|k| self.lambda[k]).max(0.0);
             }
         }
-        sums.into_iter().reduce(f64::min).unwrap_or(0.0)
+        sums
     }
 
     /// The bound over the poses taken.
     pub(super) fn confusion(&self) -> f64 {
-        self.bound(|_| 0.0)
+        self.bound(&|k| self.lambda[k])
     }
 
-    /// What pose `i` adds to the L of pair `k`.
+    /// What pose `i` adds to the L of pair `k`: what the rival misses there, and, where it leaves more open than the true one does, the
+    /// price of that: together twice the Kullback-Leibler divergence of what the rival foretells from what the true one does.
     fn gain(&self, k: usize, i: usize) -> f64 {
-        let spread = &self.spread[self.pairs[k].fitted][i];
+        let pair = &self.pairs[k];
         let n = self.rows;
-        let cover = DMatrix::from_fn(n, n, |r, c| spread[r].dot(&spread[c]) + f64::from(u8::from(r == c)));
-        let missed = DVector::from_column_slice(&self.missed_m[k][i]);
-        let Some(cholesky) = cover.cholesky() else { return 0.0 };
-        missed.dot(&cholesky.solve(&missed)) / (self.sigma_m * self.sigma_m)
+        let (truth, rival) = (&self.models[pair.model].covers[i], &self.models[pair.fitted].covers[i]);
+        let missed = &self.missed_m[k][i * n..(i + 1) * n];
+        let (mut square, mut trace) = (0.0, 0.0);
+        for r in 0..n {
+            for c in 0..n {
+                let inverse = rival.inverse[r * n + c];
+                square += inverse * missed[r] * missed[c] / (self.sigma_m * self.sigma_m);
+                trace += inverse * truth.covariance[r * n + c];
+            }
+        }
+        let left_open = rival.log_determinant - truth.log_determinant;
+        let price = if left_open > 0.0 { left_open + trace - n as f64 } else { 0.0 };
+        square + if price.is_finite() { price.max(0.0) } else { 0.0 }
     }
 
     /// The pose that lowers the bound most; `None` of none.
     pub(super) fn best(&self, open: impl Fn(usize) -> bool) -> Option<usize> {
-        let poses = self.missed_m.first().map_or(0, Vec::len);
-        (0..poses)
+        (0..self.poses)
             .filter(|i| open(*i))
-            .map(|i| (self.bound(|k| self.gain(k, i)), i))
+            .map(|i| {
+                let lambda: Vec<f64> =
+                    (0..self.pairs.len()).map(|k| self.lambda[k] + self.gain(k, i)).collect();
+                (self.bound(&|k| lambda[k]), i)
+            })
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, i)| i)
     }
 
     /// Takes pose `i`: what is known of every other pose follows (a Kalman filter's update, row by row).
     pub(super) fn add_pose(&mut self, i: usize) {
-        for row in 0..self.rows {
-            for k in 0..self.pairs.len() {
-                let by = &self.spread[self.pairs[k].fitted];
-                let known = 1.0 + by[i][row].norm_squared();
-                let missed = self.missed_m[k][i][row];
-                self.lambda[k] += missed * missed / known / (self.sigma_m * self.sigma_m);
-                for (pose, spread) in self.missed_m[k].iter_mut().zip(by) {
-                    for (to, w) in pose.iter_mut().zip(spread) {
-                        *to -= w.dot(&by[i][row]) * missed / known;
-                    }
+        for k in 0..self.pairs.len() {
+            self.lambda[k] += self.gain(k, i);
+        }
+        for index in i * self.rows..(i + 1) * self.rows {
+            for (pair, missed_m) in self.pairs.iter().zip(&mut self.missed_m) {
+                let by = &self.models[pair.fitted];
+                let along = by.row(index);
+                let share = missed_m[index] / (1.0 + dot(along, along));
+                for (to, w) in missed_m.iter_mut().zip(by.spread.chunks_exact(by.width.max(1))) {
+                    *to -= dot(w, along) * share;
                 }
             }
-            for spread in &mut self.spread {
-                let along = spread[i][row].clone();
-                let square = along.norm_squared();
+            for model in &mut self.models {
+                let along = model.row(index).to_vec();
+                let square = dot(&along, &along);
                 if square <= 0.0 {
                     continue;
                 }
                 // (1 + w w')^(-1/2) = 1 - a w w'
                 let a = (1.0 - 1.0 / (1.0 + square).sqrt()) / square;
-                for w in spread.iter_mut().flatten() {
-                    let by = a * w.dot(&along);
-                    w.axpy(-by, &along, 1.0);
+                for w in model.spread.chunks_exact_mut(model.width.max(1)) {
+                    let by = a * dot(w, &along);
+                    w.iter_mut().zip(&along).for_each(|(w, along)| *w -= by * along);
                 }
             }
+        }
+        for model in &mut self.models {
+            model.cover(self.rows, self.poses);
         }
     }
 }
@@ -238,6 +313,11 @@ mod tests {
         FittedColumn { column, precision: 0.0 }
     }
 
+    /// A column whose coefficient is known.
+    fn known(column: usize) -> FittedColumn {
+        FittedColumn { column, precision: 1e15 }
+    }
+
     /// By hand: a line through three points seen at x = -1, 0, 1 against a parabola of size 1 (mean and slope fitted): the
     /// parabola's fit by a mean is 2/3. At x = 2 it misses 4 - 2/3 = 10/3; the fit's variance there is 1/3 + 4/2, so that
     /// L = (10/3)^2 / (1 + 7/3) = 10/3.
@@ -247,9 +327,11 @@ mod tests {
         let rows: Vec<Vec<f64>> = x.iter().map(|x| vec![0.0, 1.0, *x, x * x]).collect();
         let gram = DMatrix::from_fn(4, 4, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
         let line = RivalModel { columns: [1, 2].map(flat).to_vec() };
+        let parabola = RivalModel { columns: vec![flat(1), flat(2), known(3)] };
         let pair = Pair {
             weight: 1.0,
             signal: vec![Coefficient { column: 3, size: 1.0 }],
+            model: 1,
             fitted: 0,
             truth: 1.0,
             both: Some(0),
@@ -257,11 +339,11 @@ mod tests {
         };
         let pool: Vec<Vec<Vec<f64>>> =
             [0.5, 2.0_f64].iter().map(|x| vec![vec![0.0, 1.0, *x, x * x]]).collect();
-        let mut separation = Separation::new(&gram, &[line], vec![pair], &pool, 1.0).unwrap();
+        let mut separation = Separation::new(&gram, &[line, parabola], vec![pair], &pool, 1.0).unwrap();
         assert_eq!(separation.best(|_| true), Some(1));
         assert!((separation.gain(0, 1) - 10.0 / 3.0).abs() < 1e-6);
         separation.add_pose(1);
-        assert!((separation.least() - 10.0 / 3.0).abs() < 1e-6);
+        assert!((separation.parted()[0] - 10.0 / 3.0).abs() < 1e-6);
         assert!((separation.confusion() - (-10.0_f64 / 24.0).exp()).abs() < 1e-6);
         // The same point again: with it twice the parabola misses 10/3 with variance 1/2 + 7/3 in its mean, in all
         // (10/3)^2 / (17/6) = 200/51.
@@ -277,21 +359,44 @@ mod tests {
         let rows = [-1.0, 0.0, 1.0].map(row);
         let gram = DMatrix::from_fn(3, 3, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
         let (nothing, mean) = (RivalModel { columns: vec![] }, RivalModel { columns: vec![flat(1)] });
+
         let signal = vec![Coefficient { column: 2, size: 1.0 }];
         assert!((mean.square_left(&gram, &signal).unwrap() - 2.0).abs() < 1e-6);
-        let pair = |fitted, both, shape| Pair {
-            weight: 1.0,
-            signal: signal.clone(),
-            fitted,
-            truth: 1.0,
-            both,
-            shape,
+        let pair = |fitted, both, shape| {
+            let (signal, truth) = (signal.clone(), 1.0);
+            Pair { weight: 1.0, signal, model: fitted, fitted, truth, both, shape }
         };
         let doubt = ShapeDoubt { share: 0.25, lambda: 2.0, over_nothing: 0 };
         let pairs = vec![pair(0, None, None), pair(1, Some(0), Some(doubt))];
         let pool = vec![vec![row(10.0)]];
         let mut separation = Separation::new(&gram, &[nothing, mean], pairs, &pool, 1.0).unwrap();
         separation.add_pose(0);
-        assert!((separation.least() - (75.0 - 0.25 * (2.0 + 100.0))).abs() < 1e-4, "{}", separation.least());
+        let parted = separation.parted()[0];
+        assert!((parted - (75.0 - 0.25 * (2.0 + 100.0))).abs() < 1e-4, "{parted}");
+    }
+
+    /// What foretells nothing against a mean known to 1/3 from three rows of 0: a fourth row of 0 refutes neither, but the mean leaves
+    /// 4/3 open where nothing leaves 1, for which it pays ln(4/3) + 3/4 - 1.
+    #[test]
+    fn a_rival_that_holds_the_cause_pays_for_what_it_leaves_open() {
+        let rows = [[0.0, 1.0]; 3];
+        let gram = DMatrix::from_fn(2, 2, |r, c| rows.iter().map(|row| row[r] * row[c]).sum());
+        let (nothing, mean) = (RivalModel { columns: vec![] }, RivalModel { columns: vec![flat(1)] });
+        let of = |model, fitted, both| Pair {
+            weight: 1.0,
+            signal: Vec::new(),
+            model,
+            fitted,
+            truth: 1.0,
+            both: Some(both),
+            shape: None,
+        };
+        let pairs = vec![of(0, 1, 0), of(1, 0, 1)];
+        let pool = vec![vec![rows[0].to_vec()]];
+        let mut separation = Separation::new(&gram, &[nothing, mean], pairs, &pool, 1.0).unwrap();
+        separation.add_pose(0);
+        let parted = separation.parted();
+        assert!((parted[0] - ((4.0_f64 / 3.0).ln() + 0.75 - 1.0)).abs() < 1e-6, "{parted:?}");
+        assert!(parted[1].abs() < 1e-12, "what it leaves open refutes nothing: {parted:?}");
     }
 }

@@ -5,6 +5,7 @@
 
 use super::whole::{Change, all_shifted, changes};
 use super::{Fault, FaultKind};
+use crate::measure::initial_guess::with_fixed_points_beyond;
 use crate::measure::{FreeParameters, Reading, Registration, Station, register, register_with};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -115,6 +116,8 @@ fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector3<f64>>) ->
     for rows in [2 * FEWEST_OF_PART, FEWEST_OF_PART].into_iter().filter(|rows| *rows < n) {
         parts.extend([(0, rows), (n - rows, n)]);
     }
+    let all: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
+    let all_poses: Vec<Isometry3<f64>> = rows.iter().map(|row| row.pose).collect();
     let mut best: Option<Part> = None;
     for (from, to) in parts.into_iter().filter(|(from, to)| to - from >= FEWEST_OF_PART) {
         let step = (to - from).div_ceil(PART_ROWS).max(1);
@@ -122,6 +125,7 @@ fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector3<f64>>) ->
         let stations: Vec<Station> = part.iter().map(|row| row.station.clone()).collect();
         let poses: Vec<Isometry3<f64>> = part.iter().map(|row| row.pose).collect();
         let Ok(registration) = register(&stations, &poses, targets, tool_m) else { continue };
+        let registration = with_fixed_points_beyond(&stations, registration, &all, &all_poses);
         let off_m: Vec<f64> =
             rows.iter().map(|row| registration.residual_m(&row.station, &row.pose).norm()).collect();
         let near = off_m.iter().filter(|off_m| **off_m < FAR_M).count();
