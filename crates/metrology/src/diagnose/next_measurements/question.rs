@@ -129,16 +129,7 @@ impl Question {
         slot: &OpenSlot,
         columns: &[Vec<usize>],
     ) -> Option<()> {
-        let ratio = model.peak.geometry_ratio;
-        let fitted_with = |precision: f64| move |column| FittedColumn { column, precision };
-        let mut common: Vec<FittedColumn> = design.registration.clone().map(fitted_with(0.0)).collect();
-        if ratio > 0.0 {
-            common.extend(design.geometry.clone().map(fitted_with(ratio.powi(-2))));
-        }
-        let precision = |size_ratio: f64| (3.0 * size_ratio.max(1e-9)).powi(-2);
-        for (_, other) in model.chosen.iter().enumerate().filter(|(i, _)| Some(*i) != slot.slot) {
-            common.extend(other.columns.iter().copied().map(fitted_with(precision(other.size_ratio))));
-        }
+        let common = columns_beside(model, design, slot);
         let from = self.models.len();
         self.models.push(RivalModel { columns: common.clone() });
         let mut signals: Vec<Vec<Coefficient>> = Vec::new();
@@ -147,7 +138,7 @@ impl Question {
                 return None;
             }
             self.candidates.push((rival.candidate, columns.clone()));
-            let own = columns.iter().copied().map(fitted_with(precision(rival.size_ratio)));
+            let own = columns.iter().copied().map(with_precision(size_precision(rival.size_ratio)));
             let own = RivalModel { columns: common.iter().copied().chain(own).collect() };
             let fitted = own.fitted(&self.gram)?;
             let sizes = fitted.into_iter().skip(common.len());
@@ -155,22 +146,15 @@ impl Question {
             signals.push(columns.iter().zip(sizes).map(of_column).collect());
             self.models.push(own);
         }
-        let both = self.next_both();
         let Some(first) = slot.alternatives.first() else { return Some(()) };
         let rest = 1.0 - slot.alternatives.iter().map(|r| r.probability).sum::<f64>();
         if signals.len() == 1 || rest > SOMETHING_ELSE {
             // What is not in the library is no better known than nothing.
             let weight = (first.probability * rest.max(SOMETHING_ELSE)).sqrt();
+            let both = Some(self.next_both());
             let signal = signals[0].clone();
-            self.pairs.push(Pair {
-                weight,
-                signal,
-                model: from + 1,
-                fitted: from,
-                truth: 1.0,
-                both: Some(both),
-                shape: None,
-            });
+            let (model, fitted) = (from + 1, from);
+            self.pairs.push(Pair { weight, signal, model, fitted, truth: 1.0, both, shape: None });
         }
         let both = self.next_both();
         for (b, other) in slot.alternatives.iter().enumerate().take(columns.len()).skip(1) {
@@ -179,20 +163,12 @@ impl Question {
             let truth = first.probability / (first.probability + other.probability);
             let kinds = [first.candidate, other.candidate].map(|c| candidates[c].kind);
             for (truth, of, fitted) in [(truth, 0, from + 1 + b), (1.0 - truth, b, from + 1)] {
-                let signal = &signals[of];
+                let (signal, model) = (signals[of].clone(), from + 1 + of);
                 let shape = match shapes_in_doubt(kinds[0], kinds[1]) {
-                    true => Some(self.doubt(signal, from + 1 + of, from)?),
+                    true => Some(self.doubt(&signal, model, from)?),
                     false => None,
                 };
-                self.pairs.push(Pair {
-                    weight,
-                    signal: signal.clone(),
-                    model: from + 1 + of,
-                    fitted,
-                    truth,
-                    both,
-                    shape,
-                });
+                self.pairs.push(Pair { weight, signal, model, fitted, truth, both, shape });
             }
         }
         Some(())
@@ -334,4 +310,26 @@ impl Question {
             confusion: separation.confusion(),
         })
     }
+}
+
+fn with_precision(precision: f64) -> impl Fn(usize) -> FittedColumn {
+    move |column| FittedColumn { column, precision }
+}
+
+/// Of a size that may be three times the one that is known.
+fn size_precision(size_ratio: f64) -> f64 {
+    (3.0 * size_ratio.max(1e-9)).powi(-2)
+}
+
+/// What is fitted beside the causes of a slot: registration, geometry, and what is in the model but in this slot.
+fn columns_beside(model: &Model, design: &Design, slot: &OpenSlot) -> Vec<FittedColumn> {
+    let ratio = model.peak.geometry_ratio;
+    let mut beside: Vec<FittedColumn> = design.registration.clone().map(with_precision(0.0)).collect();
+    if ratio > 0.0 {
+        beside.extend(design.geometry.clone().map(with_precision(ratio.powi(-2))));
+    }
+    for (_, other) in model.chosen.iter().enumerate().filter(|(i, _)| Some(*i) != slot.slot) {
+        beside.extend(other.columns.iter().copied().map(with_precision(size_precision(other.size_ratio))));
+    }
+    beside
 }
