@@ -93,9 +93,12 @@ pub(super) fn evidence(page: &mut String, d: &Findings) {
         matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
     line(page, "");
     // Under the other verdicts the odds that a candidate is right are even at best, and each probability is halved.
-    let title = match named {
-        true => "What it is",
-        false => "Nearest candidates, none of them the answer (so none is likelier than 50 %)",
+    let title = match d.verdict {
+        _ if named => "What it is",
+        Verdict::UnexplainedStructure | Verdict::UnexplainedScatter => {
+            "Nearest candidates, none of them the answer (so none is likelier than 50 %)"
+        }
+        _ => "Nearest candidates, none of them the answer",
     };
     line(page, title);
     zeros(page, d);

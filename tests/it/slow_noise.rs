@@ -100,3 +100,29 @@ fn what_goes_to_and_fro_over_time_is_structure() {
         assert!(reason.contains("to and fro"), "{reason}");
     }
 }
+
+fn foreign(name: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/measuring/slow_and_warm");
+    fs::read_to_string(format!("{folder}/{name}")).unwrap()
+}
+
+/// Errors of all frames that make seven eighths of the gap are no noise because noise is slow beside them.
+#[test]
+fn geometry_beside_slow_noise_is_geometry() {
+    let found =
+        diagnose(&foreign("geometry_in_slow_noise.csv"), &["--tool", "60,40,90", "--sigma-mm", "0.025"]);
+    assert_eq!(found["verdict"], "geometry", "{}", found["reason"]);
+    let hidden = found["untestable"].as_array().unwrap();
+    assert!(hidden.iter().any(|effect| effect == "instrument_scale"), "free lengths hide a scale: {hidden:?}");
+}
+
+/// What drifts while the joints warm follows their temperatures, whatever it is: without times nothing tells the two apart.
+#[test]
+fn temperature_alone_explains_nothing_without_times() {
+    let drift = foreign("base_drift_without_times.csv");
+    let found = diagnose(&drift, &["--tool", "60,40,90", "--sigma-mm", "0.02"]);
+    assert_ne!(found["verdict"], "explained", "{}", found["reason"]);
+    for cause in found["causes"].as_array().unwrap() {
+        assert!(cause["posterior"].as_f64().unwrap() <= 0.5, "the base drifts: {cause}");
+    }
+}

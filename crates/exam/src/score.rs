@@ -124,12 +124,12 @@ impl Grader<'_> {
                 first_right,
             ),
             self.rate(
-                &Criterion::high("first answer right, rho = .5, N = 30", 0.55, 0.75),
+                &Criterion::high("first answer right, rho = .5, N = 30", 0.50, 0.62),
                 |t, _| is_weak(t),
                 first_right,
             ),
             self.rate(
-                &Criterion::high("one of the first two right, rho = .5, N = 30", 0.90, 0.90),
+                &Criterion::high("one of the first two right, rho = .5, N = 30", 0.75, 0.86),
                 |t, _| is_weak(t),
                 |t, a| a.causes.iter().take(2).any(|c| names_effect(t, 0, c)),
             ),

@@ -18,7 +18,9 @@ use super::model::FittedModel;
 use super::next_measurements::next_measurements;
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
-use super::outcome::{Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Warning};
+use super::outcome::{
+    Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
+};
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
 use super::verdict::{Judgement, judge};
@@ -262,7 +264,9 @@ fn visible(prepared: &Prepared<'_>, testable: TestableEffects) -> VisibleCandida
 
 /// The instrument's scale, where it hides in the links' lengths.
 fn hidden_scale(diagnosis: &Findings, fitted: &FittedModel<'_>) -> Option<Untestable> {
-    let is_named = diagnosis.causes.iter().any(|cause| cause.effect == EffectKind::InstrumentScale);
+    // Under another verdict it is the nearest candidate at best.
+    let names = matches!(diagnosis.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+    let is_named = names && diagnosis.causes.iter().any(|cause| cause.effect == EffectKind::InstrumentScale);
     (fitted.model.peak.geometry_ratio > 0.0 && !is_named).then(|| Untestable {
         effect: EffectKind::InstrumentScale,
         joints: Vec::new(),

@@ -17,6 +17,7 @@ use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::{Cause, Location, Verdict};
 use crate::diagnose::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Growth;
 
 /// Structure of no cause that is this likely beside the causes makes them uncertain; likelier than they, it wins.
 const GP_ALTERNATIVE_SHARE: f64 = 0.2;
@@ -26,6 +27,8 @@ const LARGE_SET: usize = 6;
 const LIKELIER_THAN_NOT: f64 = 0.5;
 /// Of a bent spring that may as well be play: as likely as that.
 const AS_MUCH_PLAY: f64 = 0.5;
+/// Of a warm-up that only temperatures tell, in rows without times: whatever else changed over the same hours follows them as well.
+const TEMPERATURE_ALONE: f64 = 0.5;
 /// More moments than this at which something jumped are no knocks: something was switched.
 const MOST_STEPS: usize = 2;
 
@@ -150,10 +153,12 @@ impl CausesFound {
             self.replaceable.push(i);
         }
         let play_too = looks_like_play(fitted, first.best);
+        let by_temperature = rests_on_temperature(fitted, first.best);
         self.has_open_slot |= first.probability < LIKELIER_THAN_NOT;
         self.clear += usize::from(
             near.len() == 1
                 && !play_too
+                && !by_temperature
                 && first.probability >= LIKELIER_THAN_NOT
                 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
         );
@@ -168,6 +173,10 @@ impl CausesFound {
             let (joint, posterior) = (spring.joint, spring.posterior);
             self.has_open_slot |= posterior < LIKELIER_THAN_NOT;
             self.causes.push(Cause { joint, slot: i + 1, ..Cause::of(EffectKind::Backlash, posterior) });
+        }
+        if by_temperature && let Some(warm_up) = self.causes.iter_mut().find(|c| c.slot == i + 1) {
+            warm_up.posterior *= TEMPERATURE_ALONE;
+            self.has_open_slot |= warm_up.posterior < LIKELIER_THAN_NOT;
         }
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
@@ -308,6 +317,12 @@ fn looks_like_play(fitted: &FittedModel<'_>, candidate: usize) -> bool {
     candidate.kind == EffectKind::JointCompliance
         && candidate.variant.refined
         && !linear.dataset.channels.direction
+}
+
+/// Whether a candidate grows with the joints' temperatures in a file without times: nothing then tells it from what drifts meanwhile.
+fn rests_on_temperature(fitted: &FittedModel<'_>, candidate: usize) -> bool {
+    let variant = &fitted.workspace.library.candidates[candidate].variant;
+    fitted.linear.dataset.time_min.is_none() && matches!(variant.growth, Growth::Temperature { .. })
 }
 
 /// Whether one of the candidates `named` is the same cause as the first of another place: not of steps, which are many, nor of lines.

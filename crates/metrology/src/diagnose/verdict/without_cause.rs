@@ -51,7 +51,8 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
         judgement.verdict = Verdict::UnexplainedScatter;
         judgement.location.joint = scatter.along.map(|a| a.joint);
         judgement.reason = scatter.reason(&fitted.linear.dataset);
-    } else if rest.geometry_gain_nats > ALARM_NATS && !slow {
+    } else if rest.geometry_gain_nats > ALARM_NATS && (!slow || fitted.model.slow.is_some()) {
+        // Slow noise that is fitted beside it is no part of what geometry gains; slow noise that is not could be all of it.
         judgement.verdict = Verdict::Geometry;
         "small errors of all joints' geometry take the gap; none stands out"
             .clone_into(&mut judgement.reason);
