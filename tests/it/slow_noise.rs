@@ -113,7 +113,10 @@ fn geometry_beside_slow_noise_is_geometry() {
         diagnose(&foreign("geometry_in_slow_noise.csv"), &["--tool", "60,40,90", "--sigma-mm", "0.025"]);
     assert_eq!(found["verdict"], "geometry", "{}", found["reason"]);
     let hidden = found["untestable"].as_array().unwrap();
-    assert!(hidden.iter().any(|effect| effect == "instrument_scale"), "free lengths hide a scale: {hidden:?}");
+    assert!(
+        hidden.iter().any(|effect| effect == "instrument_scale"),
+        "free lengths hide a scale: {hidden:?}"
+    );
 }
 
 /// What drifts while the joints warm follows their temperatures, whatever it is: without times nothing tells the two apart.

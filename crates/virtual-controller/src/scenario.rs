@@ -121,6 +121,10 @@ pub enum ScenarioStep {
     RestoreBackup,
 }
 
+/// Time constants of cooling that can be meant, minutes.
+const SMALLEST_MIN: f64 = 0.01;
+const LARGEST_MIN: f64 = 525_600.0;
+
 impl Scenario {
     /// Read a scenario file.
     ///
@@ -129,6 +133,10 @@ impl Scenario {
     pub fn from_toml(text: &str) -> Result<Self, SimulateError> {
         let scenario: Self = toml::from_str(text).map_err(|e| SimulateError::Scenario(e.to_string()))?;
         scenario.parsed()?;
+        if scenario.tau_cool_min.is_some_and(|tau_min| !(SMALLEST_MIN..=LARGEST_MIN).contains(&tau_min)) {
+            let text = format!("`tau_cool_min` must be a number from {SMALLEST_MIN} to {LARGEST_MIN}");
+            return Err(SimulateError::Scenario(text));
+        }
         Ok(scenario)
     }
 
@@ -326,9 +334,14 @@ mod tests {
             steps,
             [ScenarioStep::Run(60.0), set, ScenarioStep::PpToMain, ScenarioStep::Call("tcColdStart".into())]
         );
-        for wrong in
-            ["[[step]]\npass = false", "[[step]]\nrun = 60\nstand = 5", "[[step]]\nrun = true", "steps = [3]"]
-        {
+        for wrong in [
+            "tau_cool_min = nan\nsteps = []",
+            "tau_cool_min = 0\nsteps = []",
+            "[[step]]\npass = false",
+            "[[step]]\nrun = 60\nstand = 5",
+            "[[step]]\nrun = true",
+            "steps = [3]",
+        ] {
             assert!(Scenario::from_toml(wrong).is_err(), "{wrong}");
         }
     }

@@ -127,7 +127,7 @@ pub(super) fn branch_of(
         let other = other?;
         let same_branch = candidates.cfx(&other.q_rad) == candidates.cfx(&branch.q_rad);
         if !(same_branch && other.others.is_empty() && branch.others.is_empty()) {
-            return Ok(candidates.any());
+            return candidates.any().ok_or_else(|| candidates.no_such());
         }
         branch.note = branch.note.or(other.note);
     }
@@ -148,6 +148,10 @@ pub(super) fn branch_as_written(
     // Where branches meet two of them may have one number.
     let apart = posture.shoulder_m.abs() > APART && posture.elbow_rad.abs() > APART;
     let solutions = model.closed.turns(q_rad);
+    if solutions.is_empty() {
+        // The branch that confdata name lies outside the joints' ranges alone.
+        return None;
+    }
     let candidates = Candidates { solutions: &solutions, conf, model };
     let on_branch = solutions.iter().all(|solution| solution.configuration.cfx == conf.cfx);
     if !(apart && on_branch && posture.wrist_rad.abs() > APART) {
@@ -190,11 +194,12 @@ impl Candidates<'_> {
                 Ok(branch)
             }
             (Some(false), Some(nearest)) => Ok(Branch::known(nearest)),
-            (Some(false), None) => Ok(self.any()),
+            (Some(false), None) => self.any().ok_or_else(|| self.no_such()),
             (None, _) => {
                 // Confdata are checked, or they are not: known where both come to the same.
                 let same_branch = |q_rad: &[f64; 6]| self.cfx(q_rad) == self.conf.cfx;
-                Ok(nearest.filter(same_branch).map_or_else(|| self.any(), Branch::known))
+                let known = nearest.filter(same_branch).map(Branch::known);
+                known.or_else(|| self.any()).ok_or_else(|| self.no_such())
             }
         }
     }
@@ -208,7 +213,7 @@ impl Candidates<'_> {
             (Some(written), Some(along), _) if same(&written, &along) => Ok(Branch::known(along)),
             (_, Some(along), _) => with(along, Note::Disagrees),
             (Some(written), None, StartPosture::Joints(_)) => with(written, Note::BranchChange),
-            (_, None, StartPosture::UnknownBranch) if !checked => Ok(self.any()),
+            (_, None, StartPosture::UnknownBranch) if !checked => self.any().ok_or_else(|| self.no_such()),
             (Some(written), None, _) if self.is_unset() => with(written, Note::Unset),
             (Some(written), None, _) if checked => Ok(Branch::known(written)),
             (Some(written), None, _) => with(written, Note::Unchecked),
@@ -251,9 +256,9 @@ impl Candidates<'_> {
     }
 
     /// Every branch within range, the one of confdata first where it is among them.
-    fn any(&self) -> Branch {
+    fn any(&self) -> Option<Branch> {
         let first = self.as_written().or_else(|| self.by_cfx(None).map(|branch| branch.q_rad));
-        let q_rad = first.unwrap_or(self.solutions[0].q_rad);
+        let q_rad = first.or_else(|| Some(self.solutions.first()?.q_rad))?;
         let mut seen = vec![self.cfx(&q_rad)];
         let mut others = Vec::new();
         for solution in self.solutions {
@@ -262,7 +267,7 @@ impl Candidates<'_> {
                 others.push(solution.q_rad);
             }
         }
-        Branch { q_rad, others, note: None }
+        Some(Branch { q_rad, others, note: None })
     }
 
     pub(super) fn cfx(&self, q_rad: &[f64; 6]) -> i32 {

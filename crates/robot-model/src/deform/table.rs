@@ -40,7 +40,7 @@ impl Deformation {
                 Ok(Self::from_static(offsets, growth.ok_or(DeformError::NoGrowth)?))
             }
             Layout::Scheduled { index, columns } => {
-                let knots = scheduled_rows(&names, &rows, columns)?;
+                let knots = scheduled_rows(&names, &rows, index, columns)?;
                 match growth {
                     None => Ok(Self(Tabulation::Scheduled { index, knots })),
                     Some(_) => Err(DeformError::GrowthNotUsed),
@@ -106,6 +106,11 @@ impl Layout {
     }
 }
 
+/// The longest warm-up that a table may tell of: a year.
+const MOST_MIN: f64 = 525_600.0;
+/// The highest temperature that a table may tell of, Celsius.
+const MOST_C: f64 = 1000.0;
+
 fn static_rows(names: &StringRecord, rows: &[CsvRow]) -> Result<FrameOffsets, DeformError> {
     let mut offsets = FrameOffsets::default();
     for (i, row) in rows.iter().enumerate() {
@@ -123,6 +128,7 @@ fn static_rows(names: &StringRecord, rows: &[CsvRow]) -> Result<FrameOffsets, De
 fn scheduled_rows(
     names: &StringRecord,
     rows: &[CsvRow],
+    by: TableIndex,
     columns: [usize; 8],
 ) -> Result<[Vec<Knot>; 7], DeformError> {
     let [index, joint, value_columns @ ..] = columns;
@@ -132,6 +138,13 @@ fn scheduled_rows(
     }
     for row in rows {
         let at = number(names, row, index)?;
+        let (most, remedy) = match by {
+            TableIndex::WarmUpTime => (MOST_MIN, "no warm-up lasts longer than a year: give minutes"),
+            TableIndex::Temperature => (MOST_C, "give degrees Celsius"),
+        };
+        if at.abs() > most {
+            return Err(field_error(names, row, index, "cannot be", remedy));
+        }
         let number = number(names, row, joint)?;
         let wrong_joint =
             || field_error(names, row, joint, "is no joint", "joints are 1 to 6, 7 is the tool");
@@ -283,6 +296,7 @@ mod tests {
             ("10,2,", "10,8,", "line 2, column 2 (`joint`): `8` is no joint"),
             ("10,2,", "10,1.5,", "line 2, column 2 (`joint`): `1.5` is no joint"),
             ("30,2,", "10,2,", "line 4, column 1 (`t_min`): `10` is not after"),
+            ("30,2,", "525601,2,", "line 4, column 1 (`t_min`): `525601` cannot be"),
             ("rz_deg", "rz_rad", "column `rz_deg` is missing"),
             ("rz_deg", "rz_deg,note", "column `note` is not known"),
             ("t_min", "temp_c,t_min", "both `t_min` and `temp_c`"),
