@@ -167,19 +167,29 @@ impl CausesFound {
             let found = cause(fitted, chosen, Some(i), cause_group);
             self.causes.push(Cause { slot: i + 1, ..found });
         }
-        if play_too && let Some(spring) = self.causes.iter_mut().find(|c| c.slot == i + 1) {
-            // Of the two the file prefers neither; the spring stands first.
-            spring.posterior *= AS_MUCH_PLAY;
-            let (joint, posterior) = (spring.joint, spring.posterior);
-            self.has_open_slot |= posterior < LIKELIER_THAN_NOT;
-            self.causes.push(Cause { joint, slot: i + 1, ..Cause::of(EffectKind::Backlash, posterior) });
-        }
-        if by_temperature && let Some(warm_up) = self.causes.iter_mut().find(|c| c.slot == i + 1) {
-            warm_up.posterior *= TEMPERATURE_ALONE;
-            self.has_open_slot |= warm_up.posterior < LIKELIER_THAN_NOT;
-        }
+        self.doubt(i + 1, play_too, by_temperature);
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
+        }
+    }
+
+    /// Gives even odds to the first cause of `slot` where something has the same shape: play that of a bent spring, and whatever changed
+    /// meanwhile that of a warm-up which temperatures alone tell.
+    fn doubt(&mut self, slot: usize, play_too: bool, by_temperature: bool) {
+        let Some(first) = self.causes.iter_mut().find(|c| c.slot == slot) else { return };
+        if by_temperature {
+            first.posterior *= TEMPERATURE_ALONE;
+        }
+        if play_too {
+            // Of the two the file prefers neither; the spring stands first.
+            first.posterior *= AS_MUCH_PLAY;
+        }
+        let (joint, posterior) = (first.joint, first.posterior);
+        if play_too || by_temperature {
+            self.has_open_slot |= posterior < LIKELIER_THAN_NOT;
+        }
+        if play_too {
+            self.causes.push(Cause { joint, slot, ..Cause::of(EffectKind::Backlash, posterior) });
         }
     }
 }
