@@ -125,22 +125,33 @@ struct Repeatability {
     constant: f64,
 }
 
+/// An integral over the noise.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NoiseIntegral {
+    /// Its logarithm.
+    pub log: f64,
+    /// The sigma that carries it, metres.
+    pub sigma_m: f64,
+}
+
 impl Marginal {
-    /// ln of the integral at sum of squares `q`, and the sigma that carries it, metres.
+    /// The integral at sum of squares `q`.
     #[must_use]
-    pub(super) fn at(&self, q: f64) -> (f64, f64) {
+    pub(super) fn at(&self, q: f64) -> NoiseIntegral {
         let q = q.max(1e-300);
         let m = self.m;
         // Log-uniform between bounds; the mass within them by the normal shape of ln sigma.
         let at = 0.5 * (q / m).ln();
         let mass = normal_cdf((self.high - at) / self.width) - normal_cdf((self.low - at) / self.width);
         let log_uniform = self.log_uniform - m * at + mass.max(1e-300).ln();
-        let Some(h) = self.repeatability else { return (log_uniform, at.exp()) };
+        let Some(h) = self.repeatability else {
+            return NoiseIntegral { log: log_uniform, sigma_m: at.exp() };
+        };
         // ln of the integral of sigma^-m e^(-q/2s^2) over the repeats' own posterior.
         let repeatability = h.constant - 0.5 * (m + h.freedom) * (0.5 * (q + h.scatter)).ln();
         let sigma_m =
             if repeatability > log_uniform { ((q + h.scatter) / (m + h.freedom)).sqrt() } else { at.exp() };
-        (log_add(repeatability, log_uniform), sigma_m)
+        NoiseIntegral { log: log_add(repeatability, log_uniform), sigma_m }
     }
 }
 
@@ -236,7 +247,7 @@ mod tests {
                 };
                 likelihood + (prior * h).ln()
             }));
-            let (log, _) = noise.marginal_over(m).at(q);
+            let NoiseIntegral { log, .. } = noise.marginal_over(m).at(q);
             assert!((log - sum).abs() < 0.05, "{known:?}: {log} {sum}");
         }
     }

@@ -5,7 +5,7 @@
 
 use super::dataset::{Dataset, Twist};
 use super::linearise::shift_m;
-use super::marginal::{NoisePrior, log_sum};
+use super::marginal::{NoiseIntegral, NoisePrior, log_sum};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
 
@@ -50,7 +50,7 @@ pub(super) fn along_joints(
     }
     let squares: f64 = kept.iter().map(|&i| weights[i] * shift_m(&residuals[i]).powi(2)).sum();
     let marginal = noise.marginal_over(free);
-    let (plain, sigma_m) = marginal.at(squares);
+    let NoiseIntegral { log: plain, sigma_m } = marginal.at(squares);
     let mut tried = Vec::new();
     for joint in 0..dataset.joints() {
         // (e.J)^2 and J^2 of each station, whitened.
@@ -73,7 +73,7 @@ pub(super) fn along_joints(
                 log_det += (ratio * vv).ln_1p();
             }
             // Parameters took their share of the scatter: of the determinant as of the rows.
-            let gain = marginal.at(squares - off).0 - plain - 0.5 * log_det * free / rows;
+            let gain = marginal.at(squares - off).log - plain - 0.5 * log_det * free / rows;
             let mean = along.iter().map(|a| a.1).sum::<f64>() / weights_of(&kept, weights);
             tried.push((joint, gain, size_rad * mean.sqrt()));
         }

@@ -1,7 +1,7 @@
 //! A candidate over a nuisance model: what is left of it, with itself, with the data and with geometry.
 
 use super::accumulate::add_columns;
-use super::principal::Pairs;
+use super::principal::PrincipalDirections;
 use super::{EvidencePeak, NuisanceModel};
 use crate::diagnose::design::Sums;
 use nalgebra::{DMatrix, DVector};
@@ -18,6 +18,14 @@ pub(crate) struct Projected {
     pub(super) geometry: DMatrix<f64>,
     /// How many of the nuisance model's directions are projected out.
     known: usize,
+}
+
+/// What geometry of one size leaves of a candidate.
+pub(super) struct ReducedProducts {
+    /// With itself, symmetric: parameters x parameters.
+    pub own: DMatrix<f64>,
+    /// With the data.
+    pub with_y: DVector<f64>,
 }
 
 impl NuisanceModel {
@@ -155,17 +163,27 @@ impl NuisanceModel {
         (candidate.own.trace().max(0.0) / self.m).sqrt()
     }
 
-    /// The candidate's signal and its product with the data along its own directions, geometry at `ratio` out.
-    pub(super) fn pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Pairs {
+    /// The candidate along its own directions, geometry at `ratio` out.
+    pub(super) fn principal_directions(
+        &self,
+        candidate: &Projected,
+        with_geometry: &DMatrix<f64>,
+        ratio: f64,
+    ) -> PrincipalDirections {
         if candidate.own.nrows() == 2 {
-            return self.two_pairs(candidate, with_geometry, ratio);
+            return self.directions_of_two(candidate, with_geometry, ratio);
         }
-        let (own, with_y) = self.reduced(candidate, with_geometry, ratio);
-        Pairs::of(own, &with_y)
+        let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
+        PrincipalDirections::of(own, &with_y)
     }
 
     /// The same of two parameters, as the thousands of gear lines have.
-    fn two_pairs(&self, candidate: &Projected, with_geometry: &DMatrix<f64>, ratio: f64) -> Pairs {
+    fn directions_of_two(
+        &self,
+        candidate: &Projected,
+        with_geometry: &DMatrix<f64>,
+        ratio: f64,
+    ) -> PrincipalDirections {
         let mut own = [candidate.own[(0, 0)], candidate.own[(0, 1)], candidate.own[(1, 1)]];
         let mut with_y = [candidate.with_y[0], candidate.with_y[1]];
         if ratio > 0.0 {
@@ -181,7 +199,7 @@ impl NuisanceModel {
                 own[2] -= by[1] * row[1];
             }
         }
-        Pairs::of_two(own, with_y)
+        PrincipalDirections::of_two(own, with_y)
     }
 
     /// The candidate with itself and with the data, geometry at `ratio` out.
@@ -190,7 +208,7 @@ impl NuisanceModel {
         candidate: &Projected,
         with_geometry: &DMatrix<f64>,
         ratio: f64,
-    ) -> (DMatrix<f64>, DVector<f64>) {
+    ) -> ReducedProducts {
         let p = candidate.own.nrows();
         let mut own = candidate.own.clone();
         let mut with_y = candidate.with_y.clone();
@@ -211,7 +229,7 @@ impl NuisanceModel {
             }
             own.fill_upper_triangle_with_lower_triangle();
         }
-        (own, with_y)
+        ReducedProducts { own, with_y }
     }
 
     /// By how many standard deviations the candidate's first parameter is positive where it `peak` most.
@@ -222,7 +240,7 @@ impl NuisanceModel {
         with_geometry: &DMatrix<f64>,
         peak: &EvidencePeak,
     ) -> f64 {
-        let (mut own, with_y) = self.reduced(candidate, with_geometry, peak.geometry_ratio);
+        let ReducedProducts { mut own, with_y } = self.reduced(candidate, with_geometry, peak.geometry_ratio);
         let precision = peak.size_ratio.max(1e-12).powi(-2);
         for a in 0..own.nrows() {
             own[(a, a)] += precision;

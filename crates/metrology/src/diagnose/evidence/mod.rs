@@ -11,22 +11,27 @@
 
 mod accumulate;
 mod candidate;
+mod elimination;
 mod pair;
 mod principal;
 mod prior;
 mod screening;
+mod sum;
 #[cfg(test)]
 mod tests;
 
 pub(super) use candidate::Projected;
 pub(super) use pair::{PairPeak, joined};
 pub(super) use screening::{Screened, ScreeningPoint};
+pub(super) use sum::EvidencePeak;
 
 use super::design::{Design, SlowColumns};
-use super::marginal::{Marginal, NoisePrior, SIGMA_M, log_add, log_sum};
+use super::marginal::{Marginal, NoiseIntegral, NoisePrior, log_sum};
+use elimination::{Direction, RANK};
 use nalgebra::{DMatrix, DVector};
-use prior::{NO_GEOMETRY, geometry_prior, grids, size_prior};
-use std::ops::Range;
+use principal::SizeTerm;
+use prior::{NO_GEOMETRY, RatioGrids, geometry_prior, size_prior};
+use sum::EvidenceSum;
 
 /// How far ln evidence may lie from the integral that it stands for, nats.
 #[cfg(test)]
@@ -34,39 +39,16 @@ const EVIDENCE_ERROR_NATS: f64 = 0.6;
 /// The same of a candidate's gain over none, nats.
 #[cfg(test)]
 const GAIN_ERROR_NATS: f64 = 0.5;
-/// Directions that the flat columns tell less than this share of the best are not told.
-const RANK: f64 = 1e-10;
 
-/// What a candidate reaches.
+/// Geometry of one size, integrated out.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct EvidencePeak {
-    /// ln evidence, up to a constant shared by all on the same nuisance model.
-    pub log_evidence: f64,
-    /// Best noise sigma, metres.
-    pub sigma_m: f64,
-    /// Best s_g / sigma.
-    pub geometry_ratio: f64,
-    /// Best s / sigma.
-    pub size_ratio: f64,
-}
-
-impl EvidencePeak {
-    /// Before anything is looked at.
-    const NONE: Self =
-        Self { log_evidence: f64::NEG_INFINITY, sigma_m: SIGMA_M[1], geometry_ratio: 0.0, size_ratio: 0.0 };
-}
-
-/// A direction that is projected out.
-#[derive(Clone)]
-struct Direction {
-    /// Weights of the design's columns.
-    weights: Vec<f64>,
-    /// The data along it.
-    y: f64,
-    /// The geometry's columns along it.
-    geometry: DVector<f64>,
-    /// Where its weights are not 0; set when all directions are there.
-    support: Range<usize>,
+struct GeometryTerm {
+    /// Its s_g / sigma.
+    ratio: f64,
+    /// The squares of the data that it leaves.
+    squares: f64,
+    /// ln determinant of its covariance beside the noise's.
+    log_det: f64,
 }
 
 /// Registration, geometry and what was already found, eliminated over a subset of the data.
@@ -77,10 +59,9 @@ pub(super) struct NuisanceModel {
     rows: f64,
     noise: NoisePrior,
     marginal: Marginal,
-    /// ln-spaced s_g/sigma, beginning with 0.
-    ratios: Vec<f64>,
-    /// For each of them the squares that geometry leaves, and its ln determinant.
-    at_ratios: Vec<(f64, f64)>,
+    /// Geometry at ln-spaced s_g/sigma, ascending from 0.
+    geometry_terms: Vec<GeometryTerm>,
+    /// ln-spaced s/sigma, ascending.
     size_ratios: Vec<f64>,
     /// <y, y> with the flat columns projected out.
     yy: f64,
@@ -137,8 +118,7 @@ impl NuisanceModel {
             rows,
             noise,
             marginal: noise.marginal_over(rows),
-            ratios: Vec::new(),
-            at_ratios: Vec::new(),
+            geometry_terms: Vec::new(),
             size_ratios: Vec::new(),
             yy: gram[(0, 0)],
             directions: Vec::new(),
@@ -173,149 +153,6 @@ impl NuisanceModel {
         self.finish();
     }
 
-    /// The same nuisance model without `columns`, which were given as `also` or grown; `None` where that takes another
-    /// elimination, because they told all of a column that was left out.
-    ///
-    /// What only these columns tell are the rows of the inverse of all products that belong to them. A reflection
-    /// (Householder 1958) takes the directions to as many that hold it and the rest; the former are given back.
-    #[must_use]
-    pub(super) fn without(&self, design: &Design, subset: &[usize], columns: &[usize]) -> Option<Self> {
-        let mut rest = self.clone();
-        rest.dependent.retain(|column| !columns.contains(column));
-        let left_out: Vec<Vec<f64>> =
-            rest.dependent.iter().map(|&column| design.gram_column(subset, column)).collect();
-        for &column in columns.iter().filter(|column| !self.dependent.contains(column)) {
-            let last = rest.directions.pop()?;
-            let mut axis: Vec<f64> = rest.directions.iter().map(|d| d.weights[column]).collect();
-            axis.push(last.weights[column]);
-            let length = dot(&axis, &axis).sqrt();
-            if length <= 0.0 {
-                return None;
-            }
-            // Reflected onto the last direction, from the side that is farther off.
-            let end = axis.len() - 1;
-            let target = if axis[end] > 0.0 { -length } else { length };
-            axis[end] -= target;
-            let scale = 2.0 / dot(&axis, &axis);
-            let mut along = Direction {
-                weights: last.weights.iter().map(|w| axis[end] * w).collect(),
-                y: axis[end] * last.y,
-                geometry: &last.geometry * axis[end],
-                support: 0..0,
-            };
-            for (by, direction) in axis.iter().zip(&rest.directions) {
-                along.weights.iter_mut().zip(&direction.weights).for_each(|(to, from)| *to += by * from);
-                along.y += by * direction.y;
-                along.geometry.axpy(*by, &direction.geometry, 1.0);
-            }
-            for (by, direction) in axis.iter().zip(&mut rest.directions) {
-                let by = scale * by;
-                direction.weights.iter_mut().zip(&along.weights).for_each(|(to, from)| *to -= by * from);
-                direction.y -= by * along.y;
-                direction.geometry.axpy(-by, &along.geometry, 1.0);
-            }
-            let by = scale * axis[end];
-            let weights: Vec<f64> =
-                last.weights.iter().zip(&along.weights).map(|(of, along)| of - by * along).collect();
-            let is_dependent =
-                |(gram, column): (&Vec<f64>, &usize)| dot(gram, &weights).powi(2) > RANK * gram[*column];
-            if left_out.iter().zip(&rest.dependent).any(is_dependent) {
-                return None;
-            }
-            let y = last.y - by * along.y;
-            let geometry = last.geometry - &along.geometry * by;
-            rest.yy += y * y;
-            rest.gy_raw.axpy(y, &geometry, 1.0);
-            rest.gg += &geometry * geometry.transpose();
-        }
-        rest.finish();
-        Some(rest)
-    }
-
-    /// One column after the other, made orthogonal to those before (Gram and Schmidt).
-    fn add(&mut self, gram: &DMatrix<f64>, also: &[usize]) {
-        for direction in &mut self.directions {
-            direction.weights.resize(gram.ncols(), 0.0);
-        }
-        for &column in also {
-            let mut direction = vec![0.0; gram.ncols()];
-            direction[column] = 1.0;
-            let whole = gram[(column, column)];
-            // Twice: the second pass takes out what rounding left of the first.
-            for _ in 0..2 {
-                let mut seen = times(gram, &direction);
-                let SlowColumns { columns, size_ratio } = self.slow.clone();
-                let precision = 1.0 / (size_ratio * size_ratio);
-                columns.for_each(|column| seen[column] += precision * direction[column]);
-                for known in &self.directions {
-                    let along = dot(&known.weights, &seen);
-                    for (to, from) in direction.iter_mut().zip(&known.weights) {
-                        *to -= along * from;
-                    }
-                }
-            }
-            let left = dot(gram.column(column).as_slice(), &direction);
-            if left > RANK * whole && left > 0.0 {
-                let length = left.sqrt();
-                direction.iter_mut().for_each(|d| *d /= length);
-                self.push(gram, direction);
-            } else {
-                self.dependent.push(column);
-            }
-        }
-    }
-
-    /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
-    /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
-    /// the flat ones have.
-    fn add_slow(&mut self, gram: &DMatrix<f64>, slow: SlowColumns) {
-        let SlowColumns { columns, size_ratio: ratio } = slow;
-        if columns.is_empty() || ratio <= 0.0 {
-            return;
-        }
-        let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, &d.weights)).collect();
-        let left = |a: usize, b: usize| gram[(a, b)] - flat.iter().map(|seen| seen[a] * seen[b]).sum::<f64>();
-        let n = columns.len();
-        let eigen =
-            DMatrix::from_fn(n, n, |r, c| left(columns.start + r, columns.start + c)).symmetric_eigen();
-        let from = self.directions.len();
-        for i in 0..n {
-            let square = eigen.eigenvalues[i];
-            if square <= RANK * eigen.eigenvalues.max() {
-                continue;
-            }
-            let r2 = ratio * ratio * square;
-            let scale = (r2 / (1.0 + r2) / square).sqrt();
-            let mut direction = vec![0.0; gram.ncols()];
-            for (k, column) in columns.clone().enumerate() {
-                direction[column] = scale * eigen.eigenvectors[(k, i)];
-            }
-            let along: Vec<f64> = flat
-                .iter()
-                .map(|seen| columns.clone().map(|column| seen[column] * direction[column]).sum())
-                .collect();
-            for (known, along) in self.directions[..from].iter().zip(along) {
-                for (to, by) in direction.iter_mut().zip(&known.weights) {
-                    *to -= along * by;
-                }
-            }
-            self.slow_log_det += r2.ln_1p();
-            self.push(gram, direction);
-        }
-        self.n_slow = self.directions.len() - from;
-        self.slow = SlowColumns { columns, size_ratio: ratio };
-    }
-
-    fn push(&mut self, gram: &DMatrix<f64>, weights: Vec<f64>) {
-        let along = |column: usize| dot(gram.column(column).as_slice(), &weights);
-        let y = along(0);
-        let geometry = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along(g)));
-        self.yy -= y * y;
-        self.gg -= &geometry * geometry.transpose();
-        self.gy_raw -= &geometry * y;
-        self.directions.push(Direction { weights, y, geometry, support: 0..0 });
-    }
-
     fn finish(&mut self) {
         let eigen = self.gg.clone().symmetric_eigen();
         let top = eigen.eigenvalues.max().max(1e-300);
@@ -327,13 +164,11 @@ impl NuisanceModel {
         let flat = self.directions.len() - self.n_slow;
         self.m = (self.rows - flat as f64).max(1.0);
         self.marginal = self.noise.marginal_over(self.m);
-        (self.ratios, self.size_ratios) = grids(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
-        self.at_ratios = self.ratios.iter().map(|&ratio| self.with_ratio(ratio)).collect();
-        for Direction { weights, support, .. } in &mut self.directions {
-            let told = |weight: &f64| *weight != 0.0;
-            let end = weights.iter().rposition(told).map_or(0, |last| last + 1);
-            *support = weights.iter().position(told).unwrap_or(end)..end;
-        }
+        let RatioGrids { geometry, size } =
+            RatioGrids::new(&self.noise, self.m, self.yy, &self.lambda, &self.gy);
+        self.geometry_terms = geometry.into_iter().map(|ratio| self.geometry_term(ratio)).collect();
+        self.size_ratios = size;
+        self.directions.iter_mut().for_each(Direction::find_support);
     }
 
     /// Degrees of freedom left by the flat columns.
@@ -353,9 +188,9 @@ impl NuisanceModel {
     /// Evidence without any candidate.
     #[must_use]
     pub(super) fn null(&self) -> EvidencePeak {
-        let mut sum = EvidenceSum::new();
-        for k in 0..self.ratios.len() {
-            self.add_term(&mut sum, k, (0.0, 0.0, 0.0), 0.0, f64::NEG_INFINITY);
+        let mut sum = EvidenceSum::new(0.0);
+        for geometry in &self.geometry_terms {
+            self.add_term(&mut sum, geometry, SizeTerm::NOTHING, 0.0, f64::NEG_INFINITY);
         }
         sum.peak(self.slow_log_det)
     }
@@ -364,104 +199,54 @@ impl NuisanceModel {
     #[must_use]
     pub(super) fn geometry_gain(&self) -> f64 {
         let at = |which: fn(f64) -> bool| {
-            let terms = self.ratios.iter().filter(|r| which(**r)).map(|&r| self.at_ratio(r).0);
-            log_sum(terms)
+            let terms = self.geometry_terms.iter().filter(|geometry| which(geometry.ratio));
+            log_sum(terms.map(|geometry| self.without_candidate(geometry).log))
         };
         at(|r| r > 0.0) - (1.0 - NO_GEOMETRY).ln() - (at(|r| r == 0.0) - NO_GEOMETRY.ln())
     }
 
-    fn at_ratio(&self, ratio: f64) -> (f64, f64) {
-        let (q, log_det) = self.with_ratio(ratio);
-        let (log, sigma_m) = self.marginal.at(q);
-        (log - 0.5 * log_det + geometry_prior(ratio * sigma_m), sigma_m)
+    /// The integral over the noise without any candidate, with the prior of geometry.
+    fn without_candidate(&self, geometry: &GeometryTerm) -> NoiseIntegral {
+        let NoiseIntegral { log, sigma_m } = self.marginal.at(geometry.squares);
+        NoiseIntegral {
+            log: log - 0.5 * geometry.log_det + geometry_prior(geometry.ratio * sigma_m),
+            sigma_m,
+        }
     }
 
-    /// Squares that geometry of this ratio leaves, and its ln determinant.
-    fn with_ratio(&self, ratio: f64) -> (f64, f64) {
+    /// Geometry of this ratio, integrated out.
+    fn geometry_term(&self, ratio: f64) -> GeometryTerm {
         let r2 = ratio * ratio;
-        let mut q = self.yy;
+        let mut squares = self.yy;
         let mut log_det = 0.0;
         for (l, g) in self.lambda.iter().zip(self.gy.iter()) {
-            q -= r2 / (1.0 + r2 * l) * g * g;
+            squares -= r2 / (1.0 + r2 * l) * g * g;
             log_det += (r2 * l).ln_1p();
         }
-        (q, log_det)
+        GeometryTerm { ratio, squares, log_det }
     }
 
-    /// Adds to `sum` what one size does at the geometry ratio number `k`: the size ratio, what it takes off the squares, and what
-    /// it adds to ln evidence. `signal_of_unit_size` is the signal of one usual size; below `least` nothing is added.
+    /// Adds to `sum` what a candidate of one size reaches beside geometry of one. `signal_of_unit_size` is the signal of one usual
+    /// size; below `least` nothing is added.
     fn add_term(
         &self,
         sum: &mut EvidenceSum,
-        k: usize,
-        (size, off, gain): (f64, f64, f64),
+        geometry: &GeometryTerm,
+        size: SizeTerm,
         signal_of_unit_size: f64,
         least: f64,
     ) {
-        let (ratio, (q, log_det)) = (self.ratios[k], self.at_ratios[k]);
-        let (log, sigma_m) = self.marginal.at(q - off);
-        let log = log - 0.5 * log_det + gain;
+        let NoiseIntegral { log, sigma_m } = self.marginal.at(geometry.squares - size.explained);
+        let log = log - 0.5 * geometry.log_det + size.log_occam;
         // Priors are below 1.
         if log < least {
             return;
         }
-        let mut log = log + geometry_prior(ratio * sigma_m);
-        if size > 0.0 {
-            log += size_prior(size * sigma_m, size * signal_of_unit_size);
+        let (geometry_ratio, size_ratio) = (geometry.ratio, size.ratio);
+        let mut log_evidence = log + geometry_prior(geometry_ratio * sigma_m);
+        if size_ratio > 0.0 {
+            log_evidence += size_prior(size_ratio * sigma_m, size_ratio * signal_of_unit_size);
         }
-        sum.add(EvidencePeak { log_evidence: log, sigma_m, geometry_ratio: ratio, size_ratio: size });
+        sum.add(EvidencePeak { log_evidence, sigma_m, geometry_ratio, size_ratio });
     }
-}
-
-/// A sum over both ratio grids, with its largest term.
-struct EvidenceSum {
-    total: f64,
-    best: EvidencePeak,
-}
-
-impl EvidenceSum {
-    fn new() -> Self {
-        Self { total: f64::NEG_INFINITY, best: EvidencePeak::NONE }
-    }
-
-    fn add(&mut self, term: EvidencePeak) {
-        self.total = log_add(self.total, term.log_evidence);
-        if term.log_evidence > self.best.log_evidence {
-            self.best = term;
-        }
-    }
-
-    /// ln of the sum.
-    fn total(&self) -> f64 {
-        self.total
-    }
-
-    /// The sum, less the price of slow noise, where its largest term lies.
-    fn peak(self, slow_log_det: f64) -> EvidencePeak {
-        EvidencePeak { log_evidence: self.total - 0.5 * slow_log_det, ..self.best }
-    }
-}
-
-/// The product of `gram` with the sparse vector `x`.
-fn times(gram: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
-    let mut out = vec![0.0; gram.nrows()];
-    for (c, x) in x.iter().enumerate().filter(|(_, x)| **x != 0.0) {
-        for (to, from) in out.iter_mut().zip(gram.column(c).iter()) {
-            *to += x * from;
-        }
-    }
-    out
-}
-
-/// Sum of products, in eight running sums.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
-        for k in 0..8 {
-            sums[k] += x[k] * y[k];
-        }
-    }
-    sums.iter().sum::<f64>() + tail
 }

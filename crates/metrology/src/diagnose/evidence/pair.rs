@@ -1,10 +1,12 @@
 //! Two candidates at once, each with a size of its own that is integrated: what the first takes alone, and how large it must then
 //! be, is not held against it beside the second.
 
-use super::candidate::Projected;
-use super::prior::size_prior;
-use super::{NuisanceModel, log_add};
+use super::candidate::{Projected, ReducedProducts};
+use super::prior::{geometry_prior, size_prior};
+use super::sum::{EvidencePeak, EvidenceSum};
+use super::{GeometryTerm, NuisanceModel};
 use crate::diagnose::design::Sums;
+use crate::diagnose::marginal::NoiseIntegral;
 use nalgebra::{DMatrix, DVector};
 
 /// Doublings to either side of the sizes at which a pair was seen; where the best lies at an end, it is gone on from there.
@@ -67,37 +69,49 @@ impl NuisanceModel {
         };
         let signals = [signal(0, first), signal(first, p)];
         let sizes = near.map(|near| (-DOUBLINGS..=DOUBLINGS).map(move |k| near * f64::from(k).exp2()));
-        let mut total = f64::NEG_INFINITY;
-        let mut best = (f64::NEG_INFINITY, 0.0, near, 0.0);
-        for (&ratio, &(q, log_det)) in self.ratios.iter().zip(&self.at_ratios) {
-            let (own, with_y) = self.reduced(both, &with_geometry, ratio);
+        let mut sum = EvidenceSum::new(near);
+        for geometry in &self.geometry_terms {
+            let reduced = self.reduced(both, &with_geometry, geometry.ratio);
             for s in sizes[0].clone() {
                 for t in sizes[1].clone() {
-                    let scale = |k: usize| if k < first { s } else { t };
-                    let normal = normal_matrix(&own, scale);
-                    let Some(cholesky) = normal.cholesky() else { continue };
-                    let lower = cholesky.l_dirty();
-                    let half_log_det: f64 = (0..p).map(|k| lower[(k, k)].ln()).sum();
-                    let mut half = DVector::from_fn(p, |k, _| scale(k) * with_y[k]);
-                    lower.solve_lower_triangular_mut(&mut half);
-                    let (log, sigma_m) = self.marginal.at(q - half.norm_squared());
-                    let log = log - 0.5 * log_det - half_log_det
-                        + super::geometry_prior(ratio * sigma_m)
-                        + size_prior(s * sigma_m, s * signals[0])
-                        + size_prior(t * sigma_m, t * signals[1]);
-                    total = log_add(total, log);
-                    if log > best.0 {
-                        best = (log, ratio, [s, t], sigma_m);
+                    if let Some(term) = self.pair_term(geometry, &reduced, first, [s, t], signals) {
+                        sum.add(term);
                     }
                 }
             }
         }
-        let (_, ratio, size_ratios, sigma_m) = best;
+        let peak = sum.peak(self.slow_log_det);
         PairPeak {
-            log_evidence: total - 0.5 * self.slow_log_det,
-            size_ratios,
-            signs: self.signs(both, &with_geometry, first, (ratio, size_ratios, sigma_m)),
+            log_evidence: peak.log_evidence,
+            size_ratios: peak.size_ratio,
+            signs: self.signs(both, &with_geometry, first, &peak),
         }
+    }
+
+    /// What two candidates of these sizes reach beside geometry of one, which has left them `reduced`. `signals` are those of one
+    /// usual size of each.
+    fn pair_term(
+        &self,
+        geometry: &GeometryTerm,
+        reduced: &ReducedProducts,
+        first: usize,
+        size_ratio: [f64; 2],
+        signals: [f64; 2],
+    ) -> Option<EvidencePeak<[f64; 2]>> {
+        let [s, t] = size_ratio;
+        let scale = |k: usize| if k < first { s } else { t };
+        let p = reduced.with_y.len();
+        let cholesky = normal_matrix(&reduced.own, scale).cholesky()?;
+        let lower = cholesky.l_dirty();
+        let half_log_det: f64 = (0..p).map(|k| lower[(k, k)].ln()).sum();
+        let mut half = DVector::from_fn(p, |k, _| scale(k) * reduced.with_y[k]);
+        lower.solve_lower_triangular_mut(&mut half);
+        let NoiseIntegral { log, sigma_m } = self.marginal.at(geometry.squares - half.norm_squared());
+        let log_evidence = log - 0.5 * geometry.log_det - half_log_det
+            + geometry_prior(geometry.ratio * sigma_m)
+            + size_prior(s * sigma_m, s * signals[0])
+            + size_prior(t * sigma_m, t * signals[1]);
+        Some(EvidencePeak { log_evidence, sigma_m, geometry_ratio: geometry.ratio, size_ratio })
     }
 
     /// By how many standard deviations the first parameter of each is positive at the peak.
@@ -106,9 +120,10 @@ impl NuisanceModel {
         both: &Projected,
         with_geometry: &DMatrix<f64>,
         first: usize,
-        (ratio, [s, t], sigma_m): (f64, [f64; 2], f64),
+        peak: &EvidencePeak<[f64; 2]>,
     ) -> [f64; 2] {
-        let (own, with_y) = self.reduced(both, with_geometry, ratio);
+        let ReducedProducts { own, with_y } = self.reduced(both, with_geometry, peak.geometry_ratio);
+        let [s, t] = peak.size_ratio;
         let scale = |k: usize| if k < first { s } else { t };
         let Some(covariance) = normal_matrix(&own, scale).cholesky().map(|c| c.inverse()) else {
             return [0.0; 2];
@@ -116,7 +131,7 @@ impl NuisanceModel {
         let scaled = DVector::from_fn(with_y.len(), |k, _| scale(k) * with_y[k]);
         [0, first].map(|k| {
             let mean = (covariance.row(k) * &scaled)[0];
-            mean / (sigma_m * covariance[(k, k)].max(1e-300).sqrt())
+            mean / (peak.sigma_m * covariance[(k, k)].max(1e-300).sqrt())
         })
     }
 }

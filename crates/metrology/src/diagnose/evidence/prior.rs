@@ -9,26 +9,32 @@ pub(super) const NO_GEOMETRY: f64 = 0.25;
 /// Smallest size that is looked at, in prior sigmas.
 const SMALLEST: f64 = 1.0 / 64.0;
 
-/// Factor-of-two grids of s_g/sigma (0 first) and s/sigma that cover what the data can mean.
-pub(super) fn grids(
-    noise: &NoisePrior,
-    m: f64,
-    yy: f64,
-    lambda: &DVector<f64>,
-    gy: &DVector<f64>,
-) -> (Vec<f64>, Vec<f64>) {
-    let explained: f64 = lambda.iter().zip(gy.iter()).map(|(l, g)| g * g / l).sum();
-    // Rounding may leave a little less than nothing.
-    let high_m = (yy.max(0.0) / m).sqrt().clamp(SIGMA_M[0], SIGMA_M[1]);
-    let left = ((yy - explained).max(0.0) / m).sqrt() / 2.0;
-    let low_m = noise.known.map_or(left, |known| known.sigma_m.min(high_m)).clamp(SIGMA_M[0], high_m);
-    let doubling = |from: f64, to: f64| {
-        let steps = (to / from).log2().ceil().max(0.0) as i32;
-        (0..=steps).map(move |k| from * f64::from(k).exp2())
-    };
-    let ratios = std::iter::once(0.0).chain(doubling(0.25 / high_m, 24.0 / low_m)).collect();
-    let sizes = doubling(SMALLEST / high_m, 24.0 / low_m).collect();
-    (ratios, sizes)
+/// Factor-of-two grids that cover what the data can mean, ascending.
+pub(super) struct RatioGrids {
+    /// s_g/sigma of geometry, 0 first.
+    pub geometry: Vec<f64>,
+    /// s/sigma of a candidate.
+    pub size: Vec<f64>,
+}
+
+impl RatioGrids {
+    /// Grids for `m` rows whose squares are `yy`, and geometry with squares `lambda` along its own directions and products `gy`
+    /// with the data.
+    pub(super) fn new(noise: &NoisePrior, m: f64, yy: f64, lambda: &DVector<f64>, gy: &DVector<f64>) -> Self {
+        let explained: f64 = lambda.iter().zip(gy.iter()).map(|(l, g)| g * g / l).sum();
+        // Rounding may leave a little less than nothing.
+        let high_m = (yy.max(0.0) / m).sqrt().clamp(SIGMA_M[0], SIGMA_M[1]);
+        let left = ((yy - explained).max(0.0) / m).sqrt() / 2.0;
+        let low_m = noise.known.map_or(left, |known| known.sigma_m.min(high_m)).clamp(SIGMA_M[0], high_m);
+        let doubling = |from: f64, to: f64| {
+            let steps = (to / from).log2().ceil().max(0.0) as i32;
+            (0..=steps).map(move |k| from * f64::from(k).exp2())
+        };
+        Self {
+            geometry: std::iter::once(0.0).chain(doubling(0.25 / high_m, 24.0 / low_m)).collect(),
+            size: doubling(SMALLEST / high_m, 24.0 / low_m).collect(),
+        }
+    }
 }
 
 /// ln prior mass of one factor-of-two cell at `s_g`: about the tolerance, with a tail for arms never calibrated.

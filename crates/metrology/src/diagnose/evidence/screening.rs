@@ -2,9 +2,11 @@
 //! them, of which what adds nothing is left out.
 
 use super::candidate::Projected;
-use super::principal::Pairs;
+use super::principal::PrincipalDirections;
 use super::prior::size_prior;
-use super::{EvidencePeak, EvidenceSum, NuisanceModel};
+use super::sum::{EvidencePeak, EvidenceSum};
+use super::{GeometryTerm, NuisanceModel};
+use crate::diagnose::marginal::NoiseIntegral;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
 
@@ -14,9 +16,10 @@ const NOTHING_NATS: f64 = 40.0;
 /// One geometry ratio prepared for a first look.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ScreeningPoint {
-    ratio: f64,
-    q: f64,
+    geometry: GeometryTerm,
+    /// What geometry adds to ln evidence, whatever the candidate.
     base: f64,
+    /// The noise without any candidate.
     sigma_m: f64,
 }
 
@@ -29,11 +32,19 @@ pub(crate) struct Screened<'p> {
 
 /// A candidate at one point of the grid.
 struct ScreenedPoint {
+    /// Of geometry: its s_g / sigma.
     ratio: f64,
-    /// The candidate along its own directions.
-    pairs: Pairs,
+    /// The candidate along its own directions there.
+    directions: PrincipalDirections,
     /// The ln evidence that it does not pass.
     bound: f64,
+}
+
+/// Geometry beside which a candidate may add to its evidence.
+struct Contribution<'c> {
+    geometry: GeometryTerm,
+    /// The candidate along its own directions there.
+    directions: Cow<'c, PrincipalDirections>,
 }
 
 impl Screened<'_> {
@@ -53,14 +64,10 @@ impl NuisanceModel {
         ratios
             .into_iter()
             .map(|ratio| {
-                let (log, sigma_m) = self.at_ratio(ratio);
-                let (q, _) = self.with_ratio(ratio);
-                ScreeningPoint {
-                    ratio,
-                    q,
-                    base: log - self.marginal.at(q).0 - 0.5 * self.slow_log_det,
-                    sigma_m,
-                }
+                let geometry = self.geometry_term(ratio);
+                let NoiseIntegral { log, sigma_m } = self.without_candidate(&geometry);
+                let base = log - self.marginal.at(geometry.squares).log - 0.5 * self.slow_log_det;
+                ScreeningPoint { geometry, base, sigma_m }
             })
             .collect()
     }
@@ -70,10 +77,15 @@ impl NuisanceModel {
     pub(crate) fn screened<'p>(&self, projected: &'p Projected, grid: &[ScreeningPoint]) -> Screened<'p> {
         let with_geometry = self.along_geometry(projected);
         let at = |point: &ScreeningPoint| {
-            let pairs = self.pairs(projected, &with_geometry, point.ratio);
-            let off: f64 = pairs.iter().filter(|(h, _)| *h > 0.0).map(|(h, u)| u * u / h).sum();
-            let bound = point.base + self.marginal.at(point.q - off).0;
-            ScreenedPoint { ratio: point.ratio, pairs, bound }
+            let GeometryTerm { ratio, squares, .. } = point.geometry;
+            let directions = self.principal_directions(projected, &with_geometry, ratio);
+            let explained: f64 = directions
+                .iter()
+                .filter(|along| along.eigenvalue > 0.0)
+                .map(|along| along.with_y * along.with_y / along.eigenvalue)
+                .sum();
+            let bound = point.base + self.marginal.at(squares - explained).log;
+            ScreenedPoint { ratio, directions, bound }
         };
         let points = grid.iter().map(at).collect();
         Screened { projected, with_geometry, points }
@@ -87,25 +99,24 @@ impl NuisanceModel {
         grid: &[ScreeningPoint],
     ) -> EvidencePeak {
         let signal_of_unit_size = self.signal_of_unit_size(candidate.projected);
-        let mut best = EvidencePeak::NONE;
+        let mut best = EvidencePeak::none(0.0);
         let mut terms = Vec::with_capacity(self.size_ratios.len());
         for (point, seen) in grid.iter().zip(&candidate.points) {
-            seen.pairs.size_terms(self.size_ratios.iter().step_by(2), &mut terms);
-            for &(size, off, gain) in &terms {
-                let (log, sigma_m) = self.marginal.at(point.q - off);
+            seen.directions.size_terms(self.size_ratios.iter().step_by(2), &mut terms);
+            for size in &terms {
+                let NoiseIntegral { log, sigma_m } =
+                    self.marginal.at(point.geometry.squares - size.explained);
                 // The size's prior is below 1.
-                if point.base + log + gain <= best.log_evidence {
+                if point.base + log + size.log_occam <= best.log_evidence {
                     continue;
                 }
-                let log =
-                    point.base + log + gain + size_prior(size * point.sigma_m, size * signal_of_unit_size);
-                if log > best.log_evidence {
-                    best = EvidencePeak {
-                        log_evidence: log,
-                        sigma_m,
-                        geometry_ratio: point.ratio,
-                        size_ratio: size,
-                    };
+                let log_evidence = point.base
+                    + log
+                    + size.log_occam
+                    + size_prior(size.ratio * point.sigma_m, size.ratio * signal_of_unit_size);
+                if log_evidence > best.log_evidence {
+                    let (geometry_ratio, size_ratio) = (point.geometry.ratio, size.ratio);
+                    best = EvidencePeak { log_evidence, sigma_m, geometry_ratio, size_ratio };
                 }
             }
         }
@@ -125,12 +136,12 @@ impl NuisanceModel {
     pub(crate) fn evidence_of(&self, candidate: &Screened<'_>, first: &EvidencePeak) -> EvidencePeak {
         let signal = self.signal_of_unit_size(candidate.projected);
         let least = self.reached(candidate, first, signal) - NOTHING_NATS;
-        let mut sum = EvidenceSum::new();
+        let mut sum = EvidenceSum::new(0.0);
         let mut terms = Vec::with_capacity(self.size_ratios.len());
-        for (k, pairs) in self.ratios_that_count(candidate, least) {
-            pairs.size_terms(self.size_ratios.iter(), &mut terms);
-            for &term in &terms {
-                self.add_term(&mut sum, k, term, signal, least);
+        for Contribution { geometry, directions } in self.contributions(candidate, least) {
+            directions.size_terms(self.size_ratios.iter(), &mut terms);
+            for &size in &terms {
+                self.add_term(&mut sum, &geometry, size, signal, least);
             }
         }
         sum.peak(self.slow_log_det)
@@ -144,38 +155,41 @@ impl NuisanceModel {
 
     /// The ln evidence of the one size and ratio of geometry at which a first look found most.
     fn reached(&self, candidate: &Screened<'_>, first: &EvidencePeak, signal: f64) -> f64 {
-        let at = |point: &&ScreenedPoint| point.ratio == first.geometry_ratio;
-        let ratio = self.ratios.iter().position(|ratio| *ratio == first.geometry_ratio);
-        let Some((k, point)) = ratio.zip(candidate.points.iter().find(at)) else { return f64::NEG_INFINITY };
-        let mut terms = Vec::with_capacity(1);
-        point.pairs.size_terms([first.size_ratio].iter(), &mut terms);
-        let mut sum = EvidenceSum::new();
-        for term in terms {
-            self.add_term(&mut sum, k, term, signal, f64::NEG_INFINITY);
-        }
+        let ratio = first.geometry_ratio;
+        let geometry = self.geometry_terms.iter().find(|geometry| geometry.ratio == ratio);
+        let point = candidate.points.iter().find(|point| point.ratio == ratio);
+        let Some((geometry, point)) = geometry.zip(point) else { return f64::NEG_INFINITY };
+        let mut sum = EvidenceSum::new(0.0);
+        let size = point.directions.size_term(first.size_ratio);
+        self.add_term(&mut sum, geometry, size, signal, f64::NEG_INFINITY);
         sum.total()
     }
 
-    /// Ratios of geometry at which some size may reach `least`, ascending, with the candidate along its own directions there.
+    /// Geometry beside which some size may reach `least`, ascending.
     ///
     /// The squares that geometry and a candidate of the largest size leave are fewer for a larger ratio: those at the next larger
     /// one bound what can be reached.
-    fn ratios_that_count<'c>(&self, candidate: &'c Screened<'_>, least: f64) -> Vec<(usize, Cow<'c, Pairs>)> {
+    fn contributions<'c>(&self, candidate: &'c Screened<'_>, least: f64) -> Vec<Contribution<'c>> {
         let largest = self.size_ratios.last().copied().unwrap_or(0.0);
+        let reached =
+            |squares: f64, geometry: &GeometryTerm| self.marginal.at(squares).log - 0.5 * geometry.log_det;
         let mut left = f64::NEG_INFINITY;
-        let mut kept = Vec::with_capacity(self.ratios.len());
-        for (k, (&ratio, &(q, log_det))) in self.ratios.iter().zip(&self.at_ratios).enumerate().rev() {
-            if self.marginal.at(left).0 - 0.5 * log_det < least {
+        let mut kept = Vec::with_capacity(self.geometry_terms.len());
+        for &geometry in self.geometry_terms.iter().rev() {
+            if reached(left, &geometry) < least {
                 continue;
             }
-            let known = candidate.points.iter().find(|point| point.ratio == ratio);
-            let pairs = known.map_or_else(
-                || Cow::Owned(self.pairs(candidate.projected, &candidate.with_geometry, ratio)),
-                |point| Cow::Borrowed(&point.pairs),
+            let known = candidate.points.iter().find(|point| point.ratio == geometry.ratio);
+            let directions = known.map_or_else(
+                || {
+                    let Screened { projected, with_geometry, .. } = candidate;
+                    Cow::Owned(self.principal_directions(projected, with_geometry, geometry.ratio))
+                },
+                |point| Cow::Borrowed(&point.directions),
             );
-            left = q - pairs.taken(largest);
-            if self.marginal.at(left).0 - 0.5 * log_det >= least {
-                kept.push((k, pairs));
+            left = geometry.squares - directions.explained(largest);
+            if reached(left, &geometry) >= least {
+                kept.push(Contribution { geometry, directions });
             }
         }
         kept.reverse();

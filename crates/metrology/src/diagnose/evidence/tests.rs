@@ -7,6 +7,7 @@ use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use crate::diagnose::design::{Whitening, registration};
 use crate::diagnose::effects::{Candidate, testable_effects};
 use crate::diagnose::heldout::SplitMix64;
+use crate::diagnose::marginal::{SIGMA_M, log_add};
 use crate::measure::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -318,7 +319,7 @@ fn two_causes_together_are_as_likely_as_dense_matrices_say() {
     });
     let signal = |m: &DMatrix<f64>| (m.norm_squared() / kept.len() as f64).sqrt();
     let mut exact = f64::NEG_INFINITY;
-    for &r in &nuisance.ratios {
+    for r in nuisance.geometry_terms.iter().map(|geometry| geometry.ratio) {
         for (i, k) in (0..25).map(|cell| (cell / 5 - 2, cell % 5 - 2)) {
             let [s, t] = [NEAR[0] * f64::from(i).exp2(), NEAR[1] * f64::from(k).exp2()];
             let covariance = DMatrix::identity(kept.len(), kept.len())
@@ -327,7 +328,7 @@ fn two_causes_together_are_as_likely_as_dense_matrices_say() {
                 + &b * b.transpose() * (t * t);
             let cholesky = covariance.cholesky().unwrap();
             let half_log_det: f64 = cholesky.l().diagonal().iter().map(|v| v.ln()).sum();
-            let (log, sigma_m) = nuisance.marginal.at(e.dot(&cholesky.solve(&e)));
+            let NoiseIntegral { log, sigma_m } = nuisance.marginal.at(e.dot(&cholesky.solve(&e)));
             let sizes = size_prior(s * sigma_m, s * signal(&a)) + size_prior(t * sigma_m, t * signal(&b));
             exact = log_add(exact, log - half_log_det + geometry_prior(r * sigma_m) + sizes);
         }
