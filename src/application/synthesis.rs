@@ -138,6 +138,8 @@ impl ChosenEffects {
             outliers: 0.0,
             geometry: 0.0,
             payloads_kg: [0.0, 3.0],
+            small: Vec::new(),
+            gaps: None,
         })
     }
 }

@@ -4,6 +4,7 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::{DataSet, data_set};
+use exam::harmonics::Harmonics;
 use exam::rng::Rng;
 use metrology::diagnose::{
     DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
@@ -69,7 +70,13 @@ const MM: (&str, Option<f64>) = ("mm", Some(1000.0));
 #[test]
 fn what_is_planted_in_an_arm_of_four_joints_is_named() {
     assert_named("palletiser", Effect::JointOffset { joint: 3 }, Some(3), RAD, 1);
-    assert_named("palletiser", Effect::GearMesh { joint: 1, n: 9, phase_rad: 0.4 }, Some(1), RAD, 2);
+    assert_named(
+        "palletiser",
+        Effect::GearMesh { joint: 1, n: 9, phase_rad: 0.4, harmonics: Harmonics::NONE },
+        Some(1),
+        RAD,
+        2,
+    );
 }
 
 #[test]

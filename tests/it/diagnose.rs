@@ -422,7 +422,7 @@ fn a_gain_is_one_cause_wherever_its_zero_lies() {
     }
 }
 
-/// 18 sets of the exam's mixture; the same draws on every machine.
+/// 18 sets of the exam's mixture, of the first seed from 42 on whose sets are of all six kinds; the same draws on every machine.
 #[test]
 fn a_small_fixed_exam() {
     let folder = tempfile::tempdir().unwrap();
@@ -430,7 +430,7 @@ fn a_small_fixed_exam() {
     driftpost()
         .arg("synth")
         .arg(&sets)
-        .args(["--sets", "18", "--seed", "42", "--most-rows", "60"])
+        .args(["--sets", "18", "--seed", "44", "--most-rows", "60"])
         .assert()
         .success();
     let json = folder.path().join("exam.json");
@@ -444,7 +444,7 @@ fn a_small_fixed_exam() {
     assert_eq!(value("confident and wrong, overall"), Some(0.0));
     assert_eq!(value("false alarms"), Some(0.0));
     assert_eq!(value("faults of the file"), Some(1.0));
-    // Five sets of 30 and 60 rows: of such, drawn from families, about every other shape is seen (docs/EXAM.md).
+    // Four sets of 30 and 60 rows: of such, drawn from families, about every other shape is seen (docs/EXAM.md).
     assert!(value("outside the library: recall").unwrap() >= 0.5, "{answer:#}");
     assert!(value("two effects").unwrap() >= 0.5, "{answer:#}");
 

@@ -4,6 +4,7 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::data_set;
+use exam::harmonics::Harmonics;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot};
@@ -254,7 +255,8 @@ fn models_of_touches_and_of_lengths_hold_for_others() {
 
 #[test]
 fn nests_on_the_base_tell_whether_it_is_the_base_that_drifts() {
-    let mut cell = Cell::new(Effect::GearEccentricity { joint: 3, phase_rad: 0.5 }, 120, 4);
+    let mut cell =
+        Cell::new(Effect::GearEccentricity { joint: 3, phase_rad: 0.5, harmonics: Harmonics::NONE }, 120, 4);
     let nests = [[0.4, 0.5, 0.02], [0.4, -0.5, 0.02], [-0.5, 0.1, 0.3]];
     let mut csv = format!("kind,target,t_min,{HEADER},x_mm,y_mm,z_mm\n");
     for (k, at) in cell.at.clone().iter().enumerate() {

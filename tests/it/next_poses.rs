@@ -10,7 +10,7 @@ use exam::mixture::recipe;
 use exam::poses::{CommandedRow, MoreRows, RunSpec, Spread, states};
 use exam::recipe::Recipe;
 use exam::rng::Rng;
-use exam::truth::{QuestionKind, Truth};
+use exam::truth::{InjectedEffect, QuestionKind, Truth};
 use metrology::diagnose::{self, DiagnosisOptions, NextMeasurement, Verdict};
 use metrology::measure::Measurements;
 use nalgebra::Vector3;
@@ -64,17 +64,18 @@ fn diagnosed(robot: &SerialArm, set: &DataSet, task: &DataSet) -> diagnose::Find
     diagnosis.run(&measurements).unwrap().findings
 }
 
-fn right(truth: &Truth, cause: &diagnose::Cause) -> bool {
-    truth.effects.iter().any(|put| {
+fn right(effects: &[InjectedEffect], cause: &diagnose::Cause) -> bool {
+    effects.iter().any(|put| {
         put.effect.name() == Some(cause.effect.name())
             && put.effect.joint().is_none_or(|j| cause.joint == Axis::numbered(j))
     })
 }
 
-/// No set is left, and what is named is what is there.
+/// No set is left, and what is named is what is there: what is asked about, and small effects beside it.
 fn resolved(truth: &Truth, answer: &diagnose::Findings) -> bool {
     matches!(answer.verdict, Verdict::Explained | Verdict::Several)
-        && answer.causes.iter().all(|cause| right(truth, cause))
+        && answer.causes.iter().all(|cause| right(&truth.effects, cause) || right(&truth.small, cause))
+        && answer.causes.iter().any(|cause| right(&truth.effects, cause))
 }
 
 fn wrong(truth: &Truth, answer: &diagnose::Findings) -> bool {

@@ -7,6 +7,7 @@
 use exam::arm::{Disturbance, ScrewArm};
 use exam::effect::{ArmState, Effect, SizedEffect};
 use exam::generate::data_set;
+use exam::harmonics::Harmonics;
 use exam::mixture::weak_recipe;
 use exam::poses::{RunSpec, states};
 use exam::recipe::{Recipe, RequestedEffect};
@@ -164,7 +165,7 @@ impl Forms<'_> {
     }
 
     fn fill(&mut self, last_min: f64) {
-        let share = 1.0 / 18.0;
+        let share = 1.0 / 19.0;
         let joints =
             |from: usize, to: usize, of: fn(usize) -> Effect| (from..=to).map(of).collect::<Vec<_>>();
         self.plain(share, &joints(2, 5, |joint| Effect::JointOffset { joint }));
@@ -178,10 +179,23 @@ impl Forms<'_> {
         self.plain(0.5 * share, &[Effect::PayloadMass]);
         for joint in 1..=6 {
             let each = share / 6.0;
-            self.wave(each, |phase_rad| Effect::GearEccentricity { joint, phase_rad });
-            self.wave(each, |phase_rad| Effect::GearSecondHarmonic { joint, phase_rad });
+            self.wave(each, |phase_rad| Effect::GearEccentricity {
+                joint,
+                phase_rad,
+                harmonics: Harmonics::NONE,
+            });
+            self.wave(each, |phase_rad| Effect::GearSecondHarmonic {
+                joint,
+                phase_rad,
+                harmonics: Harmonics::NONE,
+            });
             for n in 3..=120 {
-                self.wave(each / 118.0, |phase_rad| Effect::GearMesh { joint, n, phase_rad });
+                self.wave(each / 118.0, |phase_rad| Effect::GearMesh {
+                    joint,
+                    n,
+                    phase_rad,
+                    harmonics: Harmonics::NONE,
+                });
             }
             let hold = |k: usize| 2.0 * 100.0_f64.powf((k as f64 + 0.5) / HOLDS as f64);
             let held: Vec<Effect> =
@@ -198,6 +212,7 @@ impl Forms<'_> {
             let (each, count) = (share / MOMENTS as f64, DIRECTIONS / 2);
             self.directed(each, count, |direction| Effect::BaseStep { t0_min, direction });
             self.directed(each, count, |direction| Effect::ToolStep { t0_min, direction });
+            self.plain(each, &[2, 3, 4, 5].map(|joint| Effect::JointStep { joint, t0_min }));
         }
     }
 }

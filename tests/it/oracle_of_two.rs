@@ -6,6 +6,7 @@
 
 use super::oracle::{Reading, SCALES, basis, log_sum, points, question};
 use exam::effect::Effect;
+use exam::harmonics::Harmonics;
 use exam::mixture::recipe;
 use exam::recipe::{Recipe, RequestedEffect};
 use exam::rng::Rng;
@@ -80,7 +81,7 @@ impl Families<'_> {
 
     /// As the mixture draws them, steps at every row.
     fn fill(&mut self, rows: usize) {
-        let share = 1.0 / 18.0;
+        let share = 1.0 / 19.0;
         let joints =
             |from: usize, to: usize, of: fn(usize) -> Effect| (from..=to).map(of).collect::<Vec<_>>();
         self.each(share, &joints(2, 5, |joint| Effect::JointOffset { joint }));
@@ -95,10 +96,27 @@ impl Families<'_> {
         for joint in 1..=6 {
             let each = share / 6.0;
             let waves = |of: &dyn Fn(f64) -> Effect| [of(0.0), of(TAU / 4.0)];
-            self.add(each, &waves(&|phase_rad| Effect::GearEccentricity { joint, phase_rad }));
-            self.add(each, &waves(&|phase_rad| Effect::GearSecondHarmonic { joint, phase_rad }));
+            self.add(
+                each,
+                &waves(&|phase_rad| Effect::GearEccentricity {
+                    joint,
+                    phase_rad,
+                    harmonics: Harmonics::NONE,
+                }),
+            );
+            self.add(
+                each,
+                &waves(&|phase_rad| Effect::GearSecondHarmonic {
+                    joint,
+                    phase_rad,
+                    harmonics: Harmonics::NONE,
+                }),
+            );
             for n in 3..=120 {
-                self.add(each / 118.0, &waves(&|phase_rad| Effect::GearMesh { joint, n, phase_rad }));
+                self.add(
+                    each / 118.0,
+                    &waves(&|phase_rad| Effect::GearMesh { joint, n, phase_rad, harmonics: Harmonics::NONE }),
+                );
             }
             let hold = |k: usize| 2.0 * 100.0_f64.powf((k as f64 + 0.5) / HOLDS as f64);
             let held: Vec<Effect> =
@@ -115,6 +133,7 @@ impl Families<'_> {
             let each = share / moments.len() as f64;
             self.directed(each, |direction| Effect::BaseStep { t0_min, direction });
             self.directed(each, |direction| Effect::ToolStep { t0_min, direction });
+            self.each(each, &[2, 3, 4, 5].map(|joint| Effect::JointStep { joint, t0_min }));
         }
     }
 }
@@ -248,7 +267,7 @@ fn answered(recipe: &Recipe, seen: &Reading, number: u64) -> Vec<(bool, bool)> {
     families.fill(recipe.n);
     // The true holding torque among those tried.
     let plays = recipe.effects.iter().filter(|asked| matches!(asked.effect, Effect::Backlash { .. }));
-    plays.for_each(|asked| families.add(1.0 / 18.0 / 6.0 / HOLDS as f64, &[asked.effect]));
+    plays.for_each(|asked| families.add(1.0 / 19.0 / 6.0 / HOLDS as f64, &[asked.effect]));
     let project = |m: &DMatrix<f64>| m - &families.absorbed * (families.absorbed.transpose() * m);
     let geometry = project(&DMatrix::from_columns(&seen.geometry()));
     let samples = samples(&mut Rng::new(778, number));

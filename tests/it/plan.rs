@@ -3,6 +3,7 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::{data_set, planned_set};
+use exam::harmonics::Harmonics;
 use exam::poses::CommandedRow;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
@@ -230,8 +231,8 @@ fn contest(planned: &MeasurementPlan, tool_m: Vector3<f64>, rho: f64, seeds: u64
             [
                 Effect::JointOffset { joint },
                 Effect::JointCompliance { joint },
-                Effect::GearEccentricity { joint, phase_rad: 0.7 },
-                Effect::GearSecondHarmonic { joint, phase_rad: 0.7 },
+                Effect::GearEccentricity { joint, phase_rad: 0.7, harmonics: Harmonics::NONE },
+                Effect::GearSecondHarmonic { joint, phase_rad: 0.7, harmonics: Harmonics::NONE },
                 Effect::JointGain { joint },
                 Effect::Backlash { joint, holding_n_m: 1e3 },
             ]

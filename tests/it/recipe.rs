@@ -22,5 +22,7 @@ pub fn planted(effects: Vec<(Effect, f64)>, n: usize) -> Recipe {
         outliers: 0.0,
         geometry: 0.0,
         payloads_kg: [0.0, 3.0],
+        small: Vec::new(),
+        gaps: None,
     }
 }

@@ -3,6 +3,7 @@
 use assert_cmd::Command;
 use exam::effect::Effect;
 use exam::generate::data_set;
+use exam::harmonics::Harmonics;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use robot_model::robot::Robot;
@@ -76,7 +77,7 @@ fn what_is_slow_on_top_of_the_noise_stated_is_structure() {
 #[test]
 fn a_cause_in_slow_noise_that_nobody_stated_is_named() {
     for seed in [1, 2, 3] {
-        let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7 };
+        let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7, harmonics: Harmonics::NONE };
         let answer = diagnose(&rows(vec![(gear, 2.0)], 0.85, seed), &[]);
         let causes: Vec<(&str, u64)> = answer["causes"]
             .as_array()

@@ -3,19 +3,15 @@
 //! Writes what stands and what is at work; knows nothing of how either was drawn.
 
 use super::arm::Disturbance;
-use super::effect::{Effect, RowFault, SizedEffect};
+use super::effect::SizedEffect;
+use super::file_faults::FileFaults;
 use super::recipe::Recipe;
 use super::rng::Rng;
 use super::run::MeasuredRun;
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
-use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m};
+use robot_model::units::m_from_mm;
 use std::fmt::Write as _;
 
-/// The joint that is in radians, counted from 0.
-const RADIANS: usize = 2;
-/// The beam is lost for one in so many rows.
-const FROZEN: usize = 8;
-const MM_PER_INCH: f64 = 25.4;
 /// Temperature of the air and of joints at cold start, degrees Celsius, and the scatter of a thermometer, K.
 const COLD_C: f64 = 21.0;
 const THERMOMETER_K: f64 = 0.1;
@@ -49,53 +45,6 @@ impl Instrument {
     }
 }
 
-/// What goes wrong when the file is put together.
-struct FileFaults {
-    rounded: bool,
-    swapped: bool,
-    /// A fault of rows, with the first row that has it.
-    of_rows: Option<(RowFault, usize)>,
-}
-
-impl FileFaults {
-    fn of(effects: &[SizedEffect], rows: usize) -> Self {
-        let has = |wanted: fn(&Effect) -> bool| effects.iter().any(|sized| wanted(&sized.effect));
-        Self {
-            rounded: has(|e| matches!(e, Effect::JointRounding)),
-            swapped: has(|e| matches!(e, Effect::SwappedAxes)),
-            of_rows: effects.iter().find_map(|sized| match sized.effect {
-                Effect::RowFault { fault, from } => Some((fault, (from * rows as f64) as usize)),
-                _ => None,
-            }),
-        }
-    }
-
-    fn has_fault(&self, wanted: RowFault) -> bool {
-        self.of_rows.is_some_and(|(fault, _)| fault == wanted)
-    }
-
-    /// The row whose point stands in row `k` of `rows`.
-    fn point_of(&self, k: usize, rows: usize) -> usize {
-        match self.of_rows {
-            Some((RowFault::Frozen, from)) if (from..from + rows / FROZEN).contains(&k) => from,
-            Some((RowFault::OneLate, from)) if k > from => k - 1,
-            _ => k,
-        }
-    }
-
-    /// The cells of a point in row `k`.
-    fn coordinates(&self, k: usize, point_m: &Point3<f64>) -> [f64; 3] {
-        let [mut x, y, z] = match self.of_rows {
-            Some((RowFault::Metres, from)) if k >= from => [point_m.x, point_m.y, point_m.z],
-            _ => [point_m.x, point_m.y, point_m.z].map(mm_from_m),
-        };
-        if self.has_fault(RowFault::Inches) {
-            x /= MM_PER_INCH;
-        }
-        if self.swapped { [y, x, z] } else { [x, y, z] }
-    }
-}
-
 impl RunRecord<'_> {
     /// The text of the file, in the order of the rows. Those past the recipe's number draw from `later`.
     pub(super) fn csv(&self, rng: &mut Rng, later: &mut Rng) -> String {
@@ -108,15 +57,13 @@ impl RunRecord<'_> {
         for (k, pose) in (0..self.run.states.len()).zip(self.poses) {
             let rng = if k < self.recipe.n { &mut *rng } else { &mut *later };
             // writing to a String cannot fail
-            let _ = write!(out, "{k},{pose}");
+            let _ = write!(out, "{k},{}", faults.pose(*pose));
             out += &self.arm_cells(k, &faults);
-            let point_m = &points[faults.point_of(k, points.len())];
-            let [x, y, z] = faults.coordinates(k, point_m);
-            let _ = write!(out, ",{x:.4},{y:.4},{z:.4}");
-            out += &self.optional_cells(k, &instrument, rng);
+            out += &faults.point_cells(k, faults.point_of(k).map(|row| &points[row]));
+            out += &self.optional_cells(k, &instrument, &faults, rng);
             out.push('\n');
         }
-        out
+        self.recipe.gaps.as_ref().map_or_else(|| out.clone(), |gaps| gaps.made_in(&out))
     }
 
     fn header(&self) -> String {
@@ -155,19 +102,20 @@ impl RunRecord<'_> {
             let _ = write!(out, ",{:.2}", now.t_min);
         }
         for (j, q) in now.q_rad.into_iter().enumerate() {
-            let in_radians = j == RADIANS && faults.has_fault(RowFault::Radians);
-            let cell = match self.run.arm.slides(j) {
-                true => mm_from_m(q),
-                false if in_radians => q,
-                false => deg_from_rad(q),
-            };
-            let _ = if faults.rounded { write!(out, ",{cell:.1}") } else { write!(out, ",{cell:.6}") };
+            out.push(',');
+            out += &faults.joint_cell(j, q, self.run.arm.slides(j));
         }
         out
     }
 
     /// What is recorded of row `k` beside joints and point.
-    fn optional_cells(&self, k: usize, instrument: &Instrument, rng: &mut Rng) -> String {
+    fn optional_cells(
+        &self,
+        k: usize,
+        instrument: &Instrument,
+        faults: &FileFaults,
+        rng: &mut Rng,
+    ) -> String {
         let recorded = self.recipe.recorded;
         let now = &self.run.states[k];
         let mut out = String::new();
@@ -187,13 +135,13 @@ impl RunRecord<'_> {
             }
         }
         if recorded.payload {
-            let _ = write!(out, ",{:.2}", now.payload_kg);
+            let _ = write!(out, ",{:.2}", faults.payload(now.payload_kg));
         }
         if recorded.temperature {
-            for warmer in now.warmer_k {
-                let _ = write!(out, ",{:.2}", COLD_C + warmer + THERMOMETER_K * rng.normal());
+            for warmer in now.warmer_k.into_iter().chain([0.0]) {
+                let read_c = COLD_C + warmer + THERMOMETER_K * rng.normal();
+                let _ = write!(out, ",{:.2}", faults.temperature(read_c));
             }
-            let _ = write!(out, ",{:.2}", COLD_C + THERMOMETER_K * rng.normal());
         }
         out
     }

@@ -48,14 +48,14 @@ fn joint_error(SizedEffect { effect, amplitude }: SizedEffect, now: &ArmState) -
         // a resolver that was knocked, a belt that skipped a tooth
         Effect::JointStep { joint, t0_min } if now.t_min >= t0_min => error(joint, amplitude),
         Effect::JointCompliance { joint } => error(joint, amplitude * now.torque_n_m[joint - 1]),
-        Effect::GearEccentricity { joint, phase_rad } => {
-            error(joint, amplitude * (q(joint) + phase_rad).sin())
+        Effect::GearEccentricity { joint, phase_rad, harmonics } => {
+            error(joint, amplitude * harmonics.line(1.0, phase_rad, q(joint)))
         }
-        Effect::GearSecondHarmonic { joint, phase_rad } => {
-            error(joint, amplitude * (2.0 * q(joint) + phase_rad).sin())
+        Effect::GearSecondHarmonic { joint, phase_rad, harmonics } => {
+            error(joint, amplitude * harmonics.line(2.0, phase_rad, q(joint)))
         }
-        Effect::GearMesh { joint, n, phase_rad } => {
-            error(joint, amplitude * (f64::from(n) * q(joint) + phase_rad).sin())
+        Effect::GearMesh { joint, n, phase_rad, harmonics } => {
+            error(joint, amplitude * harmonics.line(f64::from(n), phase_rad, q(joint)))
         }
         Effect::JointGain { joint } => error(joint, amplitude * q(joint)),
         Effect::JointCoupling { joint, joint_b } => error(joint_b, amplitude * q(joint)),

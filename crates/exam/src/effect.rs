@@ -2,6 +2,8 @@
 //!
 //! Knows names, units and usual sizes; what an effect does to the arm stands in `disturb`.
 
+use super::harmonics::Harmonics;
+use super::row_fault::RowFault;
 use super::smooth::{MovedPart, SmoothFunction};
 use nalgebra::{Point3, Vector3};
 use robot_model::robot::Joints;
@@ -53,15 +55,21 @@ pub enum Effect {
     GearEccentricity {
         joint: usize,
         phase_rad: f64,
+        #[serde(default, skip_serializing_if = "Harmonics::is_none")]
+        harmonics: Harmonics,
     },
     GearSecondHarmonic {
         joint: usize,
         phase_rad: f64,
+        #[serde(default, skip_serializing_if = "Harmonics::is_none")]
+        harmonics: Harmonics,
     },
     GearMesh {
         joint: usize,
         n: u32,
         phase_rad: f64,
+        #[serde(default, skip_serializing_if = "Harmonics::is_none")]
+        harmonics: Harmonics,
     },
     JointGain {
         joint: usize,
@@ -131,27 +139,6 @@ pub enum Effect {
         a: usize,
         b: usize,
     },
-}
-
-/// What goes wrong when rows are put together by hand or by a script.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum RowFault {
-    /// Points in metres from a row on: another export.
-    Metres,
-    /// The instrument's last point again and again: the beam was lost.
-    Frozen,
-    /// Each point beside the joints of the row before it.
-    OneLate,
-    /// One joint in radians.
-    Radians,
-    /// One coordinate in inches.
-    Inches,
-}
-
-impl RowFault {
-    /// Every fault, in the order in which an exam draws them.
-    pub const ALL: [Self; 5] = [Self::Metres, Self::Frozen, Self::OneLate, Self::Radians, Self::Inches];
 }
 
 /// An effect with its size.

@@ -1,6 +1,7 @@
 //! Effects as a user names them: `joint_compliance:2`, `gear_mesh:3:20`, `joint_coupling:5:6`.
 
 use super::effect::Effect;
+use super::harmonics::Harmonics;
 use super::rng::Rng;
 use super::smooth::{Domain, MovedPart, SmoothFunction};
 use std::f64::consts::TAU;
@@ -11,6 +12,9 @@ const USUAL_RUN_MIN: f64 = 100.0;
 /// Direction of a shift that has parts along all three axes.
 const ACROSS: [f64; 3] = [0.6, 0.48, 0.64];
 
+/// Lines of gears that are asked for are pure sines.
+const PURE: Harmonics = Harmonics::NONE;
+
 /// Effects that can be asked for, with what may follow their names; what is written or drawn takes the place of their values.
 const TEMPLATES: [(Effect, &str); 27] = [
     (Effect::JointOffset { joint: 1 }, "JOINT"),
@@ -18,9 +22,9 @@ const TEMPLATES: [(Effect, &str); 27] = [
     (Effect::JointCompliance { joint: 1 }, "JOINT"),
     (Effect::LinkBending { joint: 1 }, "LINK"),
     (Effect::BaseTilt, ""),
-    (Effect::GearEccentricity { joint: 1, phase_rad: 0.0 }, "JOINT"),
-    (Effect::GearSecondHarmonic { joint: 1, phase_rad: 0.0 }, "JOINT"),
-    (Effect::GearMesh { joint: 1, n: 1, phase_rad: 0.0 }, "JOINT:N"),
+    (Effect::GearEccentricity { joint: 1, phase_rad: 0.0, harmonics: PURE }, "JOINT"),
+    (Effect::GearSecondHarmonic { joint: 1, phase_rad: 0.0, harmonics: PURE }, "JOINT"),
+    (Effect::GearMesh { joint: 1, n: 1, phase_rad: 0.0, harmonics: PURE }, "JOINT:N"),
     (Effect::JointGain { joint: 1 }, "JOINT"),
     (Effect::JointCoupling { joint: 1, joint_b: 2 }, "JOINT:DRIVEN_JOINT"),
     (Effect::Backlash { joint: 1, holding_n_m: 0.0 }, "JOINT"),
@@ -96,7 +100,7 @@ pub fn parse(text: &str, rng: &mut Rng) -> Result<Effect, EffectSpecError> {
     let joint =
         |k: usize| numbers.get(k).filter(|j| (1..=6).contains(*j)).map(|j| *j as usize).ok_or_else(wrong);
     let n = |k: usize| numbers.get(k).filter(|n| (1..=320).contains(*n)).copied().ok_or_else(wrong);
-    let phase_rad = rng.uniform(0.0, TAU);
+    let (phase_rad, harmonics) = (rng.uniform(0.0, TAU), PURE);
     let raw: [f64; 6] = std::array::from_fn(|_| rng.normal());
     let norm = raw.iter().map(|x| x * x).sum::<f64>().sqrt();
     let direction = raw.map(|x| x / norm);
@@ -107,9 +111,13 @@ pub fn parse(text: &str, rng: &mut Rng) -> Result<Effect, EffectSpecError> {
         Effect::JointCompliance { .. } => Effect::JointCompliance { joint: joint(0)? },
         Effect::LinkBending { .. } if joint(0)? == 6 => return Err(wrong()),
         Effect::LinkBending { .. } => Effect::LinkBending { joint: joint(0)? },
-        Effect::GearEccentricity { .. } => Effect::GearEccentricity { joint: joint(0)?, phase_rad },
-        Effect::GearSecondHarmonic { .. } => Effect::GearSecondHarmonic { joint: joint(0)?, phase_rad },
-        Effect::GearMesh { .. } => Effect::GearMesh { joint: joint(0)?, n: n(1)?, phase_rad },
+        Effect::GearEccentricity { .. } => {
+            Effect::GearEccentricity { joint: joint(0)?, phase_rad, harmonics }
+        }
+        Effect::GearSecondHarmonic { .. } => {
+            Effect::GearSecondHarmonic { joint: joint(0)?, phase_rad, harmonics }
+        }
+        Effect::GearMesh { .. } => Effect::GearMesh { joint: joint(0)?, n: n(1)?, phase_rad, harmonics },
         Effect::JointGain { .. } => Effect::JointGain { joint: joint(0)? },
         Effect::JointCoupling { .. } => Effect::JointCoupling { joint: joint(0)?, joint_b: joint(1)? },
         Effect::Backlash { .. } => {

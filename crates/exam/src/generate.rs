@@ -3,6 +3,7 @@
 use super::arm::{Disturbance, ScrewArm};
 use super::csv::RunRecord;
 use super::effect::{ArmState, Effect, SizedEffect};
+use super::noise::RowNoise;
 use super::outside;
 use super::poses::{CommandedRow, MoreRows, RunSpec, elsewhere, states_and_more, states_of};
 use super::recipe::{Recipe, RequestedEffect};
@@ -77,12 +78,14 @@ pub fn continued_set(
 /// Rows at other poses that a shrink is held against: the registration's nine parameters are then nothing.
 const OTHER_ROWS: usize = 1000;
 
-/// What is left at the rows of `run` without the effects of `truth`, over what is there with them, rms, noise with both.
+/// What is left at the rows of `run` without the effects that `truth` is asked about, over what is there with them, rms; noise and
+/// small effects with both.
 fn oracle_ratio(run: &MeasuredRun<'_>, truth: &Truth) -> f64 {
-    let effects: Vec<SizedEffect> = truth.effects.iter().map(InjectedEffect::sized).collect();
     let noise_rms_m = m_from_mm(truth.sigma_mm) * 3.0_f64.sqrt();
-    let effect_rms_m = run.rms_m(&run.off_m(&effects, &Disturbance::default()));
-    noise_rms_m / noise_rms_m.hypot(effect_rms_m)
+    let with_noise =
+        |effects: &[SizedEffect]| noise_rms_m.hypot(run.rms_m(&run.off_m(effects, &Disturbance::default())));
+    let all = truth.sized();
+    with_noise(&all[truth.effects.len()..]) / with_noise(&all)
 }
 
 /// A data set over poses that others planned, with a tool of theirs and the recipe's effects at these `amplitudes`; the
@@ -132,7 +135,9 @@ fn measured(
     let more = states.split_off(recipe.n.min(states.len()));
     let mut run = MeasuredRun::new(arm, tool_m, states);
     let injected = injected(&run, recipe, amplitudes, rng)?;
-    let effects: Vec<SizedEffect> = injected.iter().map(InjectedEffect::sized).collect();
+    let small = small(&run, recipe);
+    let sized = |effects: &[InjectedEffect]| effects.iter().map(InjectedEffect::sized).collect::<Vec<_>>();
+    let effects = [sized(&injected), sized(&small)].concat();
     let background = background(arm, recipe, rng);
     let mut noise = RowNoise::draw(recipe, rng);
     let mut later = Rng::new(later, LATER);
@@ -141,21 +146,24 @@ fn measured(
         run = MeasuredRun::new(arm, tool_m, run.states.into_iter().chain(more).collect());
     }
     let with = noise.added_to(run.off_m(&effects, &background));
-    let without = noise.added_to(run.off_m(&[], &background));
+    let without = noise.added_to(run.off_m(&sized(&small), &background));
     let truth = Truth {
         name: recipe.name.clone(),
         kind: recipe.kind,
         effects: injected,
+        small,
         n: run.states.len(),
         sigma_mm: recipe.sigma_mm,
         spread: recipe.spread,
         recorded: recipe.recorded,
         slow_noise: recipe.slowness > 0.0,
+        slowness: recipe.slowness,
         outliers: recipe.outliers,
         geometry: recipe.geometry,
         before_rms_mm: mm_from_m(run.sound_rms_m(&with, &noise.is_outlier)),
         oracle_rms_mm: mm_from_m(run.sound_rms_m(&without, &noise.is_outlier)),
         oracle_ratio_elsewhere: None,
+        gaps: recipe.gaps.clone(),
     };
     let record = RunRecord {
         run: &run,
@@ -204,11 +212,30 @@ fn injected(
         if amplitude > 4.0 * effect.usual()[1] {
             return None;
         }
-        let rms_m = run.rms_m(&run.off_m(&[SizedEffect { effect, amplitude }], &Disturbance::default()));
-        let (rms_mm, rho) = (mm_from_m(rms_m), rms_m / noise_rms_m);
-        injected.push(InjectedEffect { effect, amplitude, rms_mm, rho });
+        injected.push(measured_effect(run, SizedEffect { effect, amplitude }, noise_rms_m));
     }
     Some(injected)
+}
+
+/// The recipe's small effects, those left out that show nothing over these poses.
+fn small(run: &MeasuredRun<'_>, recipe: &Recipe) -> Vec<InjectedEffect> {
+    let noise_rms_m = m_from_mm(recipe.sigma_mm) * 3.0_f64.sqrt();
+    let made = |RequestedEffect { effect, rho }: &RequestedEffect| {
+        let amplitude = effect
+            .fits(run.arm.joints())
+            .then(|| run.amplitude(*effect, rho * noise_rms_m))
+            .flatten()
+            .filter(|amplitude| *amplitude <= 4.0 * effect.usual()[1])?;
+        Some(measured_effect(run, SizedEffect { effect: *effect, amplitude }, noise_rms_m))
+    };
+    recipe.small.iter().filter_map(made).collect()
+}
+
+/// An effect with what shows of it.
+fn measured_effect(run: &MeasuredRun<'_>, sized: SizedEffect, noise_rms_m: f64) -> InjectedEffect {
+    let rms_m = run.rms_m(&run.off_m(&[sized], &Disturbance::default()));
+    let SizedEffect { effect, amplitude } = sized;
+    InjectedEffect { effect, amplitude, rms_mm: mm_from_m(rms_m), rho: rms_m / noise_rms_m }
 }
 
 /// Geometry errors of all joints, in parts of the manufacturing tolerance.
@@ -224,100 +251,5 @@ fn background(arm: &ScrewArm, recipe: &Recipe, rng: &mut Rng) -> Disturbance {
 /// The stream of noise in rows that are measured later.
 const LATER: u64 = 0x1a7e;
 
-/// The noise of each row, and which rows are grossly wrong.
-struct RowNoise {
-    noise_m: Vec<Vector3<f64>>,
-    is_outlier: Vec<bool>,
-}
-
-impl RowNoise {
-    fn draw(recipe: &Recipe, rng: &mut Rng) -> Self {
-        let sigma_m = m_from_mm(recipe.sigma_mm);
-        let fresh = (1.0 - recipe.slowness * recipe.slowness).sqrt();
-        let mut last = Vector3::from(rng.normal3());
-        let row = |_| {
-            last = last * recipe.slowness + Vector3::from(rng.normal3()) * fresh;
-            let is_outlier = rng.chance(recipe.outliers);
-            let factor = if is_outlier { rng.uniform(8.0, 30.0) } else { 1.0 };
-            (last * (sigma_m * factor), is_outlier)
-        };
-        let (noise_m, is_outlier) = (0..recipe.n).map(row).unzip();
-        Self { noise_m, is_outlier }
-    }
-
-    /// Puts the noise of later rows behind.
-    fn extend(&mut self, later: Self) {
-        self.noise_m.extend(later.noise_m);
-        self.is_outlier.extend(later.is_outlier);
-    }
-
-    fn added_to(&self, off_m: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
-        off_m.iter().zip(&self.noise_m).map(|(off, noise)| off + noise).collect()
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::poses::{Recorded, Spread};
-    use crate::truth::QuestionKind;
-
-    fn recipe(effect: Effect, rho: f64) -> Recipe {
-        Recipe {
-            name: "one".into(),
-            kind: QuestionKind::One,
-            effects: vec![RequestedEffect { effect, rho }],
-            n: 60,
-            repeats: 10,
-            sigma_mm: 0.02,
-            stated_sigma_mm: Some(0.02),
-            spread: Spread::Wide,
-            recorded: Recorded { temperature: true, orientation: true, ..Recorded::NOTED },
-            slowness: 0.0,
-            outliers: 0.0,
-            geometry: 0.0,
-            payloads_kg: [0.0, 3.0],
-        }
-    }
-
-    #[test]
-    fn the_effect_is_as_large_as_asked_and_the_oracle_is_left_with_the_noise() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        for seed in 0..5 {
-            let wanted = 3.0;
-            let recipe = recipe(Effect::JointCompliance { joint: 2 }, wanted);
-            let set = data_set(&robot, "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap();
-            assert!((set.truth.effects[0].rho - wanted).abs() < 0.01, "{:?}", set.truth.effects);
-            let noise_mm = 0.02 * 3.0_f64.sqrt();
-            // rms of 180 numbers: a relative standard error of 1/sqrt(2*171) = 5.4 %; four of them
-            assert!((set.truth.oracle_rms_mm / noise_mm - 1.0).abs() < 0.22, "{}", set.truth.oracle_rms_mm);
-            let whole = (wanted * wanted + 1.0).sqrt() * noise_mm;
-            assert!((set.truth.before_rms_mm / whole - 1.0).abs() < 0.15, "{}", set.truth.before_rms_mm);
-            // Noise over all, as everywhere: an effect of the same rms at other poses drawn alike.
-            let elsewhere = set.truth.oracle_ratio_elsewhere.unwrap() * (wanted * wanted + 1.0).sqrt();
-            assert!((elsewhere - 1.0).abs() < 0.2, "{elsewhere}");
-        }
-    }
-
-    #[test]
-    fn an_offset_of_joint_1_leaves_no_signal() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let recipe = recipe(Effect::JointOffset { joint: 1 }, 2.0);
-        assert!(data_set(&robot, "irb140", &recipe, &mut Rng::new(3, 0)).is_none());
-    }
-
-    #[test]
-    fn every_row_has_every_column_and_the_same_seed_the_same_bytes() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let make = || {
-            let recipe = recipe(Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.3 }, 1.0);
-            data_set(&robot, "irb140", &recipe, &mut Rng::new(11, 2)).unwrap().csv
-        };
-        let csv = make();
-        assert_eq!(csv, make());
-        let columns = csv.lines().next().unwrap().split(',').count();
-        assert_eq!(columns, 2 + 1 + 6 + 3 + 4 + 6 + 1 + 7);
-        assert!(csv.lines().all(|line| line.split(',').count() == columns));
-        assert_eq!(csv.lines().count(), 61);
-    }
-}
+mod tests;

@@ -22,9 +22,31 @@ pub(super) fn names_effect(truth: &Truth, k: usize, cause: &Cause) -> bool {
     truth.effects.get(k).is_some_and(|t| t.effect.name() == Some(cause.effect.as_str()))
 }
 
+/// Whether a cause is one of the small effects that stand beside those asked about, in the same joint: it is there, and nobody
+/// asked for it.
+pub(super) fn is_small(truth: &Truth, cause: &Cause) -> bool {
+    truth.small.iter().any(|small| {
+        let joint = small.effect.joint();
+        small.effect.name() == Some(cause.effect.as_str()) && (joint.is_none() || joint == cause.joint)
+    })
+}
+
+/// The causes that are marked, the most probable first: all but small effects.
+pub(super) fn marked<'a>(truth: &'a Truth, answer: &'a Answer) -> impl Iterator<Item = &'a Cause> {
+    answer.causes.iter().filter(|cause| !is_small(truth, cause))
+}
+
 /// The first cause is the first effect.
 pub(super) fn first_right(truth: &Truth, answer: &Answer) -> bool {
-    answer.causes.first().is_some_and(|c| names_effect(truth, 0, c))
+    marked(truth, answer).next().is_some_and(|c| names_effect(truth, 0, c))
+}
+
+/// A cause is found where none was asked about; not a small one, nor a set of causes that holds one.
+pub(super) fn false_alarm(truth: &Truth, answer: &Answer) -> bool {
+    match answer.verdict.as_str() {
+        "ambiguous" => !answer.causes.iter().any(|cause| is_small(truth, cause)),
+        _ => names_a_cause(answer) && (answer.causes.is_empty() || marked(truth, answer).next().is_some()),
+    }
 }
 
 /// A cause is one of the effects.
@@ -35,9 +57,8 @@ pub(super) fn any_right(truth: &Truth, cause: &Cause) -> bool {
 /// A cause is named first, with nine parts in ten, and is none of the effects.
 pub(super) fn confident_and_wrong(truth: &Truth, answer: &Answer) -> bool {
     names_a_cause(answer)
-        && answer
-            .causes
-            .first()
+        && marked(truth, answer)
+            .next()
             .is_some_and(|c| c.posterior.is_some_and(|p| p >= 0.9) && !any_right(truth, c))
 }
 

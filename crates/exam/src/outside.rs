@@ -2,6 +2,7 @@
 
 use super::arm::Disturbance;
 use super::effect::{Effect, SizedEffect};
+use super::harmonics::Harmonics;
 use super::registration::left_by_registration;
 use super::rng::Rng;
 use super::run::MeasuredRun;
@@ -83,7 +84,10 @@ fn library(run: &MeasuredRun<'_>) -> Vec<DMatrix<f64>> {
         for joint_b in (1..=joints).filter(|b| *b != joint) {
             all.push(vec![Effect::JointCoupling { joint, joint_b }]);
         }
-        all.extend(LINES.map(|n| phases.map(|phase_rad| Effect::GearMesh { joint, n, phase_rad }).to_vec()));
+        all.extend((1..8).map(|k| vec![Effect::JointStep { joint, t0_min: last_min * f64::from(k) / 8.0 }]));
+        let pure = Harmonics::NONE;
+        let line = |n, phase_rad| Effect::GearMesh { joint, n, phase_rad, harmonics: pure };
+        all.extend(LINES.map(|n| phases.map(|phase_rad| line(n, phase_rad)).to_vec()));
     }
     all.into_iter()
         .map(|effects| effects.into_iter().map(|effect| field(run, effect)).collect::<Vec<DVector<f64>>>())

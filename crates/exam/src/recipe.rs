@@ -1,6 +1,7 @@
 //! What a data set is to be, before anything of it is drawn.
 
 use super::effect::Effect;
+use super::gaps::Gaps;
 use super::poses::{Recorded, Spread};
 use super::truth::QuestionKind;
 
@@ -22,6 +23,8 @@ pub struct Recipe {
     pub kind: QuestionKind,
     /// Effects that are at work together.
     pub effects: Vec<RequestedEffect>,
+    /// Further effects of the library, well under the noise, that nobody asks about.
+    pub small: Vec<RequestedEffect>,
     /// Number of rows in all.
     pub n: usize,
     /// Of these, rows that come back to the first poses.
@@ -42,4 +45,6 @@ pub struct Recipe {
     pub geometry: f64,
     /// Payloads in turn, kg.
     pub payloads_kg: [f64; 2],
+    /// Rows without a number in one column; `None`: every cell is filled.
+    pub gaps: Option<Gaps>,
 }

@@ -4,8 +4,8 @@
 
 use super::answer::Answer;
 use super::marking::{
-    any_right, confident_and_wrong, finds_a_cause, first_right, gives_a_set, is_weak, names_a_cause,
-    names_effect, rho, says_outside, shrink_share,
+    any_right, confident_and_wrong, false_alarm, finds_a_cause, first_right, gives_a_set, is_weak, marked,
+    names_a_cause, names_effect, rho, says_outside, shrink_share,
 };
 use super::measure::{Criterion, Measure, wilson90};
 use super::truth::{QuestionKind, Truth};
@@ -82,7 +82,7 @@ impl Grader<'_> {
             .iter()
             .filter(|set| set.truth.kind == QuestionKind::One && names_a_cause(&set.answer))
             .filter_map(|set| {
-                let cause = set.answer.causes.first()?;
+                let cause = marked(&set.truth, &set.answer).next()?;
                 Some((cause.posterior?.clamp(0.0, 1.0), names_effect(&set.truth, 0, cause)))
             })
             .collect();
@@ -109,7 +109,7 @@ impl Grader<'_> {
             .0
             .iter()
             .filter(|set| gives_a_set(&set.truth, &set.answer))
-            .map(|set| set.answer.causes.len())
+            .map(|set| marked(&set.truth, &set.answer).count())
             .collect();
         let mean = (!sizes.is_empty()).then(|| sizes.iter().sum::<usize>() as f64 / sizes.len() as f64);
         Criterion::low("mean size of that set", 3.0, 1.5).measure(mean, None, sizes.len())
@@ -131,7 +131,7 @@ impl Grader<'_> {
             self.rate(
                 &Criterion::high("one of the first two right, rho = .5, N = 30", 0.75, 0.86),
                 |t, _| is_weak(t),
-                |t, a| a.causes.iter().take(2).any(|c| names_effect(t, 0, c)),
+                |t, a| marked(t, a).take(2).any(|c| names_effect(t, 0, c)),
             ),
         ]
     }
@@ -142,7 +142,7 @@ impl Grader<'_> {
             self.rate(
                 &Criterion::low("false alarms without effect", 0.10, 0.05),
                 |t, _| t.kind == QuestionKind::None,
-                |_, a| finds_a_cause(a),
+                false_alarm,
             ),
             self.rate(
                 &Criterion::low("confident and wrong, overall", 0.05, 0.02),
@@ -180,7 +180,7 @@ impl Grader<'_> {
             self.rate(
                 &Criterion::high("outside the library: precision", 0.80, 0.90),
                 |_, a| says_outside(a),
-                |t, _| is_outside(t) || t.slow_noise,
+                |t, _| is_outside(t) || t.kind == QuestionKind::None && t.slow_noise,
             ),
         ]
     }
@@ -196,7 +196,7 @@ impl Grader<'_> {
             self.rate(
                 &Criterion::low("spurious cause beside the true ones", 0.10, 0.05),
                 |t, a| matches!(t.kind, QuestionKind::One | QuestionKind::Two) && names_a_cause(a),
-                |t, a| a.causes.iter().any(|c| !any_right(t, c)),
+                |t, a| marked(t, a).any(|c| !any_right(t, c)),
             ),
             self.rate(
                 &Criterion::high("faults of the file found", 0.80, 0.95),
@@ -222,7 +222,7 @@ impl Grader<'_> {
                 |t, a| {
                     t.kind == QuestionKind::One && first_right(t, a) && t.effects[0].effect.joint().is_some()
                 },
-                |t, a| a.causes[0].joint == t.effects[0].effect.joint(),
+                |t, a| marked(t, a).next().is_some_and(|c| c.joint == t.effects[0].effect.joint()),
             ),
         ]
     }
@@ -248,6 +248,7 @@ mod tests {
     use super::*;
     use crate::answer::{Cause, ErrorReduction};
     use crate::effect::Effect;
+    use crate::harmonics::Harmonics;
     use crate::poses::{Recorded, Spread};
     use crate::truth::InjectedEffect;
 
@@ -259,16 +260,19 @@ mod tests {
                 .iter()
                 .map(|&effect| InjectedEffect { effect, amplitude: 1e-4, rms_mm: 0.1, rho: 3.0 })
                 .collect(),
+            small: Vec::new(),
             n: 100,
             sigma_mm: 0.02,
             spread: Spread::Wide,
             recorded: Recorded::NOTED,
             slow_noise: false,
+            slowness: 0.0,
             outliers: 0.0,
             geometry: 0.0,
             before_rms_mm: 0.10,
             oracle_rms_mm: 0.04,
             oracle_ratio_elsewhere: Some(0.4),
+            gaps: None,
         }
     }
 
@@ -298,7 +302,7 @@ mod tests {
 
     #[test]
     fn each_kind_of_answer_is_counted_where_it_belongs() {
-        let gear = Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.0 };
+        let gear = Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.0, harmonics: Harmonics::NONE };
         let sag = Effect::JointCompliance { joint: 3 };
         let answered = |(truth, answer)| AnsweredSet { truth, answer };
         let answered = [
@@ -334,6 +338,47 @@ mod tests {
         assert_eq!(value(&table, "right joint"), 0.5);
         // |1.0 - 1| and |0.95 - 0| share the top bin: (1.95 - 1) / 2
         assert!((value(&table, "calibration") - 0.475).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_small_effect_that_is_named_counts_neither_as_asked_nor_as_spurious() {
+        let gear = Effect::GearMesh { joint: 2, n: 20, phase_rad: 0.0, harmonics: Harmonics::NONE };
+        let beside = InjectedEffect {
+            effect: Effect::JointGain { joint: 4 },
+            amplitude: 1e-5,
+            rms_mm: 0.01,
+            rho: 0.2,
+        };
+        let with = |truth: Truth| Truth { small: vec![beside.clone()], ..truth };
+        let one = || with(truth(QuestionKind::One, &[gear]));
+        let score_of = |truth: Truth, answer: Answer| score(&[AnsweredSet { truth, answer }]);
+        let (asked, small) = (("gear_mesh", 2, 1.0), ("joint_gain", 4, 1.0));
+
+        let table = score_of(one(), answer("several", &[small, asked]));
+        let names =
+            ["first answer right, rho >= 1", "confident and wrong, overall", "spurious", "right joint"];
+        assert_eq!(names.map(|name| value(&table, name)), [1.0, 0.0, 0.0, 1.0]);
+        // Named alone it is no answer to what was asked, and no wrong one.
+        let table = score_of(one(), answer("explained", &[small]));
+        assert_eq!(names[..3].iter().map(|n| value(&table, n)).collect::<Vec<_>>(), [0.0, 0.0, 0.0]);
+        // The same effect in another joint is not there.
+        let table = score_of(one(), answer("several", &[asked, ("joint_gain", 5, 1.0)]));
+        assert_eq!(value(&table, "spurious"), 1.0);
+
+        let none = || with(truth(QuestionKind::None, &[]));
+        for (verdict, causes, alarm) in [
+            ("explained", vec![small], 0.0),
+            ("ambiguous", vec![("joint_offset", 3, 0.6), small], 0.0),
+            ("several", vec![small, asked], 1.0),
+            ("ambiguous", vec![("joint_offset", 3, 0.6), asked], 1.0),
+            ("nothing_above_noise", vec![asked], 0.0),
+        ] {
+            assert_eq!(
+                value(&score_of(none(), answer(verdict, &causes)), "false alarms"),
+                alarm,
+                "{causes:?}"
+            );
+        }
     }
 
     #[test]

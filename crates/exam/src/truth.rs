@@ -1,6 +1,7 @@
 //! The sealed truth of a data set, and the seal.
 
 use super::effect::{Effect, SizedEffect};
+use super::gaps::Gaps;
 use super::poses::{Recorded, Spread};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -54,6 +55,9 @@ pub struct Truth {
     pub kind: QuestionKind,
     /// What was put in.
     pub effects: Vec<InjectedEffect>,
+    /// Further effects of the library, well under the noise: named or not, they count neither as asked nor as spurious.
+    #[serde(default)]
+    pub small: Vec<InjectedEffect>,
     /// Number of rows in the file.
     pub n: usize,
     /// Standard deviation of the noise in each coordinate, mm.
@@ -64,18 +68,32 @@ pub struct Truth {
     pub recorded: Recorded,
     /// The noise is slow (each row's like the one before).
     pub slow_noise: bool,
+    /// Share of each row's noise that is the row's before; 0 is white.
+    #[serde(default)]
+    pub slowness: f64,
     /// Share of rows that are grossly wrong.
     pub outliers: f64,
     /// Geometry errors in the background, in parts of the manufacturing tolerance.
     pub geometry: f64,
     /// rms of the error with registration only, over the rows that are not grossly wrong, mm.
     pub before_rms_mm: f64,
-    /// rms once every effect that was put in is taken out, mm: what an oracle reaches.
+    /// Rows without a number in one column, which are left out; `None`: every cell is filled.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gaps: Option<Gaps>,
+    /// rms once every effect that is asked about is taken out, mm: what an oracle reaches. Small ones stay.
     pub oracle_rms_mm: f64,
     /// The one over the other at many other poses drawn alike, with this noise: what a shrink promises. `None`: the poses were
     /// planned, and no others are like them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub oracle_ratio_elsewhere: Option<f64>,
+}
+
+impl Truth {
+    /// All that is at work, the small effects behind those that are asked about.
+    #[must_use]
+    pub fn sized(&self) -> Vec<SizedEffect> {
+        self.effects.iter().chain(&self.small).map(InjectedEffect::sized).collect()
+    }
 }
 
 /// Everything of one exam that the diagnosis may not see.

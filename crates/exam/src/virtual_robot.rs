@@ -5,7 +5,7 @@ use super::effect::{ArmState, Effect, SizedEffect};
 use super::registration::rms_after_registration_m;
 use super::rng::Rng;
 use super::smooth::{Domain, SmoothFunction};
-use super::truth::{InjectedEffect, Truth};
+use super::truth::Truth;
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::m_from_mm;
@@ -51,8 +51,7 @@ impl VirtualRobot {
     /// The robot of `truth`.
     #[must_use]
     pub fn from_truth(robot: &SerialArm, truth: &Truth) -> Self {
-        let effects = truth.effects.iter().map(InjectedEffect::sized).collect();
-        Self { arm: ScrewArm::new(robot), effects }
+        Self { arm: ScrewArm::new(robot), effects: truth.sized() }
     }
 
     /// `base_from_flange` as it really is.
@@ -97,4 +96,59 @@ pub fn measured_rms_m(
     let noisy: Vec<Vector3<f64>> =
         off_m.iter().map(|off| off + Vector3::from(rng.normal3()) * m_from_mm(sigma_mm)).collect();
     rms_after_registration_m(flanges, &points, &noisy)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::harmonics::{Harmonic, Harmonics};
+    use std::f64::consts::TAU;
+
+    /// Amplitude and phase of sin(n q + phase) in as many values as stand evenly round one turn: a discrete Fourier sum.
+    fn line(values: &[f64], n: usize) -> (f64, f64) {
+        let angle = |k: usize| TAU * (n * k) as f64 / values.len() as f64;
+        let sum = |of: fn(f64) -> f64| {
+            2.0 / values.len() as f64 * values.iter().enumerate().map(|(k, v)| v * of(angle(k))).sum::<f64>()
+        };
+        let (sin, cos) = (sum(f64::sin), sum(f64::cos));
+        (sin.hypot(cos), cos.atan2(sin).rem_euclid(TAU))
+    }
+
+    #[test]
+    fn a_gears_line_has_its_harmonics_and_nothing_else() {
+        const ROWS: usize = 512;
+        let harmonics = Harmonics {
+            second: Harmonic { share: 0.15, phase_rad: 2.5 },
+            third: Harmonic { share: 0.05, phase_rad: 4.0 },
+        };
+        let (joint, phase_rad) = (1, 0.7);
+        for (n, effect) in [
+            (1, Effect::GearEccentricity { joint, phase_rad, harmonics }),
+            (2, Effect::GearSecondHarmonic { joint, phase_rad, harmonics }),
+            (20, Effect::GearMesh { joint, n: 20, phase_rad, harmonics }),
+        ] {
+            let arm = ScrewArm::new(&SerialArm::built_in("irb140").unwrap());
+            let robot = VirtualRobot { arm, effects: vec![SizedEffect { effect, amplitude: 1e-4 }] };
+            let turned = |k: usize| {
+                let q1_rad = TAU * k as f64 / ROWS as f64;
+                let q_rad = Joints::from_fn(6, |j| if j == 0 { q1_rad } else { 0.3 });
+                let (direction, payload_at_m) = (Joints::all(6, 0), [0.0; 3]);
+                let at = Commanded { q_rad, direction, payload_kg: 0.0, payload_at_m };
+                // Joint 1 stands upright: what it turns too far is a turn about z.
+                (robot.flange(&at).rotation * robot.nominal(&q_rad).rotation.inverse()).scaled_axis().z
+            };
+            let turned: Vec<f64> = (0..ROWS).map(turned).collect();
+            let expected = [(1e-4, 0.7), (0.15e-4, 2.5), (0.05e-4, 4.0)];
+            for (times, (amplitude, phase)) in [1, 2, 3].into_iter().zip(expected) {
+                let found = line(&turned, times * n);
+                assert!(
+                    (found.0 - amplitude).abs() < 1e-12 && (found.1 - phase).abs() < 1e-7,
+                    "{n}: {found:?}"
+                );
+            }
+            for other in [4 * n, 5 * n, 7 * n + 1] {
+                assert!(line(&turned, other).0 < 1e-12, "{n}: {other}");
+            }
+        }
+    }
 }

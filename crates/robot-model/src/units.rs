@@ -59,6 +59,20 @@ pub fn kg_from_g(g: f64) -> f64 {
     g / 1000.0
 }
 
+/// Grams from kilograms.
+#[inline]
+#[must_use]
+pub fn g_from_kg(kg: f64) -> f64 {
+    kg * 1000.0
+}
+
+/// Degrees Fahrenheit from degrees Celsius.
+#[inline]
+#[must_use]
+pub fn fahrenheit_from_celsius(celsius: f64) -> f64 {
+    celsius * 1.8 + 32.0
+}
+
 /// Degrees Celsius from degrees Fahrenheit.
 #[inline]
 #[must_use]
@@ -85,6 +99,13 @@ pub fn seconds_from_min(min: f64) -> f64 {
 #[must_use]
 pub fn m_from_inch(inch: f64) -> f64 {
     m_from_mm(inch * 25.4)
+}
+
+/// Inches from metres.
+#[inline]
+#[must_use]
+pub fn inch_from_m(m: f64) -> f64 {
+    mm_from_m(m) / 25.4
 }
 
 /// Minutes from seconds.
@@ -144,6 +165,9 @@ mod tests {
     fn conversions_are_exact_where_the_numbers_are() {
         assert_eq!(m_from_mm(352.0), 0.352);
         assert_eq!(m_from_inch(10.0), 0.254);
+        assert_eq!(inch_from_m(0.254), 10.0);
+        assert_eq!(fahrenheit_from_celsius(20.0), 68.0);
+        assert_eq!(g_from_kg(1.5), 1500.0);
         assert_eq!(min_from_s(90.0), 1.5);
         assert_eq!(min_from_h(1.5), 90.0);
         assert_eq!(h_from_min(90.0), 1.5);
