@@ -27,6 +27,7 @@ mod executed;
 mod faults;
 mod fit;
 mod folders;
+mod function_lengths;
 mod fuzzed;
 mod golden;
 mod grammar;

@@ -26,6 +26,7 @@ mod model;
 mod next_measurements;
 mod noise_fault;
 mod normal_equations;
+mod observation;
 mod options;
 mod outcome;
 mod outlier_history;

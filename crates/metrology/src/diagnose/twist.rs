@@ -37,3 +37,9 @@ impl DerefMut for Twist {
         &mut self.0
     }
 }
+
+/// The twist times a factor.
+#[must_use]
+pub(super) fn scaled(twist: Twist, factor: f64) -> Twist {
+    Twist(twist.map(|v| v * factor))
+}

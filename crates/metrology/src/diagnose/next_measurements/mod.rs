@@ -4,9 +4,11 @@
 mod advice;
 mod pool;
 mod question;
+mod rival_model;
 mod separation;
 mod wording;
 
+use super::effects::Candidate;
 use super::model::FittedModel;
 use super::options::DiagnosisOptions;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
@@ -50,49 +52,74 @@ pub(super) fn next_measurements(
     let Some(planned) = plan(robot, fitted, &slots, ambiguous, options) else {
         return NextMeasurements::default();
     };
-    let FittedModel { linear, workspace, .. } = fitted;
-    let names = |slot: &OpenSlot| -> Vec<String> {
-        let rivals = slot.alternatives.iter().take(MOST_ALTERNATIVES);
-        rivals
-            .map(|r| describe_candidate(&workspace.library.candidates[r.candidate], &linear.dataset))
-            .collect()
-    };
-    let told: Vec<usize> = (0..slots.len()).filter(|&s| planned.lambda[s] >= HOPELESS).collect();
-    // What the poses are for: where they tell something, or else the least certain slot.
-    let asked = if told.is_empty() { &[0][..] } else { &told };
-    let lambda = asked.iter().map(|&s| planned.lambda[s]).fold(f64::INFINITY, f64::min);
-    // The least certain of those that the poses do not decide.
-    let undecided = (0..slots.len()).find(|&s| planned.lambda[s] < DECIDES || planned.rests_on_shape[s]);
-    // Nests are themselves the other means.
-    let still_asked = undecided.filter(|s| !(planned.setup.with_nests && asked.contains(s)));
-    let other_means = still_asked.and_then(|s| {
-        let candidates = slots[s].alternatives.iter().take(MOST_ALTERNATIVES).map(|r| r.candidate);
-        let kinds: Vec<_> = candidates.map(|c| workspace.library.candidates[c].kind).collect();
-        let means = advice::other_means(&kinds, &linear.dataset.channels)?;
-        Some(match asked.contains(&s) {
-            true => means.to_owned(),
-            false => format!("{}: {means}", wording::question(&names(slots[s]))),
-        })
-    });
+    let asked = Asked::new(fitted, &slots, &planned);
     let step = NextStep {
-        slot: slots[asked[0]].slot.map(|i| i + 1),
+        slot: slots[asked.slots[0]].slot.map(|i| i + 1),
         rows: planned.poses.len() * (1 + planned.nests()),
         readings_per_pose: 1,
         base_nests: planned.nests(),
         from_cold: planned.setup.when == When::FromCold,
-        log_odds_gained: 0.5 * lambda,
-        decides: undecided.is_none(),
-        other_means,
+        log_odds_gained: 0.5 * asked.slots.iter().map(|&s| planned.lambda[s]).fold(f64::INFINITY, f64::min),
+        decides: asked.undecided.is_none(),
+        other_means: asked.other_means(),
         reason: wording::reason(
             judgement.verdict,
-            &asked.iter().map(|&s| names(slots[s])).collect::<Vec<_>>(),
+            &asked.slots.iter().map(|&s| asked.names(s)).collect::<Vec<_>>(),
         ),
     };
-    if told.is_empty() && ambiguous && step.other_means.is_some() {
+    if !asked.tells && ambiguous && step.other_means.is_some() {
         let step = NextStep { rows: 0, readings_per_pose: 0, base_nests: 0, from_cold: false, ..step };
         return NextMeasurements { measurements: Vec::new(), step };
     }
     NextMeasurements { measurements: planned.poses, step }
+}
+
+/// The slots that planned poses are for, by their place among the open ones.
+struct Asked<'a> {
+    fitted: &'a FittedModel<'a>,
+    open: &'a [&'a OpenSlot],
+    /// Those that the poses tell something of; the least certain one where they tell nothing.
+    slots: Vec<usize>,
+    /// Whether the poses tell something of any.
+    tells: bool,
+    /// The least certain of those that the poses do not decide.
+    undecided: Option<usize>,
+    with_nests: bool,
+}
+
+impl<'a> Asked<'a> {
+    fn new(fitted: &'a FittedModel<'a>, open: &'a [&'a OpenSlot], planned: &Planned) -> Self {
+        let told: Vec<usize> = (0..open.len()).filter(|&s| planned.lambda[s] >= HOPELESS).collect();
+        let undecided = (0..open.len()).find(|&s| planned.lambda[s] < DECIDES || planned.rests_on_shape[s]);
+        let tells = !told.is_empty();
+        let slots = if tells { told } else { vec![0] };
+        Self { fitted, open, slots, tells, undecided, with_nests: planned.setup.with_nests }
+    }
+
+    /// The candidates of an open slot, the likeliest first.
+    fn candidates(&self, slot: usize) -> impl Iterator<Item = &'a Candidate> {
+        let candidates = self.fitted.workspace.library.candidates;
+        let rivals = self.open[slot].alternatives.iter().take(MOST_ALTERNATIVES);
+        rivals.map(move |rival| &candidates[rival.candidate])
+    }
+
+    /// The same in words.
+    fn names(&self, slot: usize) -> Vec<String> {
+        let dataset = &self.fitted.linear.dataset;
+        self.candidates(slot).map(|candidate| describe_candidate(candidate, dataset)).collect()
+    }
+
+    /// What tells that the poses cannot; nests, where the poses have them, are themselves the other means.
+    fn other_means(&self) -> Option<String> {
+        let is_asked = |slot: &usize| self.slots.contains(slot);
+        let slot = self.undecided.filter(|slot| !(self.with_nests && is_asked(slot)))?;
+        let kinds: Vec<_> = self.candidates(slot).map(|candidate| candidate.kind).collect();
+        let means = advice::other_means(&kinds, &self.fitted.linear.dataset.channels)?;
+        Some(match is_asked(&slot) {
+            true => means.to_owned(),
+            false => format!("{}: {means}", wording::question(&self.names(slot))),
+        })
+    }
 }
 
 /// The best poses, after the last row or on a new warm-up.

@@ -1,7 +1,8 @@
 //! The explanations of the open slots as columns, and the poses that part them; knows nothing of words.
 
 use super::pool::{NESTS, PoolPose, Setup, When};
-use super::separation::{Coefficient, FittedColumn, Pair, RivalModel, Separation, ShapeDoubt};
+use super::rival_model::{Coefficient, FittedColumn, RivalModel};
+use super::separation::{Pair, Separation, ShapeDoubt};
 use crate::diagnose::dataset::{Observation, Twist, scaled};
 use crate::diagnose::design::{Design, registration};
 use crate::diagnose::effects::Candidate;

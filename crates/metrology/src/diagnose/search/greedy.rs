@@ -4,7 +4,7 @@
 use super::chosen::ChosenCause;
 use super::exchange::{MOST_SWAPPED, Search};
 use super::library::{Library, TrackedCandidate};
-use super::ranking::{BestEffect, Hypothesis, HypothesisRanking, RankedHypothesis};
+use super::ranking::{BestEffect, HypothesisRanking};
 use crate::diagnose::design::Design;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::marginal::NoisePrior;
@@ -96,66 +96,63 @@ impl Library<'_> {
                 .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
                 .collect();
             let ranking = self.rank(nuisance, &open, false);
-            search.near.extend(ranking.ranked.iter().filter_map(
-                |RankedHypothesis { hypothesis: h, .. }| match h {
-                    Hypothesis::Effect(c) => Some(*c),
-                    _ => None,
-                },
-            ));
-            // Zero offsets come first where the arm was never calibrated: all else is seen beside them.
-            let offsets =
-                ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
-                    Hypothesis::Effect(c) if self.all_offsets(*c) => {
-                        let gain_nats = r.log_evidence - ranking.null.log_evidence;
-                        Some(BestEffect { candidate: *c, gain_nats, own_nats: gain_nats, peak: *r })
-                    }
-                    _ => None,
-                });
-            let best = offsets.filter(|o| o.gain_nats > alarm_nats).or_else(|| self.best_effect(&ranking));
-            let Some(best) = best else { return };
-            let candidate = best.candidate;
+            search.near.extend(ranking.effects().map(|(candidate, _)| candidate));
+            let Some(best) = self.next_effect(&ranking, alarm_nats) else { return };
             if best.gain_nats < alarm_nats || nuisance.freedom() < FEWEST_FREE {
                 return;
             }
-            let mut first = vec![best];
-            if self.all_offsets(candidate) {
-                first = self
-                    .single_offsets()
-                    .into_iter()
-                    .map(|candidate| BestEffect { candidate, ..best })
-                    .collect();
-            }
-            let sure = first.len();
-            first.extend(self.more_lines(&ranking, candidate));
-            let candidates: Vec<usize> = first.iter().map(|best| best.candidate).collect();
-            let columns = self.columns_in_design(search.design, search.column_index, &candidates);
-            self.extend(search.design);
-            let wanted = first.into_iter().zip(columns).map(
-                |(BestEffect { candidate, own_nats, peak, .. }, columns)| ChosenCause {
-                    candidate,
-                    columns,
-                    gain_nats: own_nats,
-                    size_ratio: peak.size_ratio,
-                },
-            );
-            for (i, mut one) in wanted.enumerate() {
-                // A further line may be the shadow of those before it: it must be clear beside them.
-                if i >= sure {
-                    if nuisance.freedom() < FEWEST_FREE {
-                        break;
-                    }
-                    let projected = nuisance.project(&self.products[one.candidate].sum(search.subset));
-                    let peak = self.evidence(nuisance, &projected, one.candidate);
-                    one.gain_nats = peak.log_evidence - nuisance.null().log_evidence;
-                    one.size_ratio = peak.size_ratio;
-                    if one.gain_nats < CLEAR_NATS {
-                        continue;
-                    }
-                }
-                nuisance.grow(search.design, search.subset, &one.columns);
-                search.chosen.push(one);
-            }
+            self.add(search, nuisance, &ranking, best);
             self.update_tracked(nuisance, search.subset, &mut search.tracked);
+        }
+    }
+
+    /// The best effect of a ranking. Zero offsets of all joints come first where they pass the alarm: the arm was never calibrated,
+    /// and all else is seen beside them.
+    fn next_effect(&self, ranking: &HypothesisRanking, alarm_nats: f64) -> Option<BestEffect> {
+        let offsets = ranking.effects().find(|(candidate, _)| self.all_offsets(*candidate));
+        let offsets = offsets.map(|(candidate, peak)| {
+            let gain_nats = ranking.over_null_nats(&peak);
+            BestEffect { candidate, gain_nats, own_nats: gain_nats, peak }
+        });
+        offsets.filter(|o| o.gain_nats > alarm_nats).or_else(|| self.best_effect(ranking))
+    }
+
+    /// Adds `best`, offsets of all joints one by one, and with it the gear lines that are as clear.
+    fn add(
+        &mut self,
+        search: &mut Search<'_>,
+        nuisance: &mut NuisanceModel,
+        ranking: &HypothesisRanking,
+        best: BestEffect,
+    ) {
+        let mut effects = match self.all_offsets(best.candidate) {
+            true => {
+                let singles = self.single_offsets().into_iter();
+                singles.map(|candidate| BestEffect { candidate, ..best }).collect()
+            }
+            false => vec![best],
+        };
+        let sure = effects.len();
+        effects.extend(self.more_lines(ranking, best.candidate));
+        let candidates: Vec<usize> = effects.iter().map(|effect| effect.candidate).collect();
+        let columns = self.columns_in_design(search.design, search.column_index, &candidates);
+        self.extend(search.design);
+        for (i, (effect, columns)) in effects.into_iter().zip(columns).enumerate() {
+            let BestEffect { candidate, own_nats, peak, .. } = effect;
+            let mut cause =
+                ChosenCause { candidate, columns, gain_nats: own_nats, size_ratio: peak.size_ratio };
+            // A further line may be the shadow of those before it: it must be clear beside them.
+            if i >= sure {
+                if nuisance.freedom() < FEWEST_FREE {
+                    break;
+                }
+                cause = self.chosen(nuisance, search.subset, candidate, &cause.columns);
+                if cause.gain_nats < CLEAR_NATS {
+                    continue;
+                }
+            }
+            nuisance.grow(search.design, search.subset, &cause.columns);
+            search.chosen.push(cause);
         }
     }
 
@@ -164,8 +161,7 @@ impl Library<'_> {
     fn more_lines(&self, ranking: &HypothesisRanking, first: usize) -> Vec<BestEffect> {
         let mut lines: Vec<usize> = vec![first];
         let mut more = Vec::new();
-        for RankedHypothesis { hypothesis, peak, .. } in &ranking.ranked {
-            let Hypothesis::Effect(c) = *hypothesis else { continue };
+        for (c, peak) in ranking.effects() {
             let variant = &self.candidates[c].variant;
             let gain_nats = peak.log_evidence + self.candidates[c].weight.ln() - ranking.null.log_evidence;
             let far = lines.iter().all(|&l| {
@@ -178,8 +174,7 @@ impl Library<'_> {
                 continue;
             }
             lines.push(c);
-            let own_nats = peak.log_evidence - ranking.null.log_evidence;
-            more.push(BestEffect { candidate: c, gain_nats, own_nats, peak: *peak });
+            more.push(BestEffect { candidate: c, gain_nats, own_nats: ranking.over_null_nats(&peak), peak });
         }
         more
     }

@@ -11,7 +11,7 @@ use super::greedy::BESIDE;
 use super::library::Library;
 use super::ranking::sign_nats;
 use crate::diagnose::design::side_by_side;
-use crate::diagnose::evidence::{NuisanceModel, PairPeak, Projected, joined};
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, PairPeak, Projected, joined};
 use nalgebra::{DMatrix, DVector};
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
@@ -39,6 +39,24 @@ struct Pool {
     with_data: DVector<f64>,
     /// Rows less what the nuisance takes.
     freedom: f64,
+}
+
+/// One place of the model without what stands there.
+struct OpenPlace {
+    /// The nuisance model of all else.
+    bare: NuisanceModel,
+    /// All else that is chosen.
+    others: Vec<ChosenCause>,
+    /// What stands there now, a candidate; `None` where nothing was found at all.
+    single: Option<usize>,
+}
+
+/// A variant of a cause that a pair may be made of.
+struct PoolVariant {
+    /// Its ln evidence at a first look, with its prior.
+    first_look: f64,
+    candidate: usize,
+    projected: Projected,
 }
 
 /// How large the causes of a pair are at a first look.
@@ -111,47 +129,16 @@ impl Library<'_> {
                 continue;
             }
             let others = search.others(place.as_slice());
-            let bare = search.nuisance(&others);
-            let single = place.map(|i| search.chosen[i].candidate);
-            let pool = self.pool(search, &bare, (now.geometry_ratio, now.sigma_m), &others, single);
-            let mut pairs = self.likely_pairs(&pool, single);
-            if now.geometry_ratio > 0.0 && search.chosen.len() <= 1 {
-                // What small errors of all geometry take now may be two causes on an arm that is as drawn.
-                let sigma_m = search.noise.known.map_or(now.sigma_m, |known| known.sigma_m);
-                let pool = self.pool(search, &bare, (0.0, sigma_m), &others, single);
-                let more = self.likely_pairs(&pool, single);
-                pairs.extend(more.into_iter().filter(|pair| !pairs.contains(pair)).collect::<Vec<_>>());
-            }
+            let open = OpenPlace {
+                bare: search.nuisance(&others),
+                others,
+                single: place.map(|i| search.chosen[i].candidate),
+            };
+            let pairs = self.pairs_to_weigh(search, &open, &now);
             if whole {
                 self.near_pairs.extend(&pairs);
             }
-            let single_odds = single.map(|c| self.odds(self.gain(&bare, search.subset, c), c));
-            let mut best: Option<(f64, [ChosenCause; 2])> = None;
-            for [a, b] in pairs {
-                let at = self.columns_in_design(search.design, search.column_index, &[a, b]);
-                let [at_a, at_b] = [&at[0], &at[1]];
-                self.extend(search.design);
-                let mut first = self.chosen(&bare, search.subset, a, at_a);
-                if !self.allowed(b, &[others.as_slice(), std::slice::from_ref(&first)].concat()) {
-                    continue;
-                }
-                let mut beside = bare.clone();
-                beside.grow(search.design, search.subset, at_a);
-                let mut second = self.chosen(&beside, search.subset, b, at_b);
-                let both = self.evidence_of_two(&bare, search.subset, [&first, &second]);
-                let gain_nats = both.log_evidence - bare.null().log_evidence;
-                let odds = self.odds(gain_nats, a) + self.odds(0.0, b);
-                [first.size_ratio, second.size_ratio] = both.size_ratios;
-                let enough = match single_odds {
-                    Some(single_odds) => odds > single_odds,
-                    None => gain_nats > (1.0 + BESIDE) * alarm_nats,
-                };
-                let needed = second.gain_nats > DROP_NATS;
-                if enough && needed && best.as_ref().is_none_or(|(most, _)| odds > *most) {
-                    best = Some((odds, [first, second]));
-                }
-            }
-            if let Some((_, [first, second])) = best {
+            if let Some([first, second]) = self.better_pair(search, &open, pairs, alarm_nats) {
                 search.near.extend([first.candidate, second.candidate]);
                 match place {
                     Some(i) => search.chosen[i] = first,
@@ -161,6 +148,58 @@ impl Library<'_> {
                 return;
             }
         }
+    }
+
+    /// The pairs that come near what stands in a place, at the noise and the geometry of the whole model, which are at their best
+    /// `now`.
+    fn pairs_to_weigh(&self, search: &Search<'_>, open: &OpenPlace, now: &EvidencePeak) -> Vec<[usize; 2]> {
+        let pool = self.pool(search, open, now.geometry_ratio, now.sigma_m);
+        let mut pairs = self.likely_pairs(&pool, open.single);
+        if now.geometry_ratio > 0.0 && search.chosen.len() <= 1 {
+            // What small errors of all geometry take now may be two causes on an arm that is as drawn.
+            let sigma_m = search.noise.known.map_or(now.sigma_m, |known| known.sigma_m);
+            let pool = self.pool(search, open, 0.0, sigma_m);
+            let more = self.likely_pairs(&pool, open.single);
+            pairs.extend(more.into_iter().filter(|pair| !pairs.contains(pair)).collect::<Vec<_>>());
+        }
+        pairs
+    }
+
+    /// The likeliest of `pairs`, where it is likelier than what stands in the place, or passes the alarm where nothing does.
+    fn better_pair(
+        &mut self,
+        search: &mut Search<'_>,
+        OpenPlace { bare, others, single }: &OpenPlace,
+        pairs: Vec<[usize; 2]>,
+        alarm_nats: f64,
+    ) -> Option<[ChosenCause; 2]> {
+        let single_odds = single.map(|c| self.odds(self.gain(bare, search.subset, c), c));
+        let mut best: Option<(f64, [ChosenCause; 2])> = None;
+        for [a, b] in pairs {
+            let at = self.columns_in_design(search.design, search.column_index, &[a, b]);
+            let [at_a, at_b] = [&at[0], &at[1]];
+            self.extend(search.design);
+            let mut first = self.chosen(bare, search.subset, a, at_a);
+            if !self.allowed(b, &[others.as_slice(), std::slice::from_ref(&first)].concat()) {
+                continue;
+            }
+            let mut beside = bare.clone();
+            beside.grow(search.design, search.subset, at_a);
+            let mut second = self.chosen(&beside, search.subset, b, at_b);
+            let both = self.evidence_of_two(bare, search.subset, [&first, &second]);
+            let gain_nats = both.log_evidence - bare.null().log_evidence;
+            let odds = self.odds(gain_nats, a) + self.odds(0.0, b);
+            [first.size_ratio, second.size_ratio] = both.size_ratios;
+            let enough = match single_odds {
+                Some(single_odds) => odds > single_odds,
+                None => gain_nats > (1.0 + BESIDE) * alarm_nats,
+            };
+            let needed = second.gain_nats > DROP_NATS;
+            if enough && needed && best.as_ref().is_none_or(|(most, _)| odds > *most) {
+                best = Some((odds, [first, second]));
+            }
+        }
+        best.map(|(_, pair)| pair)
     }
 
     /// Evidence of two causes over `bare`, the signs that physics gives them included.
@@ -193,26 +232,22 @@ impl Library<'_> {
         self.candidates[candidate].kind != EffectKind::GearMesh && !self.all_offsets(candidate)
     }
 
-    /// Of each effect and joint the variant that is likeliest over `bare`, and the cause `single` that they are held against, at
-    /// the geometry and the noise of `at`.
-    fn pool(
+    /// Of each effect and joint the variant that is likeliest in the open place.
+    fn variants_of_causes(
         &self,
         search: &Search<'_>,
-        bare: &NuisanceModel,
-        (geometry_ratio, sigma_m): (f64, f64),
-        others: &[ChosenCause],
-        single: Option<usize>,
-    ) -> Pool {
+        OpenPlace { bare, others, single }: &OpenPlace,
+    ) -> Vec<PoolVariant> {
         let grid = bare.screening_grid(&bare.null());
-        let mut of_cause: BTreeMap<_, (f64, usize, Projected)> = BTreeMap::new();
+        let mut of_cause: BTreeMap<_, PoolVariant> = BTreeMap::new();
         for tracked in &search.tracked {
             let c = tracked.candidate;
-            if Some(c) != single && !(self.may_be_of_pair(search, c) && self.allowed(c, others)) {
+            if Some(c) != *single && !(self.may_be_of_pair(search, c) && self.allowed(c, others)) {
                 continue;
             }
             let projected = bare.project(&tracked.sums);
             // What stands there now is compared as it is.
-            let first_look = match Some(c) == single {
+            let first_look = match Some(c) == *single {
                 true => f64::INFINITY,
                 false => {
                     let screened = bare.screened(&projected, &grid);
@@ -221,11 +256,18 @@ impl Library<'_> {
             };
             let candidate = &self.candidates[c];
             let cause = (candidate.kind, candidate.variant.joint, candidate.variant.joint_b);
-            if of_cause.get(&cause).is_none_or(|known| first_look > known.0) {
-                of_cause.insert(cause, (first_look, c, projected));
+            if of_cause.get(&cause).is_none_or(|known| first_look > known.first_look) {
+                of_cause.insert(cause, PoolVariant { first_look, candidate: c, projected });
             }
         }
-        let candidates: Vec<usize> = of_cause.values().map(|found| found.1).collect();
+        of_cause.into_values().collect()
+    }
+
+    /// The causes that a pair may be made of, and the one that they are held against, at this geometry and noise.
+    fn pool(&self, search: &Search<'_>, open: &OpenPlace, geometry_ratio: f64, sigma_m: f64) -> Pool {
+        let variants = self.variants_of_causes(search, open);
+        let bare = &open.bare;
+        let candidates: Vec<usize> = variants.iter().map(|variant| variant.candidate).collect();
         let columns: Vec<_> = candidates.iter().map(|&c| self.columns_at(search.design, c)).collect();
         let mut starts = vec![0];
         starts.extend(columns.iter().scan(0, |end, columns| {
@@ -236,8 +278,8 @@ impl Library<'_> {
         let mut with_data = DVector::zeros(gram.ncols());
         let data = bare.taken_of_data(geometry_ratio);
         let mut taken = DMatrix::zeros(data.len(), gram.ncols());
-        for (start, (_, c, projected)) in starts.iter().zip(of_cause.values()) {
-            let sums = &search.tracked[*c].sums;
+        for (start, PoolVariant { candidate, projected, .. }) in starts.iter().zip(&variants) {
+            let sums = &search.tracked[*candidate].sums;
             let width = sums.own.nrows();
             taken.columns_mut(*start, width).copy_from(&bare.taken(projected, sums, geometry_ratio));
             with_data.rows_mut(*start, width).copy_from(&sums.cross.column(0));

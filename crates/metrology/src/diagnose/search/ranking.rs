@@ -61,6 +61,45 @@ pub(crate) struct HypothesisRanking {
     pub null: EvidencePeak,
 }
 
+impl HypothesisRanking {
+    /// The candidates with their evidence, likeliest first.
+    pub(crate) fn effects(&self) -> impl Iterator<Item = (usize, EvidencePeak)> + '_ {
+        self.ranked.iter().filter_map(|ranked| match ranked.hypothesis {
+            Hypothesis::Effect(candidate) => Some((candidate, ranked.peak)),
+            _ => None,
+        })
+    }
+
+    /// The GP alternatives with their evidence, likeliest first.
+    pub(crate) fn gp_alternatives(&self) -> impl Iterator<Item = (usize, EvidencePeak)> + '_ {
+        self.ranked.iter().filter_map(|ranked| match ranked.hypothesis {
+            Hypothesis::GpAlternative(alternative) => Some((alternative, ranked.peak)),
+            _ => None,
+        })
+    }
+
+    /// ln evidence of one of them over nothing, nats.
+    pub(crate) fn over_null_nats(&self, peak: &EvidencePeak) -> f64 {
+        peak.log_evidence - self.null.log_evidence
+    }
+}
+
+/// A hypothesis whose weight is not yet held against the others'.
+struct WeightedHypothesis {
+    hypothesis: Hypothesis,
+    /// ln of evidence times prior.
+    log_weight: f64,
+    peak: EvidencePeak,
+}
+
+/// A candidate that is evaluated in full.
+struct ShortListed {
+    /// Which of those that are tracked.
+    index: usize,
+    /// What its first look found.
+    first: EvidencePeak,
+}
+
 impl Library<'_> {
     /// Every hypothesis over `nuisance` of all groups, `subset`, but the candidates in `without`.
     #[must_use]
@@ -128,66 +167,75 @@ impl Library<'_> {
     ) -> HypothesisRanking {
         let null = nuisance.null();
         let screening_grid = nuisance.screening_grid(&null);
+        let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
+        let screened: Vec<Screened<'_>> =
+            tracked.par_iter().map(|f| nuisance.screened(&f.projected, &screening_grid)).collect();
+        let mut weighted: Vec<WeightedHypothesis> = self
+            .short_list(nuisance, tracked, &screened, &screening_grid, most)
+            .par_iter()
+            .map(|ShortListed { index, first }| {
+                let candidate = tracked[*index].candidate;
+                let peak = self.evidence_of(nuisance, &screened[*index], first, candidate);
+                let log_weight = peak.log_evidence + self.log_prior[candidate];
+                WeightedHypothesis { hypothesis: Hypothesis::Effect(candidate), log_weight, peak }
+            })
+            .collect();
+        if gp_alternatives {
+            weighted.extend(self.weighted_alternatives(nuisance, &screening_grid, &null));
+        }
+        let log_weight = null.log_evidence + NULL_PRIOR.ln();
+        weighted.push(WeightedHypothesis { hypothesis: Hypothesis::Null, log_weight, peak: null });
+        let total = log_sum(weighted.iter().map(|w| w.log_weight));
+        let ranked = weighted.into_iter().map(|WeightedHypothesis { hypothesis, log_weight, peak }| {
+            RankedHypothesis { hypothesis, probability: (log_weight - total).exp(), peak }
+        });
+        let mut ranked: Vec<RankedHypothesis> = ranked.collect();
+        ranked.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+        HypothesisRanking { ranked, null }
+    }
+
+    /// The candidates worth evaluating in full: the `most` that are likeliest at a first look, which the [`LONG_LIST`] get whose upper
+    /// bounds are highest, and of each effect and joint the likeliest of them.
+    fn short_list(
+        &self,
+        nuisance: &NuisanceModel,
+        tracked: &[&TrackedCandidate],
+        screened: &[Screened<'_>],
+        screening_grid: &[ScreeningPoint],
+        most: usize,
+    ) -> Vec<ShortListed> {
         let best = |mut scores: Vec<(usize, f64)>| {
             scores.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
             scores.truncate(LONG_LIST);
             scores.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
         };
         let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
-        let screened: Vec<Screened<'_>> =
-            tracked.par_iter().map(|f| nuisance.screened(&f.projected, &screening_grid)).collect();
         let bounds = screened.iter().enumerate().map(|(i, s)| (i, s.upper_bound() + log_prior(i)));
         let long = best(bounds.collect());
         let firsts: BTreeMap<usize, EvidencePeak> = long
             .par_iter()
-            .map(|&i| (i, nuisance.screening_evidence(&screened[i], &screening_grid)))
+            .map(|&i| (i, nuisance.screening_evidence(&screened[i], screening_grid)))
             .collect();
         let seen = best(firsts.iter().map(|(&i, first)| (i, first.log_evidence + log_prior(i))).collect());
-        let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
         // Thousands of gear lines must not push out the one variant of an effect that explains as much.
         let mut kinds = BTreeSet::new();
-        let order: Vec<usize> = seen
-            .into_iter()
+        seen.into_iter()
             .enumerate()
             .filter(|(rank, i)| {
                 let this = &self.candidates[tracked[*i].candidate];
                 kinds.insert((this.kind, this.variant.joint, this.variant.joint_b)) || *rank < most
             })
-            .map(|(_, i)| i)
-            .collect();
-        let mut ranked: Vec<(Hypothesis, f64, EvidencePeak)> = order
-            .par_iter()
-            .map(|&i| {
-                let c = tracked[i].candidate;
-                let peak = self.evidence_of(nuisance, &screened[i], &firsts[&i], c);
-                (Hypothesis::Effect(c), peak.log_evidence + self.log_prior[c], peak)
-            })
-            .collect();
-        if gp_alternatives {
-            let scanned = self.scanned(nuisance, &screening_grid, &null);
-            ranked.extend(scanned);
-        }
-        ranked.push((Hypothesis::Null, null.log_evidence + NULL_PRIOR.ln(), null));
-        let total = log_sum(ranked.iter().map(|r| r.1));
-        let mut ranked: Vec<RankedHypothesis> = ranked
-            .into_iter()
-            .map(|(hypothesis, log_weight, peak)| RankedHypothesis {
-                hypothesis,
-                probability: (log_weight - total).exp(),
-                peak,
-            })
-            .collect();
-        ranked.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-        HypothesisRanking { ranked, null }
+            .map(|(_, index)| ShortListed { index, first: firsts[&index] })
+            .collect()
     }
 
     /// Every GP alternative by its evidence: in full what comes near the best of them or nothing, a first look for the others.
-    fn scanned(
+    fn weighted_alternatives(
         &self,
         nuisance: &NuisanceModel,
         screening_grid: &[ScreeningPoint],
         null: &EvidencePeak,
-    ) -> Vec<(Hypothesis, f64, EvidencePeak)> {
+    ) -> Vec<WeightedHypothesis> {
         let projected: Vec<Projected> =
             self.gp_alternatives.par_iter().map(|s| nuisance.project(&s.sums)).collect();
         let seen: Vec<(Screened<'_>, EvidencePeak)> = projected
@@ -209,32 +257,26 @@ impl Library<'_> {
             .map(|(k, ((screened, first), s))| {
                 let near = first.log_evidence + s.log_prior > best - FAR_BEHIND_NATS;
                 let peak = if near { nuisance.evidence_of(screened, first) } else { *first };
-                (Hypothesis::GpAlternative(k), peak.log_evidence + s.log_prior, peak)
+                let log_weight = peak.log_evidence + s.log_prior;
+                WeightedHypothesis { hypothesis: Hypothesis::GpAlternative(k), log_weight, peak }
             })
             .collect()
     }
 
     /// Best candidate of `ranking` and its effect's ln evidence over nothing, the prior within the effect included.
     pub(super) fn best_effect(&self, ranking: &HypothesisRanking) -> Option<BestEffect> {
-        let (best, peak) =
-            ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
-                Hypothesis::Effect(c) => Some((*c, *r)),
-                _ => None,
-            })?;
-        let own_nats = peak.log_evidence - ranking.null.log_evidence;
-        Some(BestEffect { candidate: best, gain_nats: self.effect_gain(ranking, best), own_nats, peak })
+        let (candidate, peak) = ranking.effects().next()?;
+        let gain_nats = self.effect_gain(ranking, candidate);
+        Some(BestEffect { candidate, gain_nats, own_nats: ranking.over_null_nats(&peak), peak })
     }
 
     /// ln evidence of the whole effect that `candidate` belongs to, over nothing.
     #[must_use]
     pub(crate) fn effect_gain(&self, ranking: &HypothesisRanking, candidate: usize) -> f64 {
         let kind = self.candidates[candidate].kind;
-        log_sum(ranking.ranked.iter().filter_map(|RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
-            Hypothesis::Effect(c) if self.candidates[*c].kind == kind => {
-                Some(r.log_evidence + self.candidates[*c].weight.ln())
-            }
-            _ => None,
-        })) - ranking.null.log_evidence
+        let of_kind = ranking.effects().filter(|(c, _)| self.candidates[*c].kind == kind);
+        log_sum(of_kind.map(|(c, peak)| peak.log_evidence + self.candidates[c].weight.ln()))
+            - ranking.null.log_evidence
     }
 }
 

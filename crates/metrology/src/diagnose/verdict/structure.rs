@@ -3,7 +3,7 @@
 use super::cycles;
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
-use crate::diagnose::evidence::NuisanceModel;
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::gp_alternative::{self, Ball, GpAlternative};
 use crate::diagnose::gp_over_time;
 use crate::diagnose::linear_fit::solve;
@@ -81,19 +81,12 @@ pub(super) fn likeliest_structure(
     workspace: &Workspace<'_>,
     ranking: &HypothesisRanking,
 ) -> Option<LikeliestStructure> {
-    let gain_nats = log_sum(ranking.ranked.iter().filter_map(
-        |RankedHypothesis { hypothesis: h, peak: r, .. }| match h {
-            Hypothesis::GpAlternative(k) => Some(
-                r.log_evidence + workspace.library.gp_alternatives[*k].log_prior - UNEXPLAINED_PRIOR.ln(),
-            ),
-            _ => None,
-        },
-    )) - ranking.null.log_evidence;
-    let best = ranking.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, .. }| match h {
-        Hypothesis::GpAlternative(k) => Some(*k),
-        _ => None,
-    })?;
-    Some(LikeliestStructure { gain_nats, gp_alternative: best })
+    let log_prior = |k: usize| workspace.library.gp_alternatives[k].log_prior;
+    let terms =
+        ranking.gp_alternatives().map(|(k, peak)| peak.log_evidence + log_prior(k) - UNEXPLAINED_PRIOR.ln());
+    let gain_nats = log_sum(terms) - ranking.null.log_evidence;
+    let (gp_alternative, _) = ranking.gp_alternatives().next()?;
+    Some(LikeliestStructure { gain_nats, gp_alternative })
 }
 
 /// Structure that no effect takes: everywhere, and round the causes that were found.
@@ -197,26 +190,18 @@ pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -
 
 /// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.
 pub(super) fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking) -> Option<usize> {
-    rest.ranked.iter().find_map(|RankedHypothesis { hypothesis: h, peak, .. }| match h {
-        Hypothesis::GpAlternative(k)
-            if matches!(
-                workspace.library.gp_alternatives[*k].gp_alternative,
-                GpAlternative::TimeVaryingCause(_)
-            ) =>
-        {
-            (peak.log_evidence - rest.null.log_evidence > ALARM_NATS).then_some(*k)
-        }
-        _ => None,
-    })
+    let varies = |k: usize| {
+        let of = workspace.library.gp_alternatives[k].gp_alternative;
+        matches!(of, GpAlternative::TimeVaryingCause(_))
+    };
+    let clear = |peak: &EvidencePeak| rest.over_null_nats(peak) > ALARM_NATS;
+    rest.gp_alternatives().find(|(k, peak)| varies(*k) && clear(peak)).map(|(k, _)| k)
 }
 
 /// How large the structure is that a GP alternative takes after the causes, 3-D rms, metres.
 pub(super) fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
-    let sigma_with = ranking
-        .ranked
-        .iter()
-        .find(|RankedHypothesis { hypothesis: h, .. }| *h == Hypothesis::GpAlternative(gp_alternative))
-        .map_or(ranking.null.sigma_m, |r| r.peak.sigma_m);
+    let with = ranking.gp_alternatives().find(|(k, _)| *k == gp_alternative);
+    let sigma_with = with.map_or(ranking.null.sigma_m, |(_, peak)| peak.sigma_m);
     (3.0 * (ranking.null.sigma_m.powi(2) - sigma_with.powi(2)).max(0.0)).sqrt()
 }
 
@@ -226,15 +211,13 @@ pub(super) fn odds_over_causes(fitted: &FittedModel<'_>, chosen: &[ChosenCause])
     let groups = workspace.design.all_groups();
     let mut nuisance = NuisanceModel::new(&workspace.design, &groups, &[], model.noise);
     let ranking = workspace.library.rank_gp_alternatives(&nuisance);
-    let structure =
-        log_sum(ranking.ranked.iter().filter_map(|RankedHypothesis { hypothesis: h, peak, .. }| match h {
-            Hypothesis::GpAlternative(k)
-                if !chosen.iter().any(|c| is_shape_of(workspace, *k, c.candidate)) =>
-            {
-                Some(peak.log_evidence + workspace.library.gp_alternatives[*k].log_prior - NULL_PRIOR.ln())
-            }
-            _ => None,
-        })) - ranking.null.log_evidence;
+    let mere_shape = |k: usize| chosen.iter().any(|c| is_shape_of(workspace, k, c.candidate));
+    let log_prior = |k: usize| workspace.library.gp_alternatives[k].log_prior;
+    let terms = ranking
+        .gp_alternatives()
+        .filter(|(k, _)| !mere_shape(*k))
+        .map(|(k, peak)| peak.log_evidence + log_prior(k) - NULL_PRIOR.ln());
+    let structure = log_sum(terms) - ranking.null.log_evidence;
     let mut causes = 0.0;
     for one in chosen {
         let c = one.candidate;
