@@ -68,6 +68,15 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
     Code { params, decls: c.decls, slots: c.slots, instructions: c.instructions, handlers, exits, backward }
 }
 
+/// A GOTO whose label has not been looked for.
+struct PendingGoto {
+    /// Its operation.
+    at: usize,
+    label: Name,
+    /// Whether it stands in no other statement, so that it always jumps.
+    unconditional: bool,
+}
+
 struct Compiler<'f> {
     file: &'f SourceFile,
     /// Names of parameters, locals and loop variables now in sight.
@@ -76,7 +85,7 @@ struct Compiler<'f> {
     decls: Vec<LocalDecl>,
     instructions: Vec<Instruction>,
     labels: BTreeMap<Name, usize>,
-    gotos: Vec<(usize, Name, bool)>,
+    gotos: Vec<PendingGoto>,
     /// How many statements stand round the present one.
     depth: usize,
 }

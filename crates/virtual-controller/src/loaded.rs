@@ -3,18 +3,29 @@
 //! Constant while it runs, but for modules that the program itself loads and unloads. Values of data are the
 //! machine's; initial values are evaluated when they are first asked for, this file knows where they stand.
 
+mod declare;
+
 use super::code::{Code, Found, Name, NameRef};
-use super::compile::{self, latin1, lower_case_name};
+use super::compile;
 use super::ids::{ModuleId, RoutineId};
 use super::outcome::SourceLine;
 use super::predefined::{self, Types};
-use super::value::{RecordType, Type};
+use super::value::Type;
 use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{FileId, TextRange};
-use rapid_syntax::tree::{self, DataKind, FileItem, ModuleItem, Scope};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{self, DataKind, FileItem, ModuleItem};
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
+
+/// Which item of a module's file a declaration is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ItemIndex {
+    /// Of the file: the module.
+    pub module: usize,
+    /// Of that module.
+    pub item: usize,
+}
 
 /// A module in program memory.
 #[derive(Debug)]
@@ -41,8 +52,8 @@ pub(super) struct Datum {
 /// Where a datum is declared.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum DatumOrigin {
-    /// In a module: item of the file, and item of that module.
-    Module { module: ModuleId, at: (usize, usize) },
+    /// In a module.
+    Module { module: ModuleId, at: ItemIndex },
     /// Nowhere: tool0, wobj0 and load0 are PERS that every controller has.
     Controller,
 }
@@ -53,7 +64,7 @@ pub(super) struct Routine {
     pub module: ModuleId,
     pub name: Rc<str>,
     pub kind: RoutineKind,
-    pub at: (usize, usize),
+    pub at: ItemIndex,
     /// Its executable form, once it was called.
     code: OnceCell<Rc<Code>>,
 }
@@ -67,21 +78,21 @@ pub(super) enum RoutineKind {
 }
 
 impl Module {
-    fn item(&self, at: (usize, usize)) -> Option<&ModuleItem> {
-        match self.file.tree.items.get(at.0)? {
-            FileItem::Module(m) => m.items.get(at.1),
+    fn item(&self, at: ItemIndex) -> Option<&ModuleItem> {
+        match self.file.tree.items.get(at.module)? {
+            FileItem::Module(m) => m.items.get(at.item),
             _ => None,
         }
     }
 
-    pub(crate) fn data_decl(&self, at: (usize, usize)) -> Option<&tree::DataDecl> {
+    pub(crate) fn data_decl(&self, at: ItemIndex) -> Option<&tree::DataDecl> {
         match self.item(at)? {
             ModuleItem::Data(d) => Some(d),
             _ => None,
         }
     }
 
-    pub(crate) fn routine(&self, at: (usize, usize)) -> Option<&tree::Routine> {
+    pub(crate) fn routine(&self, at: ItemIndex) -> Option<&tree::Routine> {
         match self.item(at)? {
             ModuleItem::Routine(r) => Some(r),
             _ => None,
@@ -171,182 +182,6 @@ impl LoadedProgram {
             Some(m) => SourceLine { file: m.file.path.clone(), line: m.file.line(range) },
             None => SourceLine::default(),
         }
-    }
-
-    /// Puts the modules of a file into memory; `dynamic` is the file's name where the program itself loads it.
-    ///
-    /// # Errors
-    /// What a controller would not load: a name that is there already.
-    pub(crate) fn load(&mut self, path: &str, bytes: &[u8], dynamic: Option<&str>) -> Result<(), String> {
-        let id = FileId(self.files);
-        self.files += 1;
-        let file = &Rc::new(SourceFile::read(id, path, bytes.to_vec()));
-        let mut loaded = Vec::new();
-        for (index, item) in file.tree.items.iter().enumerate() {
-            if let FileItem::Module(module) = item {
-                match self.load_module(file, index, module, dynamic) {
-                    Ok(id) => loaded.push(id),
-                    Err(why) => {
-                        loaded.into_iter().for_each(|id| drop(self.unload(id)));
-                        return Err(why);
-                    }
-                }
-            }
-        }
-        if loaded.is_empty() { Err(format!("{} holds no module", file.path)) } else { Ok(()) }
-    }
-
-    fn load_module(
-        &mut self,
-        file: &Rc<SourceFile>,
-        index: usize,
-        module: &tree::Module,
-        dynamic: Option<&str>,
-    ) -> Result<ModuleId, String> {
-        self.changes += 1;
-        let id = ModuleId::new(self.modules.len());
-        let name = latin1(file, module.name);
-        if self.modules.iter().any(|m| m.loaded && m.name.eq_ignore_ascii_case(&name)) {
-            return Err(format!("a module {name} is loaded already"));
-        }
-        self.modules.push(Module {
-            name,
-            file: file.clone(),
-            data: BTreeMap::new(),
-            routines: BTreeMap::new(),
-            types: BTreeMap::new(),
-            dynamic: dynamic.map(str::to_owned),
-            loaded: true,
-        });
-        // Types first: data may stand before the RECORD they are made of.
-        for item in &module.items {
-            self.declare_type(id, file, item);
-        }
-        for (k, item) in module.items.iter().enumerate() {
-            if let Err(why) = self.declare(id, file, (index, k), item) {
-                self.unload(id);
-                return Err(why);
-            }
-        }
-        Ok(id)
-    }
-
-    fn declare_type(&mut self, id: ModuleId, file: &SourceFile, item: &ModuleItem) {
-        let (name, scope, ty) = match item {
-            ModuleItem::Record(r) => {
-                let name = lower_case_name(file, r.name);
-                let fields = r
-                    .components
-                    .iter()
-                    .map(|(ty, field)| {
-                        (
-                            lower_case_name(file, *field),
-                            self.type_named(Some(id), &lower_case_name(file, *ty)),
-                        )
-                    })
-                    .collect();
-                (name.clone(), r.scope, Type::Record(Rc::new(RecordType { name, fields })))
-            }
-            ModuleItem::Alias(a) => {
-                let ty = self.type_named(Some(id), &lower_case_name(file, a.type_name));
-                (lower_case_name(file, a.name), a.scope, ty)
-            }
-            _ => return,
-        };
-        if scope == Scope::Local {
-            if let Some(m) = self.modules.get_mut(id.index()) {
-                m.types.insert(name, ty);
-            }
-        } else {
-            self.global_types.insert(name, ty);
-        }
-    }
-
-    fn declare(
-        &mut self,
-        id: ModuleId,
-        file: &SourceFile,
-        at: (usize, usize),
-        item: &ModuleItem,
-    ) -> Result<(), String> {
-        let (range, scope) = match item {
-            ModuleItem::Data(d) => (d.name, d.scope),
-            ModuleItem::Routine(r) => (r.name, r.scope),
-            _ => return Ok(()),
-        };
-        let (name, spelt) = (lower_case_name(file, range), latin1(file, range));
-        let global = scope != Scope::Local;
-        let clash = |what: &str| Err(format!("{spelt} is declared twice ({what})"));
-        let Some(module) = self.modules.get(id.index()) else { return Ok(()) };
-        if module.data.contains_key(&name) || module.routines.contains_key(&name) {
-            return clash("in one module");
-        }
-        if global && (self.global_data.contains_key(&name) || self.global_routines.contains_key(&name)) {
-            return clash("globally, in two modules");
-        }
-        match item {
-            ModuleItem::Data(d) => {
-                let ty =
-                    self.type_named(Some(id), &lower_case_name(file, d.type_name)).array_of(d.dims.len());
-                let datum = self.data.len();
-                let origin = DatumOrigin::Module { module: id, at };
-                self.data.push(Datum { name: spelt.into(), kind: d.kind, ty, origin });
-                if global {
-                    self.global_data.insert(name.clone(), datum);
-                }
-                if let Some(m) = self.modules.get_mut(id.index()) {
-                    m.data.insert(name, datum);
-                }
-            }
-            ModuleItem::Routine(r) => {
-                let kind = self.routine_kind(id, file, r);
-                let routine = RoutineId::new(self.routines.len());
-                self.routines.push(Routine {
-                    module: id,
-                    name: spelt.into(),
-                    kind,
-                    at,
-                    code: OnceCell::new(),
-                });
-                if global {
-                    self.global_routines.insert(name.clone(), routine);
-                }
-                if let Some(m) = self.modules.get_mut(id.index()) {
-                    m.routines.insert(name, routine);
-                }
-            }
-            _ => {}
-        }
-        Ok(())
-    }
-
-    fn routine_kind(&self, id: ModuleId, file: &SourceFile, routine: &tree::Routine) -> RoutineKind {
-        match routine.kind {
-            tree::RoutineKind::Proc => RoutineKind::Proc,
-            tree::RoutineKind::Func(ty) => {
-                RoutineKind::Func(self.type_named(Some(id), &lower_case_name(file, ty)))
-            }
-            tree::RoutineKind::Trap => RoutineKind::Trap,
-        }
-    }
-
-    /// Take a module out of memory; the data whose values are lost with it.
-    pub(crate) fn unload(&mut self, id: ModuleId) -> Vec<usize> {
-        self.changes += 1;
-        let Some(module) = self.modules.get_mut(id.index()) else { return Vec::new() };
-        module.loaded = false;
-        let data = std::mem::take(&mut module.data);
-        let routines = std::mem::take(&mut module.routines);
-        self.global_data.retain(|_, d| !data.values().any(|x| x == d));
-        self.global_routines.retain(|_, r| !routines.values().any(|x| x == r));
-        data.into_values().collect()
-    }
-
-    /// Takes all modules out of memory that the program loaded itself; the data whose values are lost.
-    pub(crate) fn unload_dynamic(&mut self) -> Vec<usize> {
-        let is_dynamic = |m: &Module| m.loaded && m.dynamic.is_some();
-        let ids: Vec<usize> = (0..self.modules.len()).filter(|&id| is_dynamic(&self.modules[id])).collect();
-        ids.into_iter().map(ModuleId::new).flat_map(|id| self.unload(id)).collect()
     }
 
     /// A module by its number; without one, none.

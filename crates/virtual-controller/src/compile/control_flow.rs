@@ -2,7 +2,7 @@
 //!
 //! Knows nothing of what the other statements do.
 
-use super::{Compiler, latin1, lower_case_name};
+use super::{Compiler, PendingGoto, latin1, lower_case_name};
 use crate::code::{CompiledCall, CompiledExits, Expr, Op};
 use crate::exits;
 use rapid_syntax::diagnostic::TextRange;
@@ -81,22 +81,20 @@ impl Compiler<'_> {
         ends.into_iter().for_each(|at| self.patch_jump(at));
     }
 
+    /// A jump to a label that may stand further down: unknown until all labels are there.
     pub(super) fn goto(&mut self, range: TextRange, name: TextRange) {
-        let at = self.push(Op::Jump(usize::MAX), range);
-        if let Some(step) = self.instructions.get_mut(at) {
-            step.counts = true;
-        }
-        self.gotos.push((at, lower_case_name(self.file, name), self.depth == 1));
+        let label = lower_case_name(self.file, name);
+        let at = self.push(Op::Unknown(format!("GOTO {label}").into()), range);
+        self.gotos.push(PendingGoto { at, label, unconditional: self.depth == 1 });
     }
 
+    /// Lets the jumps whose labels are there go to them.
     pub(super) fn resolve_gotos(&mut self) {
-        for (at, label, unconditional) in std::mem::take(&mut self.gotos) {
-            let Some(step) = self.instructions.get_mut(at) else { continue };
-            step.op = match self.labels.get(&label) {
-                Some(&to) if to <= at && unconditional => Op::LoopBack(to),
-                Some(&to) => Op::Jump(to),
-                None => Op::Unknown(format!("GOTO {label}").into()),
+        for PendingGoto { at, label, unconditional } in std::mem::take(&mut self.gotos) {
+            let (Some(&to), Some(step)) = (self.labels.get(&label), self.instructions.get_mut(at)) else {
+                continue;
             };
+            step.op = if to <= at && unconditional { Op::LoopBack(to) } else { Op::Jump(to) };
         }
     }
 
