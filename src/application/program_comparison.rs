@@ -9,6 +9,7 @@ use rapid_program::compensate::compare::{Comparison, compare};
 use rapid_program::compensate::plan::{PlannedMotion, Status};
 use rapid_program::compensate::{FormChoice, JointsHint, Options, plan};
 use rapid_program::emit::{Difference, differences};
+use rapid_program::program::motion::{Motion, MotionId};
 use rapid_program::program::{FilePairs, Overrides, Program, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
@@ -81,12 +82,13 @@ impl<'f> ProgramComparison<'f> {
             let hint = self.joints_hint.as_deref();
             let found =
                 compare(&before, &after, &pairs, &arm.0, (start_rad, hint)).map_err(Diagnostic::from)?;
-            let of_task = |program: &Program, motion: usize| {
-                is_of_task(&program.file(program.motions[motion].file).path, task.as_deref())
+            let of_task = |program: &Program, motion: MotionId| {
+                let path = |motion: &Motion| program.file(motion.file).path.as_str();
+                program.motion(motion).map(path).is_some_and(|path| is_of_task(path, task.as_deref()))
             };
             let found = found.retained(|motion| of_task(&before, *motion), |motion| of_task(&after, *motion));
             let of_robot = self.settled(&before, &found, &emitted_settings, &arm, start_rad)?;
-            let own = of_robot.into_iter().enumerate().filter(|(motion, _)| of_task(&before, *motion));
+            let own = of_robot.into_iter().enumerate().filter(|(motion, _)| of_task(&before, MotionId::new(*motion)));
             own.for_each(|(motion, correction)| settled[motion] = correction);
             comparison.extend(found);
         }

@@ -70,7 +70,7 @@ impl Compared<'_> {
 
     /// The settled correction of a motion that asks the model at run time, metres and radians.
     pub(super) fn settled(&self, compared: &ComparedMotion) -> Option<[f64; 2]> {
-        let settled = self.settled.get(compared.before).copied().flatten();
+        let settled = self.settled.get(compared.before.index()).copied().flatten();
         settled.filter(|_| compared.steps.is_empty() && self.is_live(compared))
     }
 
@@ -100,7 +100,7 @@ impl Compared<'_> {
         for (motions, program, which) in
             [(&c.only_before, self.before, "first"), (&c.only_after, self.after, "second")]
         {
-            for motion in motions.iter().filter_map(|&i| program.motions.get(i)).take(SHORT) {
+            for motion in motions.iter().filter_map(|&id| program.motion(id)).take(SHORT) {
                 let (kind, line) = (motion.setup.kind, motion.line);
                 let file = &program.file(motion.file).path;
                 writeln!(out, "Only in the {which} program: {kind} in {file}:{line}")?;
@@ -236,10 +236,7 @@ impl Compared<'_> {
         vec![
             before.line.to_string(),
             after.line.to_string(),
-            self.before
-                .routines
-                .get(before.setup.routine.index())
-                .map_or_else(String::new, |r| r.name.clone()),
+            self.before.routine_of(before).map_or_else(String::new, |r| r.name.clone()),
             after.setup.kind.to_owned(),
             target_name(before).unwrap_or_default().to_owned(),
             bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
@@ -254,7 +251,7 @@ impl Compared<'_> {
     }
 
     pub(super) fn motions(&self, compared: &ComparedMotion) -> (&Motion, &Motion) {
-        (&self.before.motions[compared.before], &self.after.motions[compared.after])
+        (&self.before.motions[compared.before.index()], &self.after.motions[compared.after.index()])
     }
 }
 

@@ -6,6 +6,7 @@ use super::motion_rows::target_name;
 use super::rounded;
 use rapid_program::compensate::compare::TargetChange;
 use rapid_program::program::Program;
+use rapid_program::program::motion::MotionId;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
@@ -48,10 +49,7 @@ impl Compared<'_> {
                     self.before.file(before.file).path.clone(),
                     before.line.to_string(),
                     after.line.to_string(),
-                    self.before
-                        .routines
-                        .get(before.setup.routine.index())
-                        .map_or_else(String::new, |r| r.name.clone()),
+                    self.before.routine_of(before).map_or_else(String::new, |r| r.name.clone()),
                     after.setup.kind.to_owned(),
                     target_name(before).unwrap_or_default().to_owned(),
                     bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
@@ -78,14 +76,14 @@ impl Compared<'_> {
 /// The same for scripts; is made motion by motion while it is written.
 impl Serialize for Compared<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let place = |program: &Program, i: &usize| {
-            let motion = program.motions.get(*i)?;
+        let place = |program: &Program, id: &MotionId| {
+            let motion = program.motion(*id)?;
             Some(
                 json!({"file": program.file(motion.file).path, "line": motion.line, "kind": motion.setup.kind}),
             )
         };
-        let places = |program: &Program, list: &[usize]| -> Vec<Value> {
-            list.iter().filter_map(|i| place(program, i)).collect()
+        let places = |program: &Program, list: &[MotionId]| -> Vec<Value> {
+            list.iter().filter_map(|id| place(program, id)).collect()
         };
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("same", &self.is_same())?;
@@ -114,7 +112,7 @@ impl Serialize for Motions<'_> {
                 "line": old.line,
                 "file_after": after.file(new.file).path,
                 "line_after": new.line,
-                "routine": before.routines.get(old.setup.routine.index()).map(|r| &r.name),
+                "routine": before.routine_of(old).map(|r| &r.name),
                 "kind": new.setup.kind,
                 "target": target_name(old),
                 "same_frames": compared.same_frames,

@@ -176,7 +176,7 @@ fn form(program: &Program) -> (&'static str, String) {
 }
 
 fn routine<'p>(program: &'p Program, motion: &Motion) -> &'p str {
-    program.routines.get(motion.setup.routine.index()).map_or("", |r| &r.name)
+    program.routine_of(motion).map_or("", |r| &r.name)
 }
 
 fn spelling(target: &Target) -> String {

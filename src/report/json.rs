@@ -124,7 +124,7 @@ fn motion_row(
     json!({
         "file": program.file(motion.file).path,
         "line": motion.line,
-        "routine": program.routines.get(motion.setup.routine.index()).map(|r| &r.name),
+        "routine": program.routine_of(motion).map(|r| &r.name),
         "index": index,
         "kind": motion.setup.kind,
         "target": target_name(motion),

@@ -79,7 +79,7 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
     };
     [
         line,
-        program.routines.get(motion.setup.routine.index()).map_or_else(String::new, |r| r.name.clone()),
+        program.routine_of(motion).map_or_else(String::new, |r| r.name.clone()),
         motion.setup.kind.to_owned(),
         target_name(motion).unwrap_or_default().to_owned(),
         figure(mm(planned.max_correction_m)),

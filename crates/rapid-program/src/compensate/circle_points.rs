@@ -34,7 +34,7 @@ fn circle_point(
     model: &Model<'_>,
     resolved: &[Resolved],
 ) -> Option<CirclePoint> {
-    let motion = program.motions.get(id.index())?;
+    let motion = program.motion(id)?;
     let points: Vec<Point<'_>> = resolved.get(id.index())?.points(motion, model).collect();
     let [via, end] = points.as_slice() else { return None };
     if motion.targets.len() != 2 || !motion.targets.iter().all(is_one_pose) {
@@ -42,7 +42,7 @@ fn circle_point(
     }
     let anywhere = motion.from_start || program.also_anywhere.contains(&id);
     let starts: Option<Vec<Point<'_>>> = predecessors(program, id)
-        .map(|before| resolved.get(before.index())?.end(program.motions.get(before.index())?, model))
+        .map(|before| resolved.get(before.index())?.end(program.motion(before)?, model))
         .collect();
     let starts = starts.filter(|starts| !anywhere && !starts.is_empty())?;
     let placement = via.placement;

@@ -30,7 +30,7 @@ pub(super) fn long_gaps(
     resolved: &[Resolved],
     planned: &[PlannedMotion],
     (model, gap_min): (&Model<'_>, Option<f64>),
-) -> Vec<usize> {
+) -> Vec<MotionId> {
     let Some(gap_s) = gap_min.map(seconds_from_min) else { return Vec::new() };
     let asks = |i: usize| planned.get(i).is_some_and(|planned| planned.status == Status::Compensated);
     let previous = |i: usize| {
@@ -81,7 +81,7 @@ pub(super) fn long_gaps(
     }
     found.sort_unstable();
     found.dedup();
-    found
+    found.into_iter().map(MotionId::new).collect()
 }
 
 /// Motions that are looked back over at one go.

@@ -11,7 +11,7 @@ use super::options::Options;
 use super::placement::Placement;
 use crate::program::data::RobTarget;
 use crate::program::module_facts::ModuleFacts;
-use crate::program::motion::{Motion, TargetValue};
+use crate::program::motion::{Motion, MotionId, TargetValue};
 use crate::program::{FilePairs, Program};
 use nalgebra::Isometry3;
 use robot_model::deform::{Deformation, GrowthLaw};
@@ -26,15 +26,15 @@ pub struct Comparison {
     /// Motions that stand in both, in the order of the first program.
     pub motions: Vec<ComparedMotion>,
     /// Motions of the first program that the second has not.
-    pub only_before: Vec<usize>,
+    pub only_before: Vec<MotionId>,
     /// Motions of the second program that the first has not.
-    pub only_after: Vec<usize>,
+    pub only_after: Vec<MotionId>,
 }
 
 impl Comparison {
     /// What concerns some motions of the first program and of the second.
     #[must_use]
-    pub fn retained(mut self, before: impl Fn(&usize) -> bool, after: impl Fn(&usize) -> bool) -> Self {
+    pub fn retained(mut self, before: impl Fn(&MotionId) -> bool, after: impl Fn(&MotionId) -> bool) -> Self {
         self.motions.retain(|motion| before(&motion.before));
         self.only_before.retain(&before);
         self.only_after.retain(&after);
@@ -56,9 +56,9 @@ impl Comparison {
 #[derive(Clone, Debug)]
 pub struct ComparedMotion {
     /// Its number in the first program.
-    pub before: usize,
+    pub before: MotionId,
     /// Its number in the second.
-    pub after: usize,
+    pub after: MotionId,
     /// Instruction, tool and work object are the same, by value.
     pub same_frames: bool,
     /// One step for each element of a scheduled target, the original first; one where it is not scheduled;
@@ -130,14 +130,9 @@ pub fn compare(
         out.only_before.extend(own.iter().skip(other.len()));
         out.only_after.extend(other.iter().skip(own.len()));
         for (&i, &j) in own.iter().zip(&other) {
-            out.motions.push(motion(
-                &before.motions[i],
-                i,
-                &after.motions[j],
-                j,
-                resolved[i].q_rad(),
-                &model,
-            ));
+            let (Some(old), Some(new)) = (before.motion(i), after.motion(j)) else { continue };
+            let compared = motion((i, old), (j, new), resolved[i.index()].q_rad(), &model);
+            out.motions.push(compared);
         }
     }
     others.retain(|key, _| !is_of_touch(after, key));
@@ -170,12 +165,12 @@ fn is_of_touch(program: &Program, (_, module, routine): &RoutineKey) -> bool {
 fn by_routine(
     program: &Program,
     pair: &dyn Fn(&Motion) -> Option<usize>,
-) -> BTreeMap<RoutineKey, Vec<usize>> {
-    let mut all: BTreeMap<RoutineKey, Vec<usize>> = BTreeMap::new();
-    for (i, motion) in program.motions.iter().enumerate() {
-        let Some(routine) = program.routines.get(motion.setup.routine.index()) else { continue };
+) -> BTreeMap<RoutineKey, Vec<MotionId>> {
+    let mut all: BTreeMap<RoutineKey, Vec<MotionId>> = BTreeMap::new();
+    for (id, motion) in program.numbered_motions() {
+        let Some(routine) = program.routine_of(motion) else { continue };
         let key = (pair(motion), routine.module.to_ascii_lowercase(), routine.name.to_ascii_lowercase());
-        all.entry(key).or_default().push(i);
+        all.entry(key).or_default().push(id);
     }
     all
 }
@@ -187,10 +182,8 @@ pub fn is_comparable(motion: &Motion) -> bool {
 }
 
 fn motion(
-    before: &Motion,
-    i: usize,
-    after: &Motion,
-    j: usize,
+    (i, before): (MotionId, &Motion),
+    (j, after): (MotionId, &Motion),
     q_rad: &[[f64; 6]],
     model: &Model,
 ) -> ComparedMotion {

@@ -48,7 +48,7 @@ impl Corrector<'_> {
         &self,
         resolved: &[Resolved],
         chosen: &Chosen,
-    ) -> (Vec<PlannedMotion>, Tally, Vec<(usize, Crossing)>) {
+    ) -> (Vec<PlannedMotion>, Tally, Vec<(MotionId, Crossing)>) {
         let program = self.program;
         let mut tally = Tally::new(chosen);
         let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
@@ -60,9 +60,10 @@ impl Corrector<'_> {
                     self.correct_some(some, &resolved[first..first + some.len()])
                 });
             for made in made.into_iter().flatten() {
-                tally.add(MotionId::new(motions.len()), &made);
+                let motion = MotionId::new(motions.len());
+                tally.add(motion, &made);
                 worst_bucket.push(made.worst_bucket as u32);
-                crossings.extend(made.crossing.map(|crossing| (motions.len(), crossing)));
+                crossings.extend(made.crossing.map(|crossing| (motion, crossing)));
                 // Copied: what stays lies together, not among what the threads worked with.
                 motions.push(made.planned.clone());
             }

@@ -44,16 +44,17 @@ pub(super) struct ProgramPoints<'a> {
 }
 
 impl<'a> ProgramPoints<'a> {
-    /// The points of the motions that are `wanted` by their position.
+    /// The points of the motions that are `wanted`.
     pub(super) fn of(
         program: &'a Program,
         resolved: &'a [Resolved],
         model: &'a Model<'a>,
-        wanted: impl Fn(usize) -> bool,
+        wanted: impl Fn(MotionId) -> bool,
     ) -> Self {
         let of_motion = |(i, resolved): (usize, &Resolved)| {
-            let count = if wanted(i) { resolved.q_rad().len() as u32 } else { 0 };
-            (0..count).map(move |k| (MotionId::new(i), k))
+            let motion = MotionId::new(i);
+            let count = if wanted(motion) { resolved.q_rad().len() as u32 } else { 0 };
+            (0..count).map(move |k| (motion, k))
         };
         Self { model, program, resolved, points: resolved.iter().enumerate().flat_map(of_motion).collect() }
     }
@@ -66,7 +67,7 @@ impl<'a> ProgramPoints<'a> {
     /// A point by its motion and the number of its value.
     pub(super) fn at(&self, (motion, value): (MotionId, u32)) -> Option<Point<'a>> {
         let resolved = self.resolved.get(motion.index())?;
-        resolved.point(self.program.motions.get(motion.index())?, value as usize, self.model)
+        resolved.point(self.program.motion(motion)?, value as usize, self.model)
     }
 
     fn some(&self, targets: &[usize]) -> impl Iterator<Item = Point<'a>> {

@@ -65,9 +65,9 @@ impl<'a> Followed<'a> {
         warm: &DeformedArms,
         worst_bucket: u32,
     ) -> Option<Self> {
-        let motion = program.motions.get(id.index())?;
+        let motion = program.motion(id)?;
         let before = motion.previous?;
-        let start = resolved.get(before.index())?.end(program.motions.get(before.index())?, model)?;
+        let start = resolved.get(before.index())?.end(program.motion(before)?, model)?;
         let points = resolved.get(id.index())?.points(motion, model).collect();
         let mut buckets = vec![0, worst_bucket as usize, warm.as_slice().len().checked_sub(1)?];
         buckets.dedup();

@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of arms: what a row says is checked where the motion it belongs to is placed.
 
+use crate::program::motion::MotionId;
 use crate::program::{Program, is_of_task};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use rapid_syntax::diagnostic::{Diagnostic, LineIndex, counted};
@@ -50,8 +51,8 @@ pub(super) struct Hinted {
     pub(super) q_rad: [f64; 6],
 }
 
-/// For motions by their position the joints at each of their targets.
-pub(super) type Hints = BTreeMap<usize, Vec<Hinted>>;
+/// For motions the joints at each of their targets.
+pub(super) type Hints = BTreeMap<MotionId, Vec<Hinted>>;
 
 /// What can be wrong with a file of hints.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -205,7 +206,7 @@ impl JointsHint {
         let mut rows = rows.iter().copied();
         let of_motion = |i: usize| {
             let joints: Vec<_> = rows.by_ref().take(program.motions[i].targets.len()).collect();
-            Some((i, joints.into_iter().collect::<Option<Vec<_>>>()?))
+            Some((MotionId::new(i), joints.into_iter().collect::<Option<Vec<_>>>()?))
         };
         Ok(own.into_iter().filter_map(of_motion).collect())
     }
@@ -242,7 +243,10 @@ impl JointsHint {
             }
             let mut joints = joints.iter().map(|(_, joints)| *joints);
             for &i in here {
-                hints.insert(i, joints.by_ref().take(program.motions[i].targets.len()).collect());
+                hints.insert(
+                    MotionId::new(i),
+                    joints.by_ref().take(program.motions[i].targets.len()).collect(),
+                );
             }
         }
         Ok(hints)

@@ -6,7 +6,7 @@
 use super::branch::{Branch, StartPosture, branch_as_written};
 use super::model::Model;
 use super::placement::Placement;
-use crate::program::motion::{Motion, MotionSetup, TargetValue};
+use crate::program::motion::{Motion, MotionId, MotionSetup, TargetValue};
 use nalgebra::Isometry3;
 use std::sync::Arc;
 
@@ -14,9 +14,9 @@ use std::sync::Arc;
 pub(super) const AT_ONE_GO: usize = 256;
 
 /// Some motions of a program, one after the other.
-#[derive(Default)]
 pub(super) struct Lookahead {
-    first: usize,
+    /// The first of them.
+    first: MotionId,
     targets: Vec<Option<PlacedTarget>>,
 }
 
@@ -29,9 +29,14 @@ pub(super) struct PlacedTarget {
 }
 
 impl Lookahead {
+    /// None yet.
+    pub(super) fn none() -> Self {
+        Self { first: MotionId::new(0), targets: Vec::new() }
+    }
+
     /// The targets of `motions`, the first of which has this number; `last` is the last placement seen, which most of them share.
     pub(super) fn new(
-        first: usize,
+        first: MotionId,
         motions: &[Motion],
         model: &Model<'_>,
         last: &mut Option<Arc<Placement>>,
@@ -70,8 +75,8 @@ impl Lookahead {
     }
 
     /// The only target of a motion; `None` where it has several, or none that is known, or is not among these.
-    pub(super) fn at(&self, motion: usize) -> Option<&PlacedTarget> {
-        self.targets.get(motion.checked_sub(self.first)?)?.as_ref()
+    pub(super) fn at(&self, motion: MotionId) -> Option<&PlacedTarget> {
+        self.targets.get(motion.index().checked_sub(self.first.index())?)?.as_ref()
     }
 }
 

@@ -3,7 +3,7 @@
 use super::options::Options;
 use super::plan::{Form, PlannedMotion, Status, Summary};
 use crate::program::Program;
-use crate::program::motion::{Motion, Origin, Path, PersTarget, RoutineId, SkipReason, Target};
+use crate::program::motion::{Motion, MotionId, Origin, Path, PersTarget, RoutineId, SkipReason, Target};
 use crate::schedule::{Chosen, Width};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::units::mm_from_m;
@@ -46,7 +46,7 @@ impl Messages {
         program: &Program,
         planned: &[PlannedMotion],
         options: &Options,
-        long_gaps: &[usize],
+        long_gaps: &[MotionId],
     ) {
         self.add_statuses(program, planned);
         self.add_paths(program, planned, options);
@@ -144,8 +144,7 @@ impl Messages {
             let of = |planned: &&PlannedMotion| {
                 planned.status == Status::Compensated && planned.form == Form::Schedule
             };
-            let (Some(motion), Some(_)) =
-                (program.motions.get(motion.index()), planned.get(motion.index()).filter(of))
+            let (Some(motion), Some(_)) = (program.motion(*motion), planned.get(motion.index()).filter(of))
             else {
                 continue;
             };
@@ -166,8 +165,8 @@ impl Messages {
     }
 
     /// Ways on which the arm moves for longer than the clock's gap without asking.
-    fn add_long_gaps(&mut self, program: &Program, long_gaps: &[usize]) {
-        for motion in long_gaps.iter().filter_map(|&i| program.motions.get(i)) {
+    fn add_long_gaps(&mut self, program: &Program, long_gaps: &[MotionId]) {
+        for motion in long_gaps.iter().filter_map(|&id| program.motion(id)) {
             let message = format!(
                 "line {}: from here on the arm may move for longer without asking than the gap that the clock takes for a \
                  pause",

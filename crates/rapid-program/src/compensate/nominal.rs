@@ -57,7 +57,7 @@ struct Resolver<'r> {
 impl Resolver<'_> {
     /// The joints that a motion is known to end with, by target.
     fn hinted(&self, motion: MotionId) -> &[Hinted] {
-        self.hints.get(&motion.index()).map_or(&[], Vec::as_slice)
+        self.hints.get(&motion).map_or(&[], Vec::as_slice)
     }
 
     /// From where the arm may come to a motion; of those before it that are not resolved yet nothing is said.
@@ -87,12 +87,12 @@ impl Resolver<'_> {
         let mut waiting = vec![false; motions.len()];
         // The last placement seen: most motions share it.
         let (mut last, mut last_ahead) = (None, None);
-        let mut ahead = Lookahead::default();
+        let mut ahead = Lookahead::none();
         let mut stack = Vec::new();
         for first in 0..motions.len() {
             if first.is_multiple_of(lookahead::AT_ONE_GO) {
                 let some = &motions[first..motions.len().min(first + lookahead::AT_ONE_GO)];
-                ahead = Lookahead::new(first, some, self.model, &mut last_ahead);
+                ahead = Lookahead::new(MotionId::new(first), some, self.model, &mut last_ahead);
             }
             stack.push(MotionId::new(first));
             while let Some(&motion) = stack.last() {
@@ -116,7 +116,7 @@ impl Resolver<'_> {
                 }
                 let from = self.start_postures(motion, |before| done[before.index()].as_ref());
                 done[i] = Some(resolve_motion(
-                    (&motions[i], self.hinted(motion), ahead.at(i)),
+                    (&motions[i], self.hinted(motion), ahead.at(motion)),
                     from,
                     self.model,
                     &mut last,

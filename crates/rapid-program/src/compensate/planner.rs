@@ -57,7 +57,7 @@ pub fn plan(
     let asks_at_run_time =
         options.form.corrects_run_time() && program.motions.iter().any(|motion| motion.run_time);
     if points.places().is_empty() && !asks_at_run_time {
-        let reason = |i: usize| resolved.get(i)?.skip_reason();
+        let reason = |motion: MotionId| resolved.get(motion.index())?.skip_reason();
         return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
     let (chosen, at) = choose_moments(program, &points, options)?;
@@ -67,10 +67,10 @@ pub fn plan(
     let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref(), settled };
     let (mut motions, tally, crossings) = corrector.correct_all(&resolved, &chosen);
     if motions.iter().all(|planned| skip_reason(planned).is_some()) {
-        let reason = |i: usize| motions.get(i).and_then(skip_reason);
+        let reason = |motion: MotionId| motions.get(motion.index()).and_then(skip_reason);
         return Err(nothing(program, reason, &model, (of_plan, messages)));
     }
-    let compensated = |i: usize| motions.get(i).is_some_and(|m| m.status == Status::Compensated);
+    let compensated = |id: MotionId| motions.get(id.index()).is_some_and(|m| m.status == Status::Compensated);
     let compensated = ProgramPoints::of(program, &resolved, &model, compensated);
     let summary = tally.summary((program, &resolved), &compensated, &chosen.schedule);
     drop(compensated);
@@ -139,12 +139,12 @@ fn resolve_motions(
 fn report_crossings(
     program: &Program,
     motions: &[PlannedMotion],
-    crossings: Vec<(usize, Crossing)>,
+    crossings: Vec<(MotionId, Crossing)>,
     messages: &mut Messages,
 ) {
-    for (i, crossing) in crossings {
-        if motions[i].status == Status::Compensated {
-            let motion = &program.motions[i];
+    for (id, crossing) in crossings {
+        if motions[id.index()].status == Status::Compensated {
+            let motion = &program.motions[id.index()];
             messages.add(Some(motion.setup.routine), crossing.message(motion));
         }
     }
@@ -182,7 +182,7 @@ fn samples<'a>(program: &Program, points: &ProgramPoints<'a>) -> Vec<Sample<'a>>
     let every = points.places().len().div_ceil(MOST_SAMPLES).max(1);
     let some = points.places().iter().step_by(every);
     let sample = |&(motion, value): &(MotionId, u32)| {
-        let by_joints = program.motions.get(motion.index())?.setup.path == Path::AbsJoint;
+        let by_joints = program.motion(motion)?.setup.path == Path::AbsJoint;
         Some(Sample { point: points.at((motion, value))?, by_joints })
     };
     some.filter_map(sample).collect()
@@ -191,15 +191,15 @@ fn samples<'a>(program: &Program, points: &ProgramPoints<'a>) -> Vec<Sample<'a>>
 /// Why nothing can be compensated; `reason` gives each motion's.
 fn nothing<'k>(
     program: &Program,
-    reason: impl Fn(usize) -> Option<&'k Arc<SkipReason>>,
+    reason: impl Fn(MotionId) -> Option<&'k Arc<SkipReason>>,
     model: &Model<'_>,
     (of_plan, mut messages): (Messages, Messages),
 ) -> CompensateError {
     conditions::check_model(model, None, &mut messages);
     let mut kept = Vec::new();
     let mut first = None;
-    for (i, motion) in program.motions.iter().enumerate() {
-        if let Some(why) = reason(i) {
+    for (id, motion) in program.numbered_motions() {
+        if let Some(why) = reason(id) {
             messages.add_skipped(motion, why);
             first.get_or_insert((motion.line, Arc::clone(why)));
             kept.push(Arc::clone(why));

@@ -57,7 +57,7 @@ const MOST_NAMES: usize = 8;
 fn known_names(program: &Program) -> Vec<String> {
     let (mut of_routines, mut of_targets) = (BTreeSet::new(), BTreeSet::new());
     for motion in &program.motions {
-        let routine = program.routines.get(motion.setup.routine.index());
+        let routine = program.routine_of(motion);
         of_routines.extend(routine.into_iter().flat_map(|r| [r.module.as_str(), r.name.as_str()]));
         of_targets.extend(target_names(motion));
     }
@@ -98,7 +98,7 @@ fn first_match(patterns: &mut [Pattern], names: &[&str]) -> Option<String> {
 
 /// The names that a motion goes by: its targets', its routine's, its module's.
 fn names<'p>(program: &'p Program, motion: &'p Motion) -> Vec<&'p str> {
-    let routine = program.routines.get(motion.setup.routine.index());
+    let routine = program.routine_of(motion);
     let routine = routine.into_iter().flat_map(|routine| [routine.name.as_str(), routine.module.as_str()]);
     target_names(motion).chain(routine).collect()
 }

@@ -4,7 +4,7 @@ use super::model::Model;
 use super::resolved::Resolved;
 use crate::parallel;
 use crate::program::Program;
-use crate::program::motion::{Motion, SkipReason};
+use crate::program::motion::{Motion, MotionId, SkipReason};
 use crate::schedule::Moment;
 use robot_model::deform::DeformedArm;
 use std::sync::Arc;
@@ -12,19 +12,19 @@ use std::sync::Arc;
 /// So many motions are looked at one after the other by one thread.
 const AT_ONE_GO: usize = 256;
 
-/// Leaves each motion as it is for which `why` has a reason, asked with the motion's position and the settled arm, where drift is
+/// Leaves each motion as it is for which `why` has a reason, asked with the motion's number and the settled arm, where drift is
 /// largest.
 pub(super) fn skip_where(
     program: &Program,
     model: &Model<'_>,
     resolved: &mut [Resolved],
-    why: &(dyn Fn(usize, &Motion, &Resolved, &DeformedArm) -> Option<SkipReason> + Sync),
+    why: &(dyn Fn(MotionId, &Motion, &Resolved, &DeformedArm) -> Option<SkipReason> + Sync),
 ) {
     let settled = model.arm(Moment::Settled);
     parallel::for_each_chunk_mut(resolved, AT_ONE_GO, &|first, resolved| {
         for (at, resolved) in (first..).zip(resolved) {
             if resolved.skip_reason().is_none()
-                && let Some(why) = why(at, &program.motions[at], resolved, &settled)
+                && let Some(why) = why(MotionId::new(at), &program.motions[at], resolved, &settled)
             {
                 resolved.skip(Arc::new(why));
             }

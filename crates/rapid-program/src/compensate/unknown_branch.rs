@@ -22,9 +22,9 @@ pub(super) fn skip_unknown_branches(
     tolerance_m: f64,
     resolved: &mut [Resolved],
 ) {
-    skip_where(program, model, resolved, &|at, motion, resolved, settled| {
+    skip_where(program, model, resolved, &|id, motion, resolved, settled| {
         let apart = differing(motion, resolved, settled, model, tolerance_m)?;
-        let (why, because) = why_unknown(program, start_is_known, MotionId::new(at));
+        let (why, because) = why_unknown(program, start_is_known, id);
         Some(SkipReason { because, ..skip("keep::branch-unknown", format!("{why}, so that it {apart}")) })
     });
 }

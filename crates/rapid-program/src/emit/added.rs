@@ -19,7 +19,7 @@ use super::point;
 use super::row_hash::RowHash;
 use super::target::{MAX_LINE, TargetArray};
 use crate::compensate::plan::Form;
-use crate::program::motion::{Motion, Origin, Path, Target, WobjArgument};
+use crate::program::motion::{Motion, MotionId, Origin, Path, Target, WobjArgument};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, EditText, SourceFile};
@@ -82,7 +82,7 @@ impl<'p> Added<'p> {
     pub(super) fn collect(
         context: &EmitContext<'p>,
         (file, module): (&'p SourceFile, &Module),
-        motions: &[usize],
+        motions: &[MotionId],
         style: &LayoutStyle,
     ) -> Result<Self, EmitError> {
         let mut added = Self {
@@ -96,9 +96,9 @@ impl<'p> Added<'p> {
             last_unnamed: Vec::new(),
         };
         let mut wrapped = Vec::new();
-        for &number in motions {
+        for &id in motions {
             let (Some(motion), Some(planned)) =
-                (context.program.motions.get(number), context.plan.motions.get(number))
+                (context.program.motion(id), context.plan.motions.get(id.index()))
             else {
                 return Err(mismatch(file, "a motion is missing"));
             };

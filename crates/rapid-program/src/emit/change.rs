@@ -50,10 +50,10 @@ pub(super) fn changes(program: &Program, plan: &Plan) -> Result<Changes, EmitErr
         let line = file.lines.line(offset);
         index.map(|i| (id, i)).ok_or_else(|| EmitError::NoModule { path: file.path.clone().into(), line })
     };
-    for (index, (motion, planned)) in program.motions.iter().zip(&plan.motions).enumerate() {
+    for ((id, motion), planned) in program.numbered_motions().zip(&plan.motions) {
         if planned.status == Status::Compensated {
             let key = place(motion.file, motion.range.start)?;
-            changes.entry(key).or_default().push(index);
+            changes.entry(key).or_default().push(id);
         }
     }
     Ok(changes)

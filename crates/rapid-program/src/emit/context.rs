@@ -11,7 +11,7 @@ use super::scale::Scaled;
 use super::touch::MAX_AMOUNT;
 use crate::compensate::LiveBasis;
 use crate::compensate::plan::{Corrected, Corrections, Form, Plan, PlannedTarget, Status, Totals};
-use crate::program::motion::Target;
+use crate::program::motion::{MotionId, Target};
 use crate::program::{LocalName, Program};
 use crate::schedule::{Bucket, Moment};
 use nalgebra::Vector3;
@@ -25,9 +25,8 @@ const SELF_TESTS: usize = 5;
 /// Beyond this turn a quaternion is normalised again: half its square is what single precision can tell.
 const NORMALISE_DEG: f64 = 0.05;
 
-/// The compensated motions (positions in [`Program::motions`]) of each changed module, by its file and its position among
-/// the file's items.
-pub(super) type Changes = BTreeMap<(FileId, usize), Vec<usize>>;
+/// The compensated motions of each changed module, by its file and its position among the file's items.
+pub(super) type Changes = BTreeMap<(FileId, usize), Vec<MotionId>>;
 
 /// What modules are emitted from, and what they have in common.
 pub(super) struct EmitContext<'e> {

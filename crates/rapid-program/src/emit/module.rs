@@ -9,16 +9,16 @@ use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
 use super::options::{Core, EmitError};
 use crate::parallel;
+use crate::program::motion::MotionId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, SourceFile};
 
-/// The edits of a module; `motions`: the compensated ones, positions in [`Program::motions`](crate::program::Program::motions);
-/// `source_sha256`: of the file as it was read.
+/// The edits of a module; `motions`: the compensated ones; `source_sha256`: of the file as it was read.
 pub(super) fn edits(
     context: &EmitContext<'_>,
     (file, module): (&SourceFile, &Module),
-    motions: &[usize],
+    motions: &[MotionId],
     source_sha256: &str,
 ) -> Result<Vec<Edit>, EmitError> {
     let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };

@@ -151,4 +151,21 @@ impl Program {
     pub fn file(&self, id: FileId) -> &SourceFile {
         &self.files[id.0 as usize]
     }
+
+    /// The motions with their numbers, in file order.
+    pub fn numbered_motions(&self) -> impl Iterator<Item = (MotionId, &Motion)> {
+        self.motions.iter().enumerate().map(|(index, motion)| (MotionId::new(index), motion))
+    }
+
+    /// The motion of a number; `None` of one that another program has.
+    #[must_use]
+    pub fn motion(&self, id: MotionId) -> Option<&Motion> {
+        self.motions.get(id.index())
+    }
+
+    /// The routine that a motion stands in; `None` of a motion of another program.
+    #[must_use]
+    pub fn routine_of(&self, motion: &Motion) -> Option<&RoutineInfo> {
+        self.routines.get(motion.setup.routine.index())
+    }
 }
