@@ -136,6 +136,8 @@ pub fn min_from_days(days: f64) -> f64 {
     days * 1440.0
 }
 
+/// Minutes of a year of 365 days.
+pub const YEAR_MIN: f64 = 525_600.0;
 /// Seconds of a day, as calendars without leap seconds count them.
 pub const DAY_S: i64 = 86_400;
 /// Seconds of an hour.

@@ -2,7 +2,7 @@
 
 use super::{DeformError, Deformation, GrowthLaw, Knot, TableIndex, Tabulation};
 use crate::kinematics::FrameOffsets;
-use crate::units::{m_from_mm, rad_from_deg};
+use crate::units::{YEAR_MIN, m_from_mm, rad_from_deg};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use rapid_syntax::diagnostic::LineIndex;
 use std::collections::BTreeSet;
@@ -106,8 +106,6 @@ impl Layout {
     }
 }
 
-/// The longest warm-up that a table may tell of: a year.
-const MOST_MIN: f64 = 525_600.0;
 /// The highest temperature that a table may tell of, Celsius.
 const MOST_C: f64 = 1000.0;
 
@@ -139,7 +137,7 @@ fn scheduled_rows(
     for row in rows {
         let at = number(names, row, index)?;
         let (most, remedy) = match by {
-            TableIndex::WarmUpTime => (MOST_MIN, "no warm-up lasts longer than a year: give minutes"),
+            TableIndex::WarmUpTime => (YEAR_MIN, "no warm-up lasts longer than a year: give minutes"),
             TableIndex::Temperature => (MOST_C, "give degrees Celsius"),
         };
         if at.abs() > most {
