@@ -7,8 +7,8 @@ use rapid_program::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};
-use robot_model::robot::{BackedUp, DhConvention, Robot, SerialArm};
-use std::path::{Path, PathBuf};
+use robot_model::robot::{BackedUp, Robot, RobotSource, SerialArm};
+use std::path::Path;
 
 /// As [`robot`], with what the header of an emitted program says of it.
 ///
@@ -16,17 +16,17 @@ use std::path::{Path, PathBuf};
 /// As [`robot`].
 pub fn robot_with_source(name: &str) -> Result<Named<Robot>, Diagnostic> {
     let model = robot(name)?;
-    Ok(match Robot::built_in_file(name) {
-        Some(text) => Named::new(model, name, text.as_bytes()),
-        None => {
-            if backup(name).is_some() {
-                // The dimensions are a built-in robot's; the bounds make it this one.
-                let text = model.to_toml();
-                return Ok(Named::new(model, name, text.as_bytes()));
-            }
-            let described = dh_table(name).map(|(path, _)| path).or(urdf(name).map(|(path, _)| path));
-            let path = described.unwrap_or(Path::new(name));
-            Named::new(model, file_name(path), &files::read(path, "robot file")?)
+    let source = RobotSource::named(name);
+    Ok(match (source, source.file()) {
+        // The dimensions are a built-in robot's; the bounds make it this one.
+        (RobotSource::Backup { .. }, _) => {
+            let text = model.to_toml();
+            Named::new(model, name, text.as_bytes())
+        }
+        (_, Some(path)) => Named::new(model, file_name(&path), &files::read(&path, "robot file")?),
+        (_, None) => {
+            let text = Robot::built_in_file(name).unwrap_or_default();
+            Named::new(model, name, text.as_bytes())
         }
     })
 }
@@ -100,47 +100,27 @@ pub fn robot(name: &str) -> Result<Robot, Diagnostic> {
 /// # Errors
 /// What is wrong with the name or the file.
 pub fn arm(name: &str) -> Result<SerialArm, Diagnostic> {
-    if let Some(robot) = Robot::built_in(name) {
-        return Ok(robot.into());
-    }
-    if let Some(found) = backup(name) {
-        return Ok(found?.robot.into());
-    }
-    if let Some((path, convention)) = dh_table(name) {
-        let bytes = files::read(path, "Denavit-Hartenberg table")?;
-        let called = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-        return SerialArm::from_dh(&bytes, convention, &called)
-            .map_err(|error| in_file(&path.display().to_string(), error.into()));
-    }
-    if let Some((path, tip)) = urdf(name) {
-        let bytes = files::read(path, "URDF description")?;
-        return SerialArm::from_urdf(&String::from_utf8_lossy(&bytes), tip)
-            .map_err(|error| in_file(&path.display().to_string(), error.into()));
-    }
-    let path = Path::new(name);
+    let source = RobotSource::named(name);
+    let Some(path) = source.file() else { return Ok(Robot::by_name(name)?.into()) };
     let looks_like_a_path =
         path.components().count() > 1 || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-    if !path.exists() && !looks_like_a_path {
+    if matches!(source, RobotSource::Toml(_)) && !path.exists() && !looks_like_a_path {
         return Ok(Robot::by_name(name)?.into());
     }
-    let bytes = files::read(path, "robot file")?;
-    let text = std::str::from_utf8(&bytes).map_err(|error| {
-        Diagnostic::error("robot::toml", format!("{name}: not UTF-8 text after byte {}", error.valid_up_to()))
-    })?;
-    SerialArm::from_toml(text).map_err(|error| in_file(name, error.into()))
+    let bytes = files::read(&path, source.file_kind())?;
+    if let (RobotSource::Toml(_), Err(error)) = (source, std::str::from_utf8(&bytes)) {
+        let text = format!("{name}: not UTF-8 text after byte {}", error.valid_up_to());
+        return Err(Diagnostic::error("robot::toml", text));
+    }
+    source.read(&bytes).map_err(|error| in_file(&path.display().to_string(), error.into()))
 }
 
 /// What the backup says that `backup:FOLDER` or `backup:FOLDER:UNIT` names; `None` where the name is no such.
 pub fn backup(name: &str) -> Option<Result<BackedUp, Diagnostic>> {
-    let rest = name.strip_prefix("backup:")?;
-    let (folder, unit) = match rest.rsplit_once(':') {
-        Some((folder, unit)) if !unit.contains(['/', '\\']) && !folder.is_empty() && folder.len() > 1 => {
-            (folder, Some(unit))
-        }
-        _ => (rest, None),
-    };
-    let path = moc_of(folder);
-    Some(files::read(&path, "backup's MOC.cfg").and_then(|bytes| {
+    let source = RobotSource::named(name);
+    let RobotSource::Backup { unit, .. } = source else { return None };
+    let path = source.file()?;
+    Some(files::read(&path, source.file_kind()).and_then(|bytes| {
         BackedUp::from_moc(&String::from_utf8_lossy(&bytes), unit)
             .map_err(|error| in_file(&path.display().to_string(), error.into()))
     }))
@@ -166,32 +146,6 @@ pub fn base_beside(program: &Path) -> Result<Option<Diagnostic>, Diagnostic> {
     let moc = real.ancestors().take(5).map(|folder| folder.join("SYSPAR").join("MOC.cfg"));
     let Some(text) = moc.filter_map(|path| std::fs::read(path).ok()).next() else { return Ok(None) };
     check_bases(&String::from_utf8_lossy(&text))
-}
-
-fn moc_of(folder: &str) -> PathBuf {
-    Path::new(folder).join("SYSPAR").join("MOC.cfg")
-}
-
-/// The table that `dh:FILE.csv` or, by Craig's convention, `mdh:FILE.csv` names.
-fn dh_table(name: &str) -> Option<(&Path, DhConvention)> {
-    let (convention, path) = match name.split_once(':')? {
-        ("dh", path) => (DhConvention::Standard, path),
-        ("mdh", path) => (DhConvention::Modified, path),
-        _ => return None,
-    };
-    Some((Path::new(path), convention))
-}
-
-/// `FILE.urdf`, or `FILE.urdf:LINK` with the link that is the flange.
-fn urdf(name: &str) -> Option<(&Path, Option<&str>)> {
-    const ENDING: &str = ".urdf";
-    let end = name.to_ascii_lowercase().rfind(ENDING)? + ENDING.len();
-    match name.get(end..)? {
-        "" => Some((Path::new(name), None)),
-        rest => {
-            Some((Path::new(name.get(..end)?), Some(rest.strip_prefix(':').filter(|tip| !tip.is_empty())?)))
-        }
-    }
 }
 
 /// The deformation that `--deformation` and `--growth` name; without both the reference paper's.

@@ -14,6 +14,7 @@ mod kind;
 mod range;
 mod refused;
 mod serial_arm;
+mod source;
 mod urdf;
 mod write;
 
@@ -25,6 +26,7 @@ pub use joints::{FEWEST_JOINTS, Joints, MOST_JOINTS};
 pub use kind::{same_type, type_in};
 pub use range::OutOfRange;
 pub use serial_arm::{ArmGeometry, JointKind, SerialArm};
+pub use source::RobotSource;
 
 use nalgebra::{Isometry3, Unit, Vector3};
 
