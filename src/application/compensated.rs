@@ -112,14 +112,10 @@ impl Compensated<'_> {
         diff
     }
 
-    /// What happened as the JSON of the contract.
-    ///
-    /// # Errors
-    /// A number that JSON cannot hold.
-    pub fn json(&self) -> io::Result<serde_json::Value> {
-        let mut text = Vec::new();
-        self.write_json(&mut text)?;
-        Ok(serde_json::from_slice(&text)?)
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        report::value(&self.object())
     }
 
     /// What happened, for scripts.
@@ -127,8 +123,12 @@ impl Compensated<'_> {
     /// # Errors
     /// Those of writing to `out`.
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
+        report::write_pretty(out, &self.object())
+    }
+
+    fn object(&self) -> CompensationJson<'_> {
         let Self { program, plan, messages, .. } = self;
-        pretty(out, &CompensationJson { program, plan, messages, shown: None, without_nulls: false })
+        CompensationJson { program, plan, messages, shown: None, without_nulls: false }
     }
 
     /// What happened, for scripts: of one robot the object of the contract, of several tasks a list of them, `{"tasks": [...]}`.
@@ -141,14 +141,14 @@ impl Compensated<'_> {
         {
             return made.write_json(out);
         }
-        let one = |made: &Self| -> io::Result<serde_json::Value> {
-            let mut json = made.json()?;
+        let one = |made: &Self| -> serde_json::Value {
+            let mut json = made.json();
             json["task"] = made.task.as_deref().into();
             json["robot"] = made.robot.name.as_str().into();
-            Ok(json)
+            json
         };
-        let tasks = all.iter().map(one).collect::<io::Result<Vec<_>>>()?;
-        pretty(out, &serde_json::json!({ "tasks": tasks }))
+        let tasks: Vec<_> = all.iter().map(one).collect();
+        report::write_pretty(out, &serde_json::json!({ "tasks": tasks }))
     }
 
     /// Whether there is a table of joints at every minute.
@@ -248,6 +248,14 @@ impl std::fmt::Display for Refusal {
 impl std::error::Error for Refusal {}
 
 impl Refusal {
+    /// Stable code of the first error, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        let mut all = self.messages.iter().map(|message| &message.diagnostic);
+        all.find(|message| message.severity == Severity::Error)
+            .map_or("compensate::nothing", |error| error.code)
+    }
+
     /// What was found, for scripts.
     ///
     /// # Errors
@@ -255,10 +263,11 @@ impl Refusal {
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
         let (program, messages) = (&self.program, self.messages.as_slice());
         match &self.plan {
-            Some(plan) => {
-                pretty(out, &CompensationJson { program, plan, messages, shown: None, without_nulls: false })
-            }
-            None => pretty(out, &report::refusal(program, &self.kept, messages)),
+            Some(plan) => report::write_pretty(
+                out,
+                &CompensationJson { program, plan, messages, shown: None, without_nulls: false },
+            ),
+            None => report::write_pretty(out, &report::refusal(program, &self.kept, messages)),
         }
     }
 }
@@ -280,11 +289,6 @@ pub fn write_file_diff(
         }
         None => report::write_created(out, path, &mut io::Cursor::new(&file.bytes)),
     }
-}
-
-fn pretty(out: &mut dyn Write, value: &impl serde::Serialize) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, value)?;
-    out.write_all(b"\n")
 }
 
 impl From<Diagnostic> for Box<Refusal> {

@@ -1,6 +1,6 @@
 //! Diagnosis of a robot from measured poses.
 
-use crate::report::{ControllerData, DiagnosisPage, diagnosis, plots, rapid_data};
+use crate::report::{ControllerData, DiagnosisPage, diagnosis, plots, rapid_data, value, write_pretty};
 use metrology::diagnose::{self, DiagnosisOptions, diagnose, diagnose_and_identify, gear_spectra};
 use metrology::measure::{FaultKind, Measurements, check_rows};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -16,7 +16,7 @@ use std::io::{self, Write};
 /// let robot = Robot::built_in("irb140").expect("it is one of the library's");
 /// let one_row = b"q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n0,0,0,0,30,0,515,0,712\n";
 /// let found = Diagnosis::new(robot).run(&Measurements::from_csv(one_row)?)?;
-/// assert!(found.json()?.contains("\"verdict\": \"insufficient_data\""), "one row says nothing");
+/// assert_eq!(found.json()["verdict"], "insufficient_data", "one row says nothing");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -77,12 +77,18 @@ impl Diagnosed {
         diagnosis::text(&self.findings, &self.robot)
     }
 
-    /// The JSON of the contract, with a line end.
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        value(&self.findings)
+    }
+
+    /// The same as its file holds it, verdict first.
     ///
     /// # Errors
-    /// A number that JSON cannot hold.
-    pub fn json(&self) -> serde_json::Result<String> {
-        Ok(serde_json::to_string_pretty(&self.findings)? + "\n")
+    /// Those of writing to `out`.
+    pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
+        write_pretty(out, &self.findings)
     }
 
     /// The model of what was found; `name` and `sha256` are those of the measurements. `None` where none was asked for, or none can

@@ -37,7 +37,7 @@ impl Question {
             tool_m: self.task.tool_mm.map(|mm| Vector3::from(mm).map(m_from_mm)),
             sigma_m: self.task.sigma_mm.map(m_from_mm),
         };
-        Ok(serde_json::from_str(&diagnosis.run(&self.measurements)?.json()?)?)
+        Ok(serde_json::from_value(diagnosis.run(&self.measurements)?.json())?)
     }
 }
 
@@ -153,10 +153,10 @@ impl Scored {
 
     /// Table, truths and answers as `driftpost exam --json` writes them.
     #[must_use]
-    pub fn json(&self) -> String {
+    pub fn json(&self) -> serde_json::Value {
         let set = |set: &AnsweredSet| serde_json::json!({ "truth": set.truth, "answer": set.answer });
         let sets: Vec<_> = self.answered.iter().map(set).collect();
-        format!("{:#}\n", serde_json::json!({ "measures": self.measures, "sets": sets }))
+        serde_json::json!({ "measures": self.measures, "sets": sets })
     }
 }
 

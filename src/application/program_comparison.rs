@@ -4,7 +4,7 @@ use super::emitted_settings::EmittedSettings;
 use super::named::Named;
 use super::other_files::{PlacedProgram, other_files};
 use super::program_files::check_modules;
-use crate::report::{Compared, LocatedDiagnostic};
+use crate::report::{Compared, LocatedDiagnostic, value, write_pretty};
 use rapid_program::compensate::compare::{Comparison, compare};
 use rapid_program::compensate::plan::{PlannedMotion, Status};
 use rapid_program::compensate::{FormChoice, JointsHint, Options, plan};
@@ -88,7 +88,10 @@ impl<'f> ProgramComparison<'f> {
             };
             let found = found.retained(|motion| of_task(&before, *motion), |motion| of_task(&after, *motion));
             let of_robot = self.settled(&before, &found, &emitted_settings, &arm, start_rad)?;
-            let own = of_robot.into_iter().enumerate().filter(|(motion, _)| of_task(&before, MotionId::new(*motion)));
+            let own = of_robot
+                .into_iter()
+                .enumerate()
+                .filter(|(motion, _)| of_task(&before, MotionId::new(*motion)));
             own.for_each(|(motion, correction)| settled[motion] = correction);
             comparison.extend(found);
         }
@@ -201,11 +204,17 @@ impl ComparedPrograms {
         self.shown().write_csv(out)
     }
 
-    /// The JSON of the contract, with a line end.
+    /// The JSON of the contract.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        value(&self.shown())
+    }
+
+    /// The same as its file holds it, motion by motion.
     ///
     /// # Errors
-    /// A number that JSON cannot hold.
-    pub fn json(&self) -> serde_json::Result<String> {
-        Ok(serde_json::to_string_pretty(&self.shown())? + "\n")
+    /// Those of writing to `out`.
+    pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
+        write_pretty(out, &self.shown())
     }
 }

@@ -132,7 +132,11 @@ fn write_results(
     console: &mut Console,
 ) -> anyhow::Result<()> {
     let is_model_shown = !outputs.json.is_standard() && (outputs.model.is_some() || outputs.rapid.is_some());
-    outputs.json.write(console, || Ok(found.json()?.into_bytes()))?;
+    outputs.json.write(console, || {
+        let mut text = Vec::new();
+        found.write_json(&mut text)?;
+        Ok(text)
+    })?;
     let none = |file: &Pending| found.no_model().help(format!("{} was not written", file.path().display()));
     if let Some(file) = outputs.rapid {
         let text = found.rapid_of(&given.name, &given.sha256, controller_data);

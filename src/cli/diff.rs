@@ -63,9 +63,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         match args.format {
             Format::Text => found.write(console.out(), args.all)?,
             Format::Csv => found.write_csv(console.out())?,
-            Format::Json => console.out().write_all(found.json()?.as_bytes())?,
+            Format::Json => found.write_json(console.out())?,
         }
     }
-    json.write(console, || Ok(found.json()?.into_bytes()))?;
+    json.write(console, || {
+        let mut text = Vec::new();
+        found.write_json(&mut text)?;
+        Ok(text)
+    })?;
     Ok(if found.is_same() { Outcome::Done } else { Outcome::Difference })
 }

@@ -30,7 +30,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let scored = exam.run().map_err(Diagnostic::from)?;
     let to_standard_output = matches!(json, files::Output::Standard);
-    json.write(console, || Ok(scored.json().into_bytes()))?;
+    json.write(console, || Ok(format!("{:#}\n", scored.json()).into_bytes()))?;
     if !to_standard_output {
         write!(console.out(), "{}", scored.text())?;
     }

@@ -10,6 +10,7 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
+use std::io::{self, Write};
 use std::sync::Arc;
 
 /// A number as JSON shows it: nine decimals at most, so that 0.1 + 0.2 is 0.3.
@@ -18,6 +19,21 @@ pub fn rounded(value: f64) -> f64 {
     const PARTS: f64 = 1e9;
     let rounded = (value * PARTS).round() / PARTS;
     if rounded == 0.0 { 0.0 } else { rounded }
+}
+
+/// An object of the contract as a value: what is written of it has texts as keys, so that there is one.
+#[must_use]
+pub fn value(object: &impl Serialize) -> Value {
+    serde_json::to_value(object).unwrap_or_default()
+}
+
+/// An object of the contract as its file holds it, with a line end.
+///
+/// # Errors
+/// Those of writing to `out`.
+pub fn write_pretty(out: &mut dyn Write, object: &impl Serialize) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, object)?;
+    out.write_all(b"\n")
 }
 
 /// What `compensate` found and did.

@@ -58,7 +58,7 @@ pub(crate) use inspect::{inspection, write_inspection, write_inspection_csv};
 pub(crate) use joints::{JointRow, JointTable};
 #[cfg(feature = "cli")]
 pub(crate) use json::golden_json;
-pub(crate) use json::{CompensationJson, refusal, rounded};
+pub(crate) use json::{CompensationJson, refusal, rounded, value, write_pretty};
 pub(crate) use motion_rows::MotionRows;
 #[cfg(all(feature = "cli", feature = "link"))]
 pub(crate) use page::WatchPage;
