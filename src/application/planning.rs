@@ -32,20 +32,43 @@ pub struct Planning {
 }
 
 impl Planning {
+    /// The measured target in the flange's frame unless another is given, mm.
+    pub const TOOL_MM: [f64; 3] = [80.0, 60.0, 100.0];
+    /// Measurements of poses unless told otherwise.
+    pub const N: usize = 60;
+    /// Poses of each sweep of a joint unless told otherwise.
+    pub const SWEEP_N: usize = 48;
+    /// Step of a sweep unless told otherwise, degrees.
+    pub const SWEEP_STEP_DEG: f64 = 0.5;
+    /// Expected noise of one coordinate unless told otherwise, mm.
+    pub const SIGMA_MM: f64 = 0.02;
+    /// Minutes that one measurement takes unless told otherwise.
+    pub const EACH_MIN: f64 = 1.5;
+    /// Wrist, flange and target stay above this height unless another is given, mm.
+    pub const FLOOR_MM: f64 = 100.0;
+    /// The seed unless another is given.
+    pub const SEED: u64 = 1;
+
+    /// How many of `n` measurements come back to an earlier pose, unless told otherwise.
+    #[must_use]
+    pub const fn repeats(n: usize) -> usize {
+        n / 6
+    }
+
     /// Sixty measurements, every sixth a repeat, of a target 80, 60, 100 mm off the flange, without payload.
     #[must_use]
     pub fn new(robot: impl Into<SerialArm>) -> Self {
         let options = PlanOptions {
-            tool_m: Vector3::new(80.0, 60.0, 100.0).map(m_from_mm),
-            n: 60,
-            repeats: 10,
+            tool_m: Vector3::from(Self::TOOL_MM).map(m_from_mm),
+            n: Self::N,
+            repeats: Self::repeats(Self::N),
             sweeps: Sweeps::default(),
             payloads_kg: vec![0.0],
             nests: 0,
-            sigma_m: m_from_mm(0.02),
-            each_min: 1.5,
-            space: Space { floor_m: m_from_mm(100.0), reach_m: None, box_m: None },
-            seed: 1,
+            sigma_m: m_from_mm(Self::SIGMA_MM),
+            each_min: Self::EACH_MIN,
+            space: Space { floor_m: m_from_mm(Self::FLOOR_MM), reach_m: None, box_m: None },
+            seed: Self::SEED,
         };
         Self { robot: robot.into(), options, with_rapid: false }
     }

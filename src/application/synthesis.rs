@@ -61,10 +61,15 @@ pub struct ChosenEffects {
 }
 
 impl Synthesis {
+    /// Rows of a set of the mixture at most, unless told otherwise.
+    pub const MOST_ROWS: usize = 300;
+    /// The seed unless another is given.
+    pub const SEED: u64 = 1;
+
     /// One set of the exam's mixture, of at most 300 rows.
     pub fn new(robot: impl Into<SerialArm>, robot_name: impl Into<String>) -> Self {
         let (robot, robot_name) = (robot.into(), robot_name.into());
-        Self { robot, robot_name, kind: SetKind::Mixture(300), seed: 1, sets: 1 }
+        Self { robot, robot_name, kind: SetKind::Mixture(Self::MOST_ROWS), seed: Self::SEED, sets: 1 }
     }
 
     /// The sets, with the truth of all.
@@ -107,6 +112,13 @@ impl SetKind {
 }
 
 impl ChosenEffects {
+    /// How many rows are made unless told otherwise.
+    pub const N: usize = 100;
+    /// Noise of each coordinate unless told otherwise, mm.
+    pub const SIGMA_MM: f64 = 0.02;
+    /// Each effect's rms over the noise's unless told otherwise.
+    pub const RHO: f64 = 3.0;
+
     /// The recipe of a set called `name`.
     ///
     /// # Errors
@@ -199,20 +211,28 @@ pub struct TouchSynthesis {
 }
 
 impl TouchSynthesis {
+    /// Touches of each point unless told otherwise.
+    pub const TIMES: usize = 37;
+    /// Between two touches while the robot runs, unless told otherwise, minutes.
+    pub const EVERY_MIN: f64 = 5.0;
+    /// When the robot stands unless told otherwise, minutes.
+    pub const STOP_MIN: [f64; 2] = [120.0, 165.0];
+    /// Time constant of cooling unless told otherwise, minutes.
+    pub const TAU_COOL_MIN: f64 = 60.0;
+
     /// Four points touched every five minutes over three hours, with a stop from minute 120 to 165.
     #[must_use]
     pub fn new(robot: Robot, deformation: Deformation) -> Self {
-        let (points, times, every_min, stop_min) = (4, 37, 5.0, [120.0, 165.0]);
         Self {
             robot,
             deformation,
-            points,
-            times,
-            every_min,
-            stop_min,
-            sigma_mm: 0.02,
-            tau_cool_min: 60.0,
-            seed: 1,
+            points: 4,
+            times: Self::TIMES,
+            every_min: Self::EVERY_MIN,
+            stop_min: Self::STOP_MIN,
+            sigma_mm: ChosenEffects::SIGMA_MM,
+            tau_cool_min: Self::TAU_COOL_MIN,
+            seed: Synthesis::SEED,
         }
     }
 

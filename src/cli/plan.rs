@@ -19,11 +19,11 @@ pub struct Args {
     pub robot: RobotName,
 
     /// Place of the measured target in the flange's frame, mm; best 100 mm or more off the flange's axis.
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, default_value = "80,60,100")]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, default_value_t = written(&Planning::TOOL_MM))]
     pub tool: String,
 
     /// Measurements of poses, repeats among them.
-    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u32).range(12..=2000))]
+    #[arg(long, default_value_t = Planning::N as u32, value_parser = clap::value_parser!(u32).range(12..=2000))]
     pub n: u32,
 
     /// Of these, how many come back to an earlier pose: they tell the noise [default: a sixth of --n].
@@ -35,11 +35,11 @@ pub struct Args {
     pub sweep: Vec<u32>,
 
     /// Poses of each sweep, beside --n.
-    #[arg(long, value_name = "N", default_value_t = 48, requires = "sweep", value_parser = clap::value_parser!(u32).range(4..=500))]
+    #[arg(long, value_name = "N", default_value_t = Planning::SWEEP_N as u32, requires = "sweep", value_parser = clap::value_parser!(u32).range(4..=500))]
     pub sweep_n: u32,
 
     /// Step of a sweep; half a degree tells up to 320 periods per turn.
-    #[arg(long, value_name = "DEG", default_value_t = 0.5, requires = "sweep")]
+    #[arg(long, value_name = "DEG", default_value_t = Planning::SWEEP_STEP_DEG, requires = "sweep")]
     pub sweep_step_deg: f64,
 
     /// Payloads to measure with, kg.
@@ -51,15 +51,15 @@ pub struct Args {
     pub nests: u32,
 
     /// Expected noise of one coordinate.
-    #[arg(long, value_name = "MM", default_value_t = 0.02)]
+    #[arg(long, value_name = "MM", default_value_t = Planning::SIGMA_MM)]
     pub sigma_mm: f64,
 
     /// Minutes that one measurement takes.
-    #[arg(long, value_name = "MIN", default_value_t = 1.5)]
+    #[arg(long, value_name = "MIN", default_value_t = Planning::EACH_MIN)]
     pub each_min: f64,
 
     /// Wrist, flange and target stay above this height of the base's frame.
-    #[arg(long, value_name = "MM", default_value_t = 100.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", default_value_t = Planning::FLOOR_MM, allow_negative_numbers = true)]
     pub floor_mm: f64,
 
     /// The target stays this near to the base's axis.
@@ -71,7 +71,7 @@ pub struct Args {
     pub box_mm: Option<String>,
 
     /// Seed: the same seed gives the same plan.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = Planning::SEED)]
     pub seed: u64,
 
     /// The poses, as CSV.
@@ -89,6 +89,11 @@ pub struct Args {
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+}
+
+/// A place as the option has it: `80,60,100`.
+fn written(place_mm: &[f64]) -> String {
+    place_mm.iter().map(f64::to_string).collect::<Vec<_>>().join(",")
 }
 
 /// Runs `plan`.
@@ -146,7 +151,7 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
     Ok(PlanOptions {
         tool_m: tool(&args.tool)?,
         n: args.n as usize,
-        repeats: args.repeats.unwrap_or(args.n / 6) as usize,
+        repeats: args.repeats.map_or_else(|| Planning::repeats(args.n as usize), |n| n as usize),
         sweeps: Sweeps {
             joints: sweep,
             n: args.sweep_n as usize,

@@ -24,7 +24,7 @@ pub struct Args {
     pub effects: String,
 
     /// Seed: the same seed gives the same bytes.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = Synthesis::SEED)]
     pub seed: u64,
 
     /// How many data sets.
@@ -36,19 +36,19 @@ pub struct Args {
     pub robot: RobotName,
 
     /// With mix or accidents: sets of more rows than this get this many.
-    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(30..=300))]
+    #[arg(long, value_name = "N", default_value_t = Synthesis::MOST_ROWS as u32, value_parser = clap::value_parser!(u32).range(30..=300))]
     pub most_rows: u32,
 
     /// Rows of each set (not with mix, weak, accidents).
-    #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u32).range(4..=100_000))]
+    #[arg(long, default_value_t = ChosenEffects::N as u32, value_parser = clap::value_parser!(u32).range(4..=100_000))]
     pub n: u32,
 
     /// Noise of each coordinate (not with mix, weak, accidents).
-    #[arg(long, value_name = "MM", default_value_t = 0.02)]
+    #[arg(long, value_name = "MM", default_value_t = ChosenEffects::SIGMA_MM)]
     pub sigma_mm: f64,
 
     /// Each effect's rms over the noise's rms (not with mix, weak, accidents).
-    #[arg(long, default_value_t = 3.0)]
+    #[arg(long, default_value_t = ChosenEffects::RHO)]
     pub rho: f64,
 
     /// How the poses are spread (not with mix, weak, accidents).
@@ -60,15 +60,15 @@ pub struct Args {
     pub touches: Option<u32>,
 
     /// With --touches: touches of each point.
-    #[arg(long, value_name = "N", default_value_t = 37, value_parser = clap::value_parser!(u32).range(2..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = TouchSynthesis::TIMES as u32, value_parser = clap::value_parser!(u32).range(2..=10_000))]
     pub times: u32,
 
     /// With --touches: minutes between two touches while the robot runs.
-    #[arg(long, value_name = "MIN", default_value_t = 5.0)]
+    #[arg(long, value_name = "MIN", default_value_t = TouchSynthesis::EVERY_MIN)]
     pub every_min: f64,
 
     /// With --touches: the robot stands from one minute to another.
-    #[arg(long, value_name = "FROM:TO", default_value = "120:165", value_parser = super::fit::stop)]
+    #[arg(long, value_name = "FROM:TO", default_value_t = usual_stop(), value_parser = super::fit::stop)]
     pub stop: Standstill,
 
     /// With --touches: the true robot's settled deformation (static CSV) [default: the reference paper's Table 2].
@@ -80,7 +80,7 @@ pub struct Args {
     pub growth: String,
 
     /// With --touches: time constant of cooling, minutes.
-    #[arg(long, value_name = "MIN", default_value_t = 60.0)]
+    #[arg(long, value_name = "MIN", default_value_t = TouchSynthesis::TAU_COOL_MIN)]
     pub tau_cool: f64,
 
     /// What was made, as JSON; - is standard output.
@@ -110,6 +110,11 @@ impl From<SpreadName> for Spread {
             SpreadName::Sweeps => Self::Sweeps,
         }
     }
+}
+
+fn usual_stop() -> Standstill {
+    let [from_min, to_min] = TouchSynthesis::STOP_MIN;
+    Standstill { from_min, to_min }
 }
 
 /// Makes the sets.

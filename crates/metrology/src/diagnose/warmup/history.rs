@@ -2,6 +2,7 @@
 
 use crate::measure::Touches;
 use robot_model::deform::{GrowthLaw, Warmth};
+use std::fmt;
 
 /// The robot stood from one minute to another.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,6 +11,13 @@ pub struct Standstill {
     pub from_min: f64,
     /// Minutes since the cold start.
     pub to_min: f64,
+}
+
+impl fmt::Display for Standstill {
+    /// `FROM:TO`, minutes.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.from_min, self.to_min)
+    }
 }
 
 /// How a robot warms while it runs and cools while it stands.
