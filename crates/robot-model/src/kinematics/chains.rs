@@ -46,24 +46,8 @@ impl Chains {
 }
 
 impl Chain {
-    /// Calls `visit` for each pose in its order with the joints at which the arm stands there: what
+    /// Calls `visit` for each pose and the joints to start from, in their order, with the joints at which the arm stands there: what
     /// [`solve`](super::solve()) answers, to the bit.
-    pub fn solve_each(
-        &self,
-        base_from_flange: &[Isometry3<f64>],
-        start_q_rad: &[f64; 6],
-        mut visit: impl FnMut(Result<Solved, SolveError>),
-    ) {
-        for goals in base_from_flange.chunks(LANES) {
-            let found = worth_it(goals.len()).then(|| solve_poses(self, goals, start_q_rad));
-            for (k, goal) in goals.iter().enumerate() {
-                let lane = found.as_ref().and_then(|found| found.lane(k));
-                visit(lane.map_or_else(|| solve(self, goal, start_q_rad), Ok));
-            }
-        }
-    }
-
-    /// The same where each pose has its own joints to start from.
     pub fn solve_each_from(
         &self,
         poses: &[(Isometry3<f64>, [f64; 6])],
@@ -101,13 +85,7 @@ fn solve_arms(frames: &[Step<Lanes>; 7], goal: &Pose<Lanes>, start_q_rad: &[f64;
     on_widest(SolveEight { frames, goal, start_q_rad })
 }
 
-/// One arm at up to eight goals, from the same joints.
-#[inline(never)]
-fn solve_poses(chain: &Chain, goals: &[Isometry3<f64>], start_q_rad: &[f64; 6]) -> Found<Lanes> {
-    on_widest(SolveEight { frames: chain, goal: &eight_poses(goals), start_q_rad })
-}
-
-/// The same from joints of their own.
+/// One arm at up to eight goals, each from joints of its own.
 #[inline(never)]
 fn solve_poses_from(chain: &Chain, some: &[(Isometry3<f64>, [f64; 6])]) -> Found<Lanes> {
     let goals: [Isometry3<f64>; LANES] = std::array::from_fn(|k| some.get(k).unwrap_or(&some[0]).0);
@@ -297,13 +275,6 @@ mod tests {
                     _ => assert_eq!(format!("{solved:?}"), format!("{expected:?}")),
                 }
                 failed += usize::from(solved.is_err());
-            });
-            assert!(one.next().is_none());
-            let goals: Vec<_> = chains[..9].iter().map(|chain| chain.forward(&start_q_rad)).collect();
-            let mut one = goals.iter();
-            nominal.solve_each(&goals, &start_q_rad, |solved| {
-                let expected = solve(&nominal, one.next().unwrap(), &start_q_rad);
-                assert_eq!(solved, expected);
             });
             assert!(one.next().is_none());
         }

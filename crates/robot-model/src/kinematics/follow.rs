@@ -19,15 +19,24 @@ const STAGE_RAD: f64 = 0.1;
 /// An arm whose branch takes more evaluations is given up.
 const EVALUATIONS: u32 = 600;
 
-/// Joints reached from `start_q_rad` without crossing a singularity, once `is_reached` says so of the twist that is missing; with
-/// that twist and the evaluations taken. `None` where the branch ends, or leaves `most_rad` of change in a joint, before the pose.
+/// Where a branch of an arm has led.
+pub(super) struct Followed {
+    /// The joints at the pose, radians.
+    pub q_rad: Vec6,
+    /// The twist that is still missing: metres, radians.
+    pub missing: Vec6,
+    /// How often the arm's pose was asked for.
+    pub evaluations: u32,
+}
+
+/// Follows a branch from `start_q_rad` without crossing a singularity until `is_reached` says so of the twist that is missing. `None` where the branch ends, or leaves `most_rad` of change in a joint, before the pose.
 pub(super) fn follow<A: ArmKinematics + ?Sized>(
     arm: &A,
     goal: &Pose,
     start_q_rad: &Vec6,
     most_rad: f64,
     is_reached: impl Fn(&Vec6) -> bool,
-) -> Option<(Vec6, Vec6, u32)> {
+) -> Option<Followed> {
     let (mut q_rad, mut there) = (*start_q_rad, arm.pose_and_jacobian(start_q_rad));
     let whole = goal.twist_from(&there.pose());
     let (_, start_sign) = linear::regular_newton_step(&there.jacobian, &whole)?;
@@ -63,7 +72,7 @@ pub(super) fn follow<A: ArmKinematics + ?Sized>(
                     return None;
                 }
                 if wanted == 0.0 {
-                    return Some((q_rad, error, evaluations));
+                    return Some(Followed { q_rad, missing: error, evaluations });
                 }
                 stride *= 2.0;
             }

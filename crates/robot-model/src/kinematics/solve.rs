@@ -121,7 +121,7 @@ pub fn solve<A: ArmKinematics + ?Sized>(
     damped(arm, &goal, start_q_rad).or_else(|refused| {
         let is_reached = |error: &Vec6| reached(start_q_rad, error, 0).is_some();
         let followed = follow(arm, &goal, start_q_rad, BRANCH_RAD, is_reached);
-        followed.and_then(|(q_rad, error, iterations)| reached(&q_rad, &error, iterations)).ok_or(refused)
+        followed.and_then(|to| reached(&to.q_rad, &to.missing, to.evaluations)).ok_or(refused)
     })
 }
 

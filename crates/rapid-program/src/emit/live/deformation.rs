@@ -5,7 +5,7 @@ use super::turns::{Compliance, Turn};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, Identified, Term};
-use robot_model::kinematics::{Chain, FrameOffsets};
+use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::{Axis, Robot};
 
 /// Turns that change by more than this with the joint (rad/rad) are looked at once more at the corrected joints: the
@@ -36,7 +36,6 @@ pub struct Cap {
 #[derive(Clone, Debug)]
 pub struct LiveModel {
     pub(super) robot: Robot,
-    pub(super) nominal: Chain,
     pub(super) steps: [FixedFrame; 7],
     /// Offsets of each function where it is 1, and those that are always there; metres and radians.
     pub(super) growing: Vec<FrameOffsets>,
@@ -64,7 +63,6 @@ impl LiveModel {
     ) -> Result<Self, Vec<String>> {
         let mut live = Self {
             robot: robot.clone(),
-            nominal: Chain::nominal(robot),
             steps: steps(robot),
             growing: functions.iter().map(|f| f.offsets).collect(),
             always: FrameOffsets::default(),

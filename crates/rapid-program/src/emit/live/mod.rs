@@ -17,12 +17,10 @@ mod offsets;
 mod self_test;
 mod text;
 mod turns;
-mod twin;
 mod twist;
 
 pub use deformation::{Cap, Function, LiveModel};
 pub use self_test::{TestTarget, test_targets};
-pub use twin::LiveCorrection;
 
 use robot_model::units::deg_from_rad;
 use text::num;

@@ -37,20 +37,6 @@ impl Turn {
         }
     }
 
-    /// At these joints, radians.
-    pub(super) fn at(&self, joint: usize, q_rad: &[f64; 6], functions: &[f64]) -> f64 {
-        match *self {
-            Self::Constant { function, rad } => {
-                rad * function.map_or(1.0, |r| functions.get(r).copied().unwrap_or(0.0))
-            }
-            Self::Gain { by, gain } => gain * q_rad[by],
-            Self::Gear { n, sin_rad, cos_rad } => {
-                let (sin, cos) = (f64::from(n) * q_rad[joint]).sin_cos();
-                sin_rad * sin + cos_rad * cos
-            }
-        }
-    }
-
     /// As RAPID, where `tcQ` holds the joints in degrees; gear lines take more than a summand ([`super::gears`]).
     pub(super) fn summand(&self, sign: f64) -> Option<Summand> {
         match *self {
