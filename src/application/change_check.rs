@@ -39,7 +39,7 @@ impl ChangeCheck {
 
 /// By how much a point or the tool has moved at most, metres.
 fn largest_m(comparison: &MeasurementComparison) -> f64 {
-    let point_m = comparison.worst.first().map_or(0.0, |worst| worst.2);
+    let point_m = comparison.worst.first().map_or(0.0, |worst| worst.by_m);
     comparison.tools_moved_m.iter().map(|(by_m, _)| by_m.norm()).fold(point_m, f64::max)
 }
 

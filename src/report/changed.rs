@@ -1,7 +1,7 @@
 //! What has changed between two measurements, for people and as JSON.
 
 use super::counted;
-use metrology::diagnose::{MeasurementComparison, describe};
+use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -44,8 +44,9 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
         writeln!(out, "  {}{size}, probability {:.1} %", describe(cause), 100.0 * cause.posterior)?;
     }
     writeln!(out, "largest changes")?;
-    for (before, after, by) in &found.worst {
-        writeln!(out, "  line {before} before, line {after} after: {:.4} mm", mm_from_m(*by))?;
+    for moved in &found.worst {
+        let [before, after] = moved.lines;
+        writeln!(out, "  line {before} before, line {after} after: {:.4} mm", mm_from_m(moved.by_m))?;
     }
     Ok(())
 }
@@ -61,9 +62,9 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
     let worst: Vec<Value> = found
         .worst
         .iter()
-        .map(
-            |(before, after, by)| json!({ "line_before": before, "line_after": after, "mm": mm_from_m(*by) }),
-        )
+        .map(|MovedPoint { lines: [before, after], by_m }| {
+            json!({ "line_before": before, "line_after": after, "mm": mm_from_m(*by_m) })
+        })
         .collect();
     json!({
         "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),

@@ -19,12 +19,18 @@ pub const WARNING: [&str; 6] = [
     "driftpost compensate --model corrects programs one by one and leaves the robot alone.",
 ];
 
-/// An axis and by how much it stands further than the controller shows, with sigma, radians.
-#[must_use]
-pub fn axis_offsets(model: &Identified) -> Vec<(Axis, f64, Option<f64>)> {
+/// By how much an axis stands further than the controller shows.
+struct AxisOffset {
+    axis: Axis,
+    offset_rad: f64,
+    /// One standard deviation, where it is known.
+    sigma_rad: Option<f64>,
+}
+
+fn axis_offsets(model: &Identified) -> Vec<AxisOffset> {
     let of = |t: &robot_model::deform::identified::Term| {
         let value = t.values.first()?;
-        Some((t.joint?, value.value, value.sigma))
+        Some(AxisOffset { axis: t.joint?, offset_rad: value.value, sigma_rad: value.sigma })
     };
     model.terms.iter().filter(|t| t.kind == EffectKind::JointOffset).filter_map(of).collect()
 }
@@ -38,8 +44,8 @@ pub fn axis_table(model: &Identified) -> String {
         return out;
     }
     out.push_str("axis offsets: the axis stands so much further than the controller shows\n");
-    for (axis, rad, sigma) in offsets {
-        let sigma = sigma.map_or_else(String::new, |s| format!(" (+- {:.5} deg)", deg_from_rad(s)));
+    for AxisOffset { axis, offset_rad: rad, sigma_rad } in offsets {
+        let sigma = sigma_rad.map_or_else(String::new, |s| format!(" (+- {:.5} deg)", deg_from_rad(s)));
         // a String takes everything
         let _ = writeln!(out, "  axis {axis}: {:+.5} deg = {rad:+.7} rad{sigma}", deg_from_rad(rad));
     }

@@ -45,4 +45,4 @@ pub use modules::LoadedModule;
 pub use pins::Pins;
 pub use session::{Session, Settings};
 pub use states::{Execution, Mode};
-pub use subscription::{Event, Subscription};
+pub use subscription::{DataName, Event, Subscription};

@@ -38,14 +38,25 @@ impl std::fmt::Debug for Subscription {
     }
 }
 
+/// Which data of a controller.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DataName {
+    /// The task, `T_ROB1`.
+    pub task: String,
+    /// The module that declares them.
+    pub module: String,
+    /// Their own name.
+    pub name: String,
+}
+
 impl Session {
-    /// Subscribes to changes of persistent data: task, module and name of each.
+    /// Subscribes to changes of persistent data.
     ///
     /// # Errors
     /// [`LinkError::Refused`] where it is not offered; no connection.
-    pub fn subscribe(&mut self, data: &[(String, String, String)]) -> Result<Subscription, LinkError> {
+    pub fn subscribe(&mut self, data: &[DataName]) -> Result<Subscription, LinkError> {
         let mut resources = String::new();
-        for (n, (task, module, name)) in data.iter().enumerate() {
+        for (n, DataName { task, module, name }) in data.iter().enumerate() {
             let (task, module, name) = (names::rapid(task)?, names::rapid(module)?, names::rapid(name)?);
             let uri = match self.dialect {
                 Dialect::Rw6 => format!("/rw/rapid/symbol/data/RAPID/{task}/{module}/{name};value"),

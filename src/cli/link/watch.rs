@@ -7,7 +7,7 @@ use crate::cli::page::ReportArgs;
 use crate::cli::{Console, Outcome, files};
 use crate::report::WatchPage;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_link::{Event, LinkError, Session, Subscription};
+use robot_link::{DataName, Event, LinkError, Session, Subscription};
 use std::path::PathBuf;
 use std::time::{Duration, Instant, SystemTime};
 
@@ -196,7 +196,11 @@ impl LivePage {
 
 fn subscribe(own: &[EmittedState], session: &mut Session, console: &mut Console) -> Option<Subscription> {
     let all = own.iter().flat_map(|own| {
-        own.values.iter().map(|(name, _)| (own.task.clone(), own.module.clone(), name.clone()))
+        own.values.iter().map(|(name, _)| DataName {
+            task: own.task.clone(),
+            module: own.module.clone(),
+            name: name.clone(),
+        })
     });
     let all: Vec<_> = all.collect();
     match session.subscribe(&all) {

@@ -80,12 +80,21 @@ pub struct MeasurementComparison {
     pub tools_moved_m: Vec<(Vector3<f64>, f64)>,
     /// The base now in the frame of the base before: real where the instrument has not moved.
     pub base_moved: Isometry3<f64>,
-    /// Largest changes: line before, line after, metres.
-    pub worst: Vec<(u64, u64, f64)>,
+    /// The points that have moved furthest, the furthest first.
+    pub worst: Vec<MovedPoint>,
     /// The diagnosis of the differences.
     pub diagnosis: Findings,
     /// Whether arm or tool have changed.
     pub is_changed: bool,
+}
+
+/// A point that was measured twice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MovedPoint {
+    /// Its lines in the file before and in the one after.
+    pub lines: [u64; 2],
+    /// How far it has moved, metres.
+    pub by_m: f64,
 }
 
 /// A pose in both files.
@@ -169,21 +178,24 @@ fn stations(measurements: &Measurements, robot: &SerialArm) -> Result<Stations, 
     }
 }
 
-/// The pairs with the largest change, largest first: line before, line after, metres.
+/// The pairs with the largest change, largest first.
 fn worst_changes(
     pairs: &[Pair<'_>],
     changes_m: &[Vector3<f64>],
     before: &Measurements,
     after: &Measurements,
-) -> Vec<(u64, u64, f64)> {
+) -> Vec<MovedPoint> {
     let line =
         |m: &Measurements, s: &Station| s.rows.first().and_then(|&r| m.rows.get(r)).map_or(0, |r| r.line);
-    let mut worst: Vec<(u64, u64, f64)> = pairs
+    let mut worst: Vec<MovedPoint> = pairs
         .iter()
         .zip(changes_m)
-        .map(|(p, change)| (line(before, p.before), line(after, p.after), change.norm()))
+        .map(|(p, change)| MovedPoint {
+            lines: [line(before, p.before), line(after, p.after)],
+            by_m: change.norm(),
+        })
         .collect();
-    worst.sort_by(|a, b| b.2.total_cmp(&a.2).then(a.0.cmp(&b.0)));
+    worst.sort_by(|a, b| b.by_m.total_cmp(&a.by_m).then(a.lines[0].cmp(&b.lines[0])));
     worst.truncate(LISTED);
     worst
 }

@@ -46,7 +46,7 @@ mod verdict;
 pub mod warmup;
 mod zeros;
 
-pub use compare::{CompareError, MeasurementComparison, compare_measurements};
+pub use compare::{CompareError, MeasurementComparison, MovedPoint, compare_measurements};
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
 pub use options::DiagnosisOptions;

@@ -41,14 +41,19 @@ pub(super) struct Corrector<'a> {
     pub(super) settled: DeformedArm,
 }
 
+/// All motions of a program, corrected.
+pub(super) struct CorrectedMotions {
+    /// The plan of each motion.
+    pub(super) motions: Vec<PlannedMotion>,
+    /// The program's worst cases.
+    pub(super) tally: Tally,
+    /// The motions whose joints leave the quadrants that confdata name.
+    pub(super) crossings: Vec<(MotionId, Crossing)>,
+}
+
 impl Corrector<'_> {
-    /// The plans of all motions, with the figures of each, the program's worst cases, and the motions whose joints leave the
-    /// quadrants that confdata name.
-    pub(super) fn correct_all(
-        &self,
-        resolved: &[Resolved],
-        chosen: &Chosen,
-    ) -> (Vec<PlannedMotion>, Tally, Vec<(MotionId, Crossing)>) {
+    /// The plans of all motions, with the figures of each.
+    pub(super) fn correct_all(&self, resolved: &[Resolved], chosen: &Chosen) -> CorrectedMotions {
         let program = self.program;
         let mut tally = Tally::new(chosen);
         let mut motions: Vec<PlannedMotion> = Vec::with_capacity(resolved.len());
@@ -69,7 +74,7 @@ impl Corrector<'_> {
             }
         }
         follow_paths((program, resolved), self.at.arms(), self.model, &worst_bucket, &mut motions);
-        (motions, tally, crossings)
+        CorrectedMotions { motions, tally, crossings }
     }
 
     /// The plans of some motions, their points solved side by side.

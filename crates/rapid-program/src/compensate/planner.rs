@@ -3,7 +3,7 @@
 
 use super::circle_points::turn_with_arcs;
 use super::correct::Moments;
-use super::corrector::{Corrector, SIDE_BY_SIDE};
+use super::corrector::{CorrectedMotions, Corrector, SIDE_BY_SIDE};
 use super::drift::ProgramPoints;
 use super::error::CompensateError;
 use super::joints_hint::{Hints, JointsHintError};
@@ -65,7 +65,7 @@ pub fn plan(
     let live = at.ramp().map(|ramp| Arc::new(live::basis(&model, &ramp.functions, options)));
     let settled = model.arm(Moment::Settled);
     let corrector = Corrector { program, model: &model, options, at: &at, live: live.as_deref(), settled };
-    let (mut motions, tally, crossings) = corrector.correct_all(&resolved, &chosen);
+    let CorrectedMotions { mut motions, tally, crossings } = corrector.correct_all(&resolved, &chosen);
     if motions.iter().all(|planned| skip_reason(planned).is_some()) {
         let reason = |motion: MotionId| motions.get(motion.index()).and_then(skip_reason);
         return Err(nothing(program, reason, &model, (of_plan, messages)));

@@ -178,13 +178,14 @@ fn a_turned_key_is_told() {
 
 #[test]
 fn changes_are_told_by_subscription() {
-    use robot_link::Event;
+    use robot_link::{DataName, Event};
     use std::time::Duration;
     for personality in Personality::ALL {
         let double = double(personality);
         double.with(|c| c.foreign_location = true);
         let mut session = open(&double);
-        let watched = [("T_ROB1".to_owned(), "Part".to_owned(), "tcMinute".to_owned())];
+        let [task, module, name] = ["T_ROB1", "Part", "tcMinute"].map(str::to_owned);
+        let watched = [DataName { task, module, name }];
         let mut subscription = session.subscribe(&watched).unwrap();
         // The present value first, then each change, and nothing between.
         assert_eq!(subscription.next(Duration::from_secs(2)), Event::Changed);
