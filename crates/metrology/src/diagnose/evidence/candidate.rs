@@ -86,31 +86,31 @@ impl NuisanceModel {
         candidate.known = self.directions.len();
     }
 
-    /// What the flat columns, and geometry at `ratio`, take of a candidate, given as `projected` and by its `sums`: (directions x
+    /// What the flat columns, and geometry at `ratio`, absorb of a candidate, given as `projected` and by its `sums`: (directions x
     /// parameters), so that the products of two candidates lose the products of these.
     #[must_use]
-    pub(crate) fn taken(&self, projected: &Projected, sums: &Sums, ratio: f64) -> DMatrix<f64> {
+    pub(crate) fn absorbed(&self, projected: &Projected, sums: &Sums, ratio: f64) -> DMatrix<f64> {
         let p = sums.own.nrows();
         let flat = self.directions.len();
-        let mut taken = DMatrix::zeros(flat + self.lambda.len(), p);
+        let mut absorbed = DMatrix::zeros(flat + self.lambda.len(), p);
         for (k, direction) in self.directions.iter().enumerate() {
             let columns = sums.cross.as_slice().chunks_exact(p.max(1));
             for (d, column) in direction.weights.iter().zip(columns).filter(|(d, _)| **d != 0.0) {
                 for (a, from) in column.iter().enumerate() {
-                    taken[(k, a)] += d * from;
+                    absorbed[(k, a)] += d * from;
                 }
             }
         }
         let with_geometry = self.along_geometry(projected);
         for (k, weight) in self.geometry_shares(ratio).enumerate() {
-            taken.row_mut(flat + k).copy_from(&(weight * with_geometry.row(k)));
+            absorbed.row_mut(flat + k).copy_from(&(weight * with_geometry.row(k)));
         }
-        taken
+        absorbed
     }
 
     /// The same of the data.
     #[must_use]
-    pub(crate) fn taken_of_data(&self, ratio: f64) -> DVector<f64> {
+    pub(crate) fn absorbed_of_data(&self, ratio: f64) -> DVector<f64> {
         let geometry = self.geometry_shares(ratio).zip(self.gy.iter()).map(|(weight, g)| weight * g);
         DVector::from_iterator(
             self.directions.len() + self.lambda.len(),

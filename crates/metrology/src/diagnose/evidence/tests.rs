@@ -204,10 +204,10 @@ fn what_the_nuisance_takes_of_a_candidate_is_what_dense_matrices_say() {
     let noise = NoisePrior { known: None, from_repeats: false };
     let (design, nuisance) = problem.nuisance(noise);
     let sums = design.products(&design.columns_of(&problem.dataset, &problem.candidate)).sum(&[0]);
-    let (taken, of_data) =
-        (nuisance.taken(&nuisance.project(&sums), &sums, RATIO), nuisance.taken_of_data(RATIO));
-    let own = sums.own[(0, 0)] - taken.column(0).norm_squared();
-    let with_data = sums.cross[(0, 0)] - taken.column(0).dot(&of_data);
+    let absorbed = nuisance.absorbed(&nuisance.project(&sums), &sums, RATIO);
+    let of_data = nuisance.absorbed_of_data(RATIO);
+    let own = sums.own[(0, 0)] - absorbed.column(0).norm_squared();
+    let with_data = sums.cross[(0, 0)] - absorbed.column(0).dot(&of_data);
 
     let flat = dense(&problem.dataset, |o| {
         let mut out = Vec::new();

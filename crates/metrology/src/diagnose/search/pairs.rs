@@ -53,8 +53,8 @@ struct OpenPlace {
 
 /// A variant of a cause that a pair may be made of.
 struct PoolVariant {
-    /// Its ln evidence at a first look, with its prior.
-    first_look: f64,
+    /// Its screening evidence with its prior, nats.
+    screening_nats: f64,
     candidate: usize,
     projected: Projected,
 }
@@ -247,7 +247,7 @@ impl Library<'_> {
             }
             let projected = bare.project(&tracked.sums);
             // What stands there now is compared as it is.
-            let first_look = match Some(c) == *single {
+            let screening_nats = match Some(c) == *single {
                 true => f64::INFINITY,
                 false => {
                     let screened = bare.screened(&projected, &grid);
@@ -256,8 +256,8 @@ impl Library<'_> {
             };
             let candidate = &self.candidates[c];
             let cause = (candidate.kind, candidate.variant.joint, candidate.variant.joint_b);
-            if of_cause.get(&cause).is_none_or(|known| first_look > known.first_look) {
-                of_cause.insert(cause, PoolVariant { first_look, candidate: c, projected });
+            if of_cause.get(&cause).is_none_or(|known| screening_nats > known.screening_nats) {
+                of_cause.insert(cause, PoolVariant { screening_nats, candidate: c, projected });
             }
         }
         of_cause.into_values().collect()
@@ -276,16 +276,16 @@ impl Library<'_> {
         }));
         let mut gram = search.design.products_among(&side_by_side(&columns), search.subset);
         let mut with_data = DVector::zeros(gram.ncols());
-        let data = bare.taken_of_data(geometry_ratio);
-        let mut taken = DMatrix::zeros(data.len(), gram.ncols());
+        let data = bare.absorbed_of_data(geometry_ratio);
+        let mut absorbed = DMatrix::zeros(data.len(), gram.ncols());
         for (start, PoolVariant { candidate, projected, .. }) in starts.iter().zip(&variants) {
             let sums = &search.tracked[*candidate].sums;
             let width = sums.own.nrows();
-            taken.columns_mut(*start, width).copy_from(&bare.taken(projected, sums, geometry_ratio));
+            absorbed.columns_mut(*start, width).copy_from(&bare.absorbed(projected, sums, geometry_ratio));
             with_data.rows_mut(*start, width).copy_from(&sums.cross.column(0));
         }
-        with_data -= taken.tr_mul(&data);
-        gram -= taken.transpose() * &taken;
+        with_data -= absorbed.tr_mul(&data);
+        gram -= absorbed.transpose() * &absorbed;
         let precision = sigma_m.powi(-2);
         let freedom = bare.freedom();
         Pool { candidates, starts, gram: gram * precision, with_data: with_data * precision, freedom }

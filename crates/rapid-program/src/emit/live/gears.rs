@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Lines and gains that change by more than this with the joint (rad/rad) are looked at once more, at the corrected joints.
 const STEEP: f64 = 1e-4;
 /// Lines of more periods a turn may go through a good part of one by a correction: their change is carried to fourth order.
-const MANY: u32 = 20;
+const FOURTH_ORDER_FROM: u32 = 20;
 
 /// The lines of a joint: periods in a turn, weights of sine and cosine (rad), those of one number together.
 pub(super) fn lines(model: &LiveModel, joint: usize) -> BTreeMap<u32, [f64; 2]> {
@@ -68,7 +68,7 @@ pub(super) fn change(model: &LiveModel, joint: usize, sign: f64, body: &mut Body
         let slope = sum(&[(by[0], cos), (-by[1], sin)]);
         let line = line_name(joint, *n);
         body.set("tcA", &[(f64::from(*n), "tcE".to_owned())]);
-        if *n > MANY {
+        if *n > FOURTH_ORDER_FROM {
             body.line("tcB:=tcA*tcA;");
             body.line(format!("{line}:=tcA*(1-tcB/6)*({slope})-tcB*(0.5-tcB/24)*{line};"));
         } else {
