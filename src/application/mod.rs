@@ -1,6 +1,9 @@
 //! What a user of the library calls: one job a file, each with a `new`, options, and a `run` that gives a result of its own or why
 //! there is none.
 //!
+//! A job whose only reasons are a crate's gives that crate's error, which stands here too; one with reasons of its own has an error of
+//! its own round it. Every error has a `code` and becomes a [`Diagnostic`](rapid_syntax::diagnostic::Diagnostic).
+//!
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
 mod accuracy_check;
@@ -69,6 +72,8 @@ pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, Targe
 pub use link_info::LinkInfo;
 #[cfg(feature = "link")]
 pub use loading::{Loading, LoadingError, link_message};
+pub use metrology::diagnose::warmup::{FitError, StateError};
+pub use metrology::diagnose::{CompareError, ValidateError};
 pub use model_check::{ModelCheck, ModelChecked};
 #[cfg(feature = "link")]
 pub use module_upload::ModuleUpload;
@@ -77,6 +82,8 @@ pub use other_files::{PlacedProgram, ReadOther};
 pub use planning::{Planned, Planning, PlanningError};
 pub use program_comparison::{ArmOfTask, ComparedPrograms, ProgramComparison};
 pub use program_files::{DeclaredNames, ProgramFiles};
+pub use rapid_program::compensate::CompensateError;
+pub use rapid_program::compensate::tabulate::TabulateError;
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
