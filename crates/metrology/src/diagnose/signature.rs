@@ -74,76 +74,19 @@ pub fn signatures(
     tool_m: Vector3<f64>,
     measurements: &[PlannedMeasurement],
 ) -> Signatures {
-    let chain = SerialChain::nominal(robot);
-    let nests: BTreeSet<usize> = measurements.iter().filter_map(|m| m.nest.map(|(n, _)| n)).collect();
-    let nests = nests.last().map_or(0, |last| last + 1);
-    let mut fixed_points_m = vec![Vector3::zeros(); nests];
-    for (n, at_m) in measurements.iter().filter_map(|m| m.nest) {
-        fixed_points_m[n] = at_m;
-    }
-    let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], fixed_points_m);
-    let observations: Vec<Observation> = measurements
-        .iter()
-        .enumerate()
-        .map(|(i, m)| {
-            let reading = match m.nest {
-                Some((fixed_point, position_m)) => {
-                    Reading::Nest { fixed_point, position_m, with_joints: false }
-                }
-                None => Reading::Point { position_m: Vector3::zeros() },
-            };
-            let involves_arm = m.nest.is_none();
-            let station = Station {
-                pose: i,
-                target: 0,
-                stand: 0,
-                t_min: Some(m.t_min),
-                q_rad: m.q_rad,
-                reading,
-                orientation: None,
-                direction: involves_arm.then_some(m.direction),
-                payload_kg: involves_arm.then_some(m.payload_kg),
-                joint_temperature_c: None,
-                air_temperature_c: None,
-                line: 0,
-                rows: vec![i],
-            };
-            Observation::new(robot, &chain, &registration, &station)
-        })
-        .collect();
-    let channels =
-        Channels { pose_id: true, time: true, direction: true, payload: true, ..Channels::default() };
-    let dataset = Dataset::new(robot, observations, channels);
+    let nests = measurements.iter().filter_map(|m| m.nest).map(|(nest, _)| nest + 1).max().unwrap_or(0);
+    let dataset = planned_dataset(robot, tool_m, measurements, nests);
     let candidates = variants(&dataset);
     let registration = 9 + 3 * nests;
     let geometry = 6 * (dataset.joints() - 1);
-    let mut first = registration + geometry;
-    let families: BTreeSet<EffectKind> = candidates.iter().map(|c| c.kind).collect();
-    let effects: Vec<Signature> = candidates
-        .iter()
-        .map(|c| {
-            let of_family: f64 = candidates.iter().filter(|o| o.kind == c.kind).map(|o| o.weight).sum();
-            let signature = Signature {
-                effect: c.kind,
-                joint: c.variant.joint,
-                joint_b: c.variant.joint_b,
-                in_time: c.effect().time() != TimeCourse::Constant,
-                unit: c.unit(),
-                usual: c.prior_sigma.first().copied().unwrap_or(0.0) * c.display_scale,
-                first,
-                width: c.prior_sigma.len(),
-                weight: c.weight / of_family / families.len() as f64,
-            };
-            first += c.prior_sigma.len();
-            signature
-        })
-        .collect();
-    let mut rows = vec![0.0; 3 * dataset.observations.len() * first];
-    for (observation, rows) in dataset.observations.iter().zip(rows.chunks_exact_mut(3 * first)) {
+    let effects = effect_columns(&candidates, registration + geometry);
+    let width = effects.last().map_or(registration + geometry, |last| last.first + last.width);
+    let mut rows = vec![0.0; 3 * dataset.observations.len() * width];
+    for (observation, rows) in dataset.observations.iter().zip(rows.chunks_exact_mut(3 * width)) {
         for (c, twist) in twists(&dataset, observation, &candidates, nests).into_iter().enumerate() {
             let seen = observation.observed(twist);
             for r in 0..3 {
-                rows[r * first + c] = seen[r];
+                rows[r * width + c] = seen[r];
             }
         }
     }
@@ -156,7 +99,61 @@ pub fn signatures(
             })
         })
         .collect();
-    Signatures { registration, geometry, effects, width: first, rows, turns }
+    Signatures { registration, geometry, effects, width, rows, turns }
+}
+
+/// The measurements as if they had been taken, with all channels that a plan has.
+fn planned_dataset(
+    robot: &SerialArm,
+    tool_m: Vector3<f64>,
+    measurements: &[PlannedMeasurement],
+    nests: usize,
+) -> Dataset {
+    let chain = SerialChain::nominal(robot);
+    let mut fixed_points_m = vec![Vector3::zeros(); nests];
+    for (nest, at_m) in measurements.iter().filter_map(|m| m.nest) {
+        fixed_points_m[nest] = at_m;
+    }
+    let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], fixed_points_m);
+    let observation = |(i, m): (usize, &PlannedMeasurement)| {
+        let reading = match m.nest {
+            Some((fixed_point, position_m)) => Reading::Nest { fixed_point, position_m, with_joints: false },
+            None => Reading::Point { position_m: Vector3::zeros() },
+        };
+        let involves_arm = m.nest.is_none();
+        let station = Station {
+            t_min: Some(m.t_min),
+            direction: involves_arm.then_some(m.direction),
+            payload_kg: involves_arm.then_some(m.payload_kg),
+            ..Station::bare(i, m.q_rad, reading)
+        };
+        Observation::new(robot, &chain, &registration, &station)
+    };
+    let channels =
+        Channels { pose_id: true, time: true, direction: true, payload: true, ..Channels::default() };
+    Dataset::new(robot, measurements.iter().enumerate().map(observation).collect(), channels)
+}
+
+/// Where each candidate's columns stand, from `first` on.
+fn effect_columns(candidates: &[Candidate], mut first: usize) -> Vec<Signature> {
+    let families: BTreeSet<EffectKind> = candidates.iter().map(|c| c.kind).collect();
+    let signature = |c: &Candidate| {
+        let of_family: f64 = candidates.iter().filter(|o| o.kind == c.kind).map(|o| o.weight).sum();
+        let signature = Signature {
+            effect: c.kind,
+            joint: c.variant.joint,
+            joint_b: c.variant.joint_b,
+            in_time: c.effect().time() != TimeCourse::Constant,
+            unit: c.unit(),
+            usual: c.prior_sigma.first().copied().unwrap_or(0.0) * c.display_scale,
+            first,
+            width: c.prior_sigma.len(),
+            weight: c.weight / of_family / families.len() as f64,
+        };
+        first += c.prior_sigma.len();
+        signature
+    };
+    candidates.iter().map(signature).collect()
 }
 
 /// One variant of each effect and joint: the likeliest.

@@ -1,6 +1,6 @@
 //! Poses that could be measured next: in reach, off the floor, with either payload and direction, now or on a new warm-up.
 
-use crate::diagnose::dataset::{Observation, ObservationKind};
+use crate::diagnose::dataset::{Dataset, Observation, ObservationKind};
 use crate::diagnose::heldout::SplitMix64;
 use crate::diagnose::linearise::Linearised;
 use crate::diagnose::options::DiagnosisOptions;
@@ -56,78 +56,35 @@ pub(super) fn pool(
     robot: &SerialArm,
     linear: &Linearised,
     options: &DiagnosisOptions,
-    Setup { when, with_nests }: Setup,
+    setup: Setup,
     most: usize,
 ) -> Vec<PoolPose> {
-    let dataset = &linear.dataset;
-    let mut random = SplitMix64::new(0x2545_f491_4f6c_dd1d);
     let chain = SerialChain::nominal(robot);
-    let tool_m = options
-        .tool_m
-        .or_else(|| linear.registration.tools_m.first().copied())
-        .unwrap_or_else(Vector3::zeros);
-    let registration = Registration {
-        instrument_from_base: Isometry3::identity(),
-        tools_m: vec![tool_m],
-        fixed_points_m: linear.registration.fixed_points_m.iter().copied().chain(nests_m()).collect(),
-        ..linear.registration.clone()
-    };
+    let registration = with_nests(linear, options);
     let first_nest = linear.registration.fixed_points_m.len();
-    let most_kg = dataset.largest_payload_kg;
-    let payloads_kg = match dataset.channels.payload {
-        true => vec![0.0, if most_kg > 0.0 { most_kg } else { USUAL_PAYLOAD_KG }],
-        false => vec![0.0],
+    let mut draw = Draw {
+        robot,
+        dataset: &linear.dataset,
+        ranges: ranges(robot, linear),
+        payloads_kg: payloads_kg(&linear.dataset),
+        setup,
+        most,
+        random: SplitMix64::new(0x2545_f491_4f6c_dd1d),
     };
-    let ranges = ranges(robot, linear);
-    let last = dataset.observations.iter().max_by(|a, b| a.clock().total_cmp(&b.clock()));
     let mut all = Vec::new();
-    let candidates = if with_nests { CANDIDATES_WITH_NESTS } else { CANDIDATES };
+    let candidates = if setup.with_nests { CANDIDATES_WITH_NESTS } else { CANDIDATES };
     for _ in 0..20 * candidates {
         if all.len() == candidates {
             break;
         }
-        let mut q_rad = Joints::all(robot.joints.len(), 0.0);
-        for (q, [low, high]) in q_rad.iter_mut().zip(&ranges) {
-            let margin = MARGIN * (high - low);
-            *q = low + margin + (high - low - 2.0 * margin) * random.unit();
-        }
-        let direction = Joints::from_fn(robot.joints.len(), |_| if random.unit() < 0.5 { -1 } else { 1 });
-        let payload_kg = payloads_kg[random.below(payloads_kg.len())];
-        let share = random.unit();
-        let (clock, like) = match (dataset.clock, when) {
-            (None, _) => (None, last),
-            (Some([low, high]), when) => {
-                let each = (high - low) / dataset.observations.len().max(1) as f64;
-                let from = if when == When::After { high } else { low };
-                let at = from + share * each * most as f64;
-                let near = |o: &Observation| (o.clock() - at).abs();
-                (Some(at), dataset.observations.iter().min_by(|a, b| near(a).total_cmp(&near(b))))
-            }
-        };
-        let place = clock.filter(|_| dataset.time_min.is_none());
-        let station = Station {
-            pose: 0,
-            target: 0,
-            stand: dataset.stands.saturating_sub(1),
-            t_min: clock.filter(|_| dataset.time_min.is_some()),
-            q_rad,
-            reading: Reading::Point { position_m: Vector3::zeros() },
-            orientation: None,
-            direction: Some(direction),
-            payload_kg: Some(payload_kg),
-            joint_temperature_c: like.and_then(|o| o.joint_temperature_c),
-            air_temperature_c: None,
-            line: 0,
-            rows: vec![place.map_or(0, |row| row.max(0.0) as usize)],
-        };
+        let (station, next) = draw.station();
         let observation = Observation::new(robot, &chain, &registration, &station);
         if observation.point_m.z < FLOOR_M
             || observation.origins_m[3..=chain.joints()].iter().any(|o| o.z < FLOOR_M)
         {
             continue;
         }
-        let next = NextMeasurement { q_deg: robot.in_deg_or_mm(&q_rad), payload_kg, dir: direction };
-        let nests = (first_nest..first_nest + NESTS).filter(|_| with_nests).map(|fixed_point| {
+        let nests = (first_nest..first_nest + NESTS).filter(|_| setup.with_nests).map(|fixed_point| {
             let reading = Reading::Nest { fixed_point, position_m: Vector3::zeros(), with_joints: true };
             Observation::new(robot, &chain, &registration, &Station { reading, ..station.clone() })
         });
@@ -135,6 +92,95 @@ pub(super) fn pool(
         all.push(PoolPose { observations, next });
     }
     all
+}
+
+/// The registration of the rows measured, in the base's frame, with the tool that is wanted and nests on the base.
+fn with_nests(linear: &Linearised, options: &DiagnosisOptions) -> Registration {
+    let tool_m = options
+        .tool_m
+        .or_else(|| linear.registration.tools_m.first().copied())
+        .unwrap_or_else(Vector3::zeros);
+    Registration {
+        instrument_from_base: Isometry3::identity(),
+        tools_m: vec![tool_m],
+        fixed_points_m: linear.registration.fixed_points_m.iter().copied().chain(nests_m()).collect(),
+        ..linear.registration.clone()
+    }
+}
+
+/// What is hung on: nothing and, where the file has payloads, its largest.
+fn payloads_kg(dataset: &Dataset) -> Vec<f64> {
+    let most_kg = dataset.largest_payload_kg;
+    match dataset.channels.payload {
+        true => vec![0.0, if most_kg > 0.0 { most_kg } else { USUAL_PAYLOAD_KG }],
+        false => vec![0.0],
+    }
+}
+
+/// Draws poses with payload, direction and time.
+struct Draw<'a> {
+    robot: &'a SerialArm,
+    dataset: &'a Dataset,
+    /// Of each joint, radians.
+    ranges: Vec<[f64; 2]>,
+    payloads_kg: Vec<f64>,
+    setup: Setup,
+    /// Rows that are measured at most.
+    most: usize,
+    random: SplitMix64,
+}
+
+impl Draw<'_> {
+    /// The next one, and as it is written.
+    fn station(&mut self) -> (Station, NextMeasurement) {
+        let Self { robot, dataset, ranges, payloads_kg, random, .. } = self;
+        let mut q_rad = Joints::all(robot.joints.len(), 0.0);
+        for (q, [low, high]) in q_rad.iter_mut().zip(&*ranges) {
+            let margin = MARGIN * (high - low);
+            *q = low + margin + (high - low - 2.0 * margin) * random.unit();
+        }
+        let direction = Joints::from_fn(robot.joints.len(), |_| if random.unit() < 0.5 { -1 } else { 1 });
+        let payload_kg = payloads_kg[random.below(payloads_kg.len())];
+        let share = random.unit();
+        let (stand, by_time) = (dataset.stands.saturating_sub(1), dataset.time_min.is_some());
+        let next = NextMeasurement { q_deg: robot.in_deg_or_mm(&q_rad), payload_kg, dir: direction };
+        let RowTime { clock, joint_temperature_c } = self.time_of_row(share);
+        let place = clock.filter(|_| !by_time);
+        let station = Station {
+            stand,
+            t_min: clock.filter(|_| by_time),
+            direction: Some(direction),
+            payload_kg: Some(payload_kg),
+            joint_temperature_c,
+            rows: vec![place.map_or(0, |row| row.max(0.0) as usize)],
+            ..Station::bare(0, q_rad, Reading::Point { position_m: Vector3::zeros() })
+        };
+        (station, next)
+    }
+
+    /// The moment after this share of the rows that are still to be measured, and how warm the joints are then: as in the row next to it,
+    /// or the last.
+    fn time_of_row(&self, share: f64) -> RowTime {
+        let observations = &self.dataset.observations;
+        let (clock, like) = match self.dataset.clock {
+            None => (None, observations.iter().max_by(|a, b| a.clock().total_cmp(&b.clock()))),
+            Some([low, high]) => {
+                let each = (high - low) / observations.len().max(1) as f64;
+                let from = if self.setup.when == When::After { high } else { low };
+                let at = from + share * each * self.most as f64;
+                let near = |o: &Observation| (o.clock() - at).abs();
+                (Some(at), observations.iter().min_by(|a, b| near(a).total_cmp(&near(b))))
+            }
+        };
+        RowTime { clock, joint_temperature_c: like.and_then(|o| o.joint_temperature_c) }
+    }
+}
+
+/// When a row is measured.
+struct RowTime {
+    /// Minute, or place in the file; `None` where neither tells the order.
+    clock: Option<f64>,
+    joint_temperature_c: Option<Joints>,
 }
 
 /// Where nests on the base are taken to stand, base frame.
