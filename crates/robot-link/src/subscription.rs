@@ -41,11 +41,11 @@ impl std::fmt::Debug for Subscription {
 /// Which data of a controller.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DataName {
-    /// The task, `T_ROB1`.
+    /// The task that holds them, `T_ROB1`.
     pub task: String,
     /// The module that declares them.
     pub module: String,
-    /// Their own name.
+    /// Their name, without a module's.
     pub name: String,
 }
 

@@ -70,7 +70,7 @@ pub(super) fn routine(file: &SourceFile, routine: &tree::Routine) -> Code {
 
 /// A GOTO whose label has not been looked for.
 struct PendingGoto {
-    /// Its operation.
+    /// The number of its operation.
     at: usize,
     label: Name,
     /// Whether it stands in no other statement, so that it always jumps.

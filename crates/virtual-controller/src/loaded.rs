@@ -21,9 +21,9 @@ use std::rc::Rc;
 /// Which item of a module's file a declaration is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ItemIndex {
-    /// Of the file: the module.
+    /// Which item of the file the module is.
     pub module: usize,
-    /// Of that module.
+    /// Which item of that module it is.
     pub item: usize,
 }
 
@@ -52,7 +52,7 @@ pub(super) struct Datum {
 /// Where a datum is declared.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum DatumOrigin {
-    /// In a module.
+    /// In a module of the program.
     Module { module: ModuleId, at: ItemIndex },
     /// Nowhere: tool0, wobj0 and load0 are PERS that every controller has.
     Controller,

@@ -128,7 +128,7 @@ struct Repeatability {
 /// An integral over the noise.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NoiseIntegral {
-    /// Its logarithm.
+    /// Natural logarithm of the integral.
     pub log: f64,
     /// The sigma that carries it, metres.
     pub sigma_m: f64,

@@ -29,7 +29,7 @@ pub(super) struct PlacedTarget {
 }
 
 impl Lookahead {
-    /// None yet.
+    /// No motion is looked at yet.
     pub(super) fn none() -> Self {
         Self { first: MotionId::new(0), targets: Vec::new() }
     }

@@ -10,21 +10,21 @@ pub enum RobotSource<'n> {
     BuiltIn(&'n str),
     /// `backup:FOLDER` or `backup:FOLDER:UNIT`: a controller's backup, and the mechanical unit where it has several.
     Backup {
-        /// The backup's folder.
+        /// The folder that the controller wrote.
         folder: &'n Path,
         /// The mechanical unit, `ROB_1`.
         unit: Option<&'n str>,
     },
     /// `dh:FILE.csv` or, by Craig's convention, `mdh:FILE.csv`: a table of Denavit-Hartenberg parameters.
     DhTable {
-        /// The table.
+        /// The table of parameters, CSV.
         file: &'n Path,
         /// Which of the two conventions its rows follow.
         convention: DhConvention,
     },
     /// `FILE.urdf`, or `FILE.urdf:LINK` with the link that is the flange.
     Urdf {
-        /// The description.
+        /// The description of the links, XML.
         file: &'n Path,
         /// The link that is the flange, where it is not the only end.
         flange: Option<&'n str>,

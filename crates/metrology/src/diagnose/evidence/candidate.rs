@@ -22,9 +22,9 @@ pub(crate) struct Projected {
 
 /// What geometry of one size leaves of a candidate.
 pub(super) struct ReducedProducts {
-    /// With itself, symmetric: parameters x parameters.
+    /// Its products with itself, symmetric: parameters x parameters.
     pub own: DMatrix<f64>,
-    /// With the data.
+    /// Its products with the data.
     pub with_y: DVector<f64>,
 }
 

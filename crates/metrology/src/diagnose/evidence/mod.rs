@@ -61,7 +61,7 @@ pub(super) struct NuisanceModel {
     marginal: Marginal,
     /// Geometry at ln-spaced s_g/sigma, ascending from 0.
     geometry_terms: Vec<GeometryTerm>,
-    /// ln-spaced s/sigma, ascending.
+    /// ln-spaced s/sigma of a candidate, ascending.
     size_ratios: Vec<f64>,
     /// <y, y> with the flat columns projected out.
     yy: f64,

@@ -38,7 +38,7 @@ pub(super) struct SizeTerm {
 }
 
 impl SizeTerm {
-    /// No candidate.
+    /// That of no candidate at all.
     pub(super) const NOTHING: Self = Self { ratio: 0.0, explained: 0.0, log_occam: 0.0 };
 }
 

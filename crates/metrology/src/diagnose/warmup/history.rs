@@ -14,7 +14,7 @@ pub struct Standstill {
 }
 
 impl fmt::Display for Standstill {
-    /// `FROM:TO`, minutes.
+    /// As options have it: `FROM:TO`, minutes.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.from_min, self.to_min)
     }
