@@ -9,6 +9,9 @@ pub struct Cause {
     pub effect: String,
     /// Joint or link of the cause, from 1.
     pub joint: Option<usize>,
+    /// Periods per turn of a gear's line.
+    #[serde(default)]
+    pub n: Option<u32>,
     /// The probability that the diagnosis states.
     pub posterior: Option<f64>,
 }

@@ -1,6 +1,7 @@
 //! How an answer compares with the truth of its set: yes or no, set by set; counts nothing.
 
 use super::answer::{Answer, Cause};
+use super::effect::Effect;
 use super::mixture::{WEAK_RHO, WEAK_ROWS};
 use super::truth::{QuestionKind, Truth};
 
@@ -52,6 +53,19 @@ pub(super) fn false_alarm(truth: &Truth, answer: &Answer) -> bool {
 /// A cause is one of the effects.
 pub(super) fn any_right(truth: &Truth, cause: &Cause) -> bool {
     (0..truth.effects.len()).any(|k| names_effect(truth, k, cause))
+}
+
+/// A cause is a harmonic of a gear's line that was put in, at two or three times its frequency: part of that effect, and none of
+/// its own.
+pub(super) fn is_harmonic(truth: &Truth, cause: &Cause) -> bool {
+    truth.effects.iter().any(|put| match put.effect {
+        Effect::GearMesh { joint, n, .. } => {
+            put.effect.name() == Some(cause.effect.as_str())
+                && cause.joint == Some(joint)
+                && cause.n.is_some_and(|named| named == 2 * n || named == 3 * n)
+        }
+        _ => false,
+    })
 }
 
 /// A cause is named first, with nine parts in ten, and is none of the effects.
