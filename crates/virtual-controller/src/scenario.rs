@@ -7,6 +7,7 @@
 use super::outcome::SimulateError;
 use super::sphere::Sphere;
 use super::warming::Warming;
+use robot_model::deform::TIMES_MIN;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -121,10 +122,6 @@ pub enum ScenarioStep {
     RestoreBackup,
 }
 
-/// Time constants of cooling that can be meant, minutes.
-const SMALLEST_MIN: f64 = 0.01;
-const LARGEST_MIN: f64 = 525_600.0;
-
 impl Scenario {
     /// Read a scenario file.
     ///
@@ -133,8 +130,9 @@ impl Scenario {
     pub fn from_toml(text: &str) -> Result<Self, SimulateError> {
         let scenario: Self = toml::from_str(text).map_err(|e| SimulateError::Scenario(e.to_string()))?;
         scenario.parsed()?;
-        if scenario.tau_cool_min.is_some_and(|tau_min| !(SMALLEST_MIN..=LARGEST_MIN).contains(&tau_min)) {
-            let text = format!("`tau_cool_min` must be a number from {SMALLEST_MIN} to {LARGEST_MIN}");
+        if scenario.tau_cool_min.is_some_and(|tau_min| !TIMES_MIN.contains(&tau_min)) {
+            let text =
+                format!("`tau_cool_min` must be a number from {} to {}", TIMES_MIN.start(), TIMES_MIN.end());
             return Err(SimulateError::Scenario(text));
         }
         Ok(scenario)

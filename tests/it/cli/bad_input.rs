@@ -129,7 +129,9 @@ fn numbers_beyond_all_measure_are_answered_with_a_short_sentence() {
         assert!(err(&output).lines().all(|line| line.len() < 250), "{}", err(&output));
     };
     for option in ["--tau-cool", "--gap-min", "--hold-min", "--stale-min", "--until", "--bucket-min"] {
-        refused(&[option, "1e300"], "must be at most a year");
+        let range = format!("{option} must be from 0.01 to 525600 minutes, which is a year, not ");
+        refused(&[option, "1e300"], &format!("{range}1e300"));
+        refused(&[option, "1e-300"], &format!("{range}1e-300"));
         refused(&[option, "-1"], "not -1");
     }
     refused(

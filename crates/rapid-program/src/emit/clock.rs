@@ -15,7 +15,7 @@ use super::scale::Scaled;
 use super::touch::Touch;
 use crate::schedule::Schedule;
 use amount::Amount;
-use robot_model::deform::GrowthLaw;
+use robot_model::deform::{GrowthLaw, TIMES_MIN};
 
 const DATA: &str = include_str!("clock/data.mod");
 const DATA_SCHEDULE: &str = include_str!("clock/data_schedule.mod");
@@ -79,12 +79,12 @@ impl Law {
     ///
     /// # Errors
     /// [`EmitError::CoolingUnknown`] where nothing says how fast the robot cools,
-    /// [`EmitError::BadTime`] for a time constant or pause that is not a positive number,
+    /// [`EmitError::BadTime`] for a time constant or pause that no robot has,
     /// [`EmitError::ClockOfOtherKind`] for a measured temperature where `range_c` says that the deformation goes by
     /// time, and the other way.
     pub(super) fn of(clock: &Clock, range_c: Option<[f64; 2]>) -> Result<Self, EmitError> {
         let positive = |name: &'static str, value: f64| {
-            if value.is_finite() && value > 0.0 {
+            if TIMES_MIN.contains(&value) {
                 Ok(value)
             } else {
                 Err(EmitError::BadTime { name, minutes: value })

@@ -6,7 +6,7 @@ use super::touch::Touch;
 use crate::compensate::FormChoice;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::{Edit, EditError};
-use robot_model::deform::GrowthLaw;
+use robot_model::deform::{GrowthLaw, TIMES_MIN};
 
 /// How the emitted program knows how warm the robot is.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,8 +174,8 @@ pub enum EmitError {
         /// Why it cannot be used.
         why: &'static str,
     },
-    /// A time that is not a positive number of minutes.
-    #[error("{name} must be a positive number of minutes, not {minutes}")]
+    /// A time that no robot has.
+    #[error("{name} must be from {} to {} minutes, not {minutes:?}", TIMES_MIN.start(), TIMES_MIN.end())]
     BadTime {
         /// Which of the times it is.
         name: &'static str,

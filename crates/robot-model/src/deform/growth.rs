@@ -1,8 +1,13 @@
 //! Growth laws: which share of the settled deformation is there after how many minutes of warm-up.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 use thiserror::Error;
+
+/// Time constants and pauses that a robot can have, minutes: from half a second to a year. Beyond them the numbers of an emitted
+/// clock no longer fit a line of RAPID.
+pub const TIMES_MIN: RangeInclusive<f64> = 0.01..=525_600.0;
 
 /// How a deformation grows from 0 (cold) to 1 (settled) with warm-up time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +35,7 @@ pub struct GrowthError {
     /// The law as given.
     pub text: String,
     /// What is wrong with it.
-    pub problem: &'static str,
+    pub problem: String,
 }
 
 impl GrowthLaw {
@@ -121,7 +126,7 @@ impl FromStr for GrowthLaw {
     type Err = GrowthError;
 
     fn from_str(text: &str) -> Result<Self, GrowthError> {
-        let problem = |problem| GrowthError { text: text.to_owned(), problem };
+        let problem = |problem: &str| GrowthError { text: text.to_owned(), problem: problem.to_owned() };
         let (name, tau) = match text.trim().split_once(':') {
             None => (text.trim(), None),
             Some((name, tau)) => (name.trim(), Some(tau.trim())),
@@ -129,8 +134,12 @@ impl FromStr for GrowthLaw {
         let tau_min = || match tau {
             None => Err(problem("TAU is missing")),
             Some(tau) => match tau.parse::<f64>() {
-                Ok(tau_min) if tau_min.is_finite() && tau_min > 0.0 => Ok(tau_min),
-                Ok(_) => Err(problem("TAU must be positive")),
+                Ok(tau_min) if TIMES_MIN.contains(&tau_min) => Ok(tau_min),
+                Ok(_) => Err(problem(&format!(
+                    "TAU must be from {} to {} minutes, which is a year",
+                    TIMES_MIN.start(),
+                    TIMES_MIN.end()
+                ))),
                 Err(_) => Err(problem("TAU is not a number")),
             },
         };
@@ -190,6 +199,17 @@ mod tests {
         assert_eq!("exp:12.5".parse(), Ok(GrowthLaw::Exp { tau_min: 12.5 }));
         assert_eq!("two-stage:46".parse(), Ok(GrowthLaw::TwoStage { tau_min: 46.0 }));
         assert_eq!(GrowthLaw::TwoStage { tau_min: 46.0 }.to_string(), "two-stage:46");
+    }
+
+    #[test]
+    fn time_constants_that_no_robot_has_are_refused_with_the_range() {
+        for tau in ["1e-300", "0.009", "-3", "0", "525601", "1e300", "inf"] {
+            let error_text = format!("exp:{tau}").parse::<GrowthLaw>().unwrap_err().to_string();
+            assert!(error_text.contains(&format!("`exp:{tau}` is no growth law")), "{error_text}");
+            assert!(error_text.contains("from 0.01 to 525600 minutes"), "{error_text}");
+        }
+        assert_eq!("exp:0.01".parse(), Ok(GrowthLaw::Exp { tau_min: 0.01 }));
+        assert_eq!("two-stage:525600".parse(), Ok(GrowthLaw::TwoStage { tau_min: 525_600.0 }));
     }
 
     #[test]

@@ -19,7 +19,7 @@ mod warmth;
 pub use arm::{ArmDeviation, ArmUnder, Conditions, DeformedArm, Payload};
 pub use effect_kind::{EffectKind, UnknownEffect};
 pub use error::DeformError;
-pub use growth::{GrowthError, GrowthLaw};
+pub use growth::{GrowthError, GrowthLaw, TIMES_MIN};
 pub use moments::DeformedArms;
 pub use serial_arm::DeformedSerialArm;
 pub use warmth::Warmth;

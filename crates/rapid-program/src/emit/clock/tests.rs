@@ -95,7 +95,10 @@ fn no_mark_is_left_and_names_begin_with_tc() {
 fn a_table_without_cooling_is_refused() {
     assert_eq!(Law::of(&warmth(None, None), None), Err(EmitError::CoolingUnknown));
     let growth = Some(GrowthLaw::Exp { tau_min: 46.0 });
-    assert!(matches!(Law::of(&warmth(growth, Some(0.0)), None), Err(EmitError::BadTime { .. })));
+    for absurd in [0.0, 1e-300, 1e300] {
+        let refused = Law::of(&warmth(growth, Some(absurd)), None);
+        assert!(matches!(refused, Err(EmitError::BadTime { .. })), "{absurd:?}");
+    }
     assert!(matches!(
         Law::of(&Clock::Warmth { growth, tau_cool_min: None, gap_min: f64::NAN }, None),
         Err(EmitError::BadTime { .. })
