@@ -120,6 +120,8 @@ impl MeasurementArgs {
         let input = self.table(console)?;
         let touches =
             Touches::from_table(&input.table).map_err(|error| in_file(&input.name, error.into()))?;
+        let warnings = touches.warnings.iter().cloned().map(|warning| in_file(&input.name, warning));
+        console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
         Ok((touches, input))
     }
 }

@@ -304,3 +304,38 @@ fn touches_whose_times_are_shuffled_tell_no_drift() {
     let refused = fit(&read, &robot, &options).unwrap_err();
     assert!(matches!(refused, FitError::NoDrift { .. }), "{refused}");
 }
+
+/// A minute with two digits too many, as a person types it: the fit goes on, and says which cell of the file it is.
+#[test]
+fn a_mistyped_minute_is_told_with_its_line_and_column() {
+    let dir = tempfile::tempdir().unwrap();
+    let robot = Robot::built_in("irb140").unwrap();
+    let recipe = recipe(0.01, Deformation::paper().settled().0);
+    let csv = touches(&robot, &recipe, &mut Rng::new(13, 0)).unwrap();
+    // The third touch of minute 60.
+    let at = csv.match_indices(",60,").nth(2).unwrap().0;
+    let line = csv[..at].matches('\n').count() + 1;
+    let said_of = |t_min: &str| {
+        let path = dir.path().join("touches.csv");
+        std::fs::write(&path, format!("{},{t_min},{}", &csv[..at], &csv[at + 4..])).unwrap();
+        let mut command = Command::cargo_bin("driftpost").unwrap();
+        let output = command.args(["fit", &path.to_string_lossy(), "--tool", "0,0,100"]).output().unwrap();
+        (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+    };
+    let (code, message) = said_of("60");
+    assert!(code == Some(0) && !message.contains("t_min"), "{message}");
+    let (_, message) = said_of("6000");
+    assert!(message.contains("warning[measure::time-step-back]"), "{message}");
+    assert!(
+        message.contains(&format!(
+            "column t_min: 1 row is out of order: line {line} says 6000 between 60 and 60"
+        )),
+        "{message}"
+    );
+    let (code, message) = said_of("6000000");
+    assert_eq!(code, Some(2), "{message}");
+    assert!(
+        message.contains(&format!("line {line}, column t_min")) && message.contains("a year"),
+        "{message}"
+    );
+}

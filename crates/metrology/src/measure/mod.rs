@@ -25,6 +25,7 @@ mod station;
 mod table;
 mod timestamp;
 mod touch;
+mod touch_times;
 
 pub use check::{RowCheck, check_rows};
 pub use column_map::ColumnMap;

@@ -4,6 +4,7 @@ use super::column_names::{FIXED, QUATERNION, SLIDES};
 use super::error::missing_column;
 use super::row_cells::{ColumnIndex, RowCells};
 use super::table::Table;
+use super::touch_times::{self, StampedRow};
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{JointKind, Joints};
@@ -31,7 +32,7 @@ impl Touches {
     /// Reads touches of fixed points, or of poses (`pose_id`) with measured points.
     ///
     /// # Errors
-    /// A column or cell that is missing or wrong; a row without time.
+    /// A column or cell that is missing or wrong; a row without time, or with one beyond a year.
     pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
         Self::from_table(&Table::from_csv(bytes)?)
     }
@@ -41,7 +42,12 @@ impl Touches {
     /// # Errors
     /// As of [`Touches::from_csv`].
     pub fn from_table(table: &Table) -> Result<Self, MeasureError> {
-        touches(table)
+        let mut found = touches(table)?;
+        let stamped = |touch: &Touch| StampedRow { line: touch.line, point: touch.point, t_min: touch.t_min };
+        let mut stamped: Vec<StampedRow> = found.touches.iter().map(stamped).collect();
+        stamped.sort_by_key(|row| row.line);
+        found.warnings.extend(touch_times::check(&stamped)?);
+        Ok(found)
     }
 }
 
@@ -149,7 +155,7 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
         return Err(MeasureError::NoRows);
     }
     touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
-    Ok(Touches { touches, points: measurements.fixed_points })
+    Ok(Touches { touches, points: measurements.fixed_points, warnings: measurements.warnings })
 }
 
 /// A channel counts only when every row has it; one with gaps is left out, with a warning.

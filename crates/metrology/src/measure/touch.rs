@@ -2,6 +2,7 @@
 
 use super::{Measurements, Reading};
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
 
 /// One touch of a point, in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +26,8 @@ pub struct Touches {
     pub touches: Vec<Touch>,
     /// Names of the points.
     pub points: Vec<String>,
+    /// What a person should look at: rows without a reading, minutes that do not fit among the others.
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl Touches {
@@ -45,6 +48,7 @@ impl Touches {
             });
         }
         touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
-        Some(Self { touches, points: (0..=last).map(|k| format!("pose {}", k + 1)).collect() })
+        let points = (0..=last).map(|k| format!("pose {}", k + 1)).collect();
+        Some(Self { touches, points, warnings: measurements.warnings.clone() })
     }
 }
