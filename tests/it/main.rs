@@ -31,6 +31,7 @@ mod function_lengths;
 mod fuzzed;
 mod golden;
 mod grammar;
+mod growth;
 mod hostile;
 mod kinematics;
 mod limits;

@@ -1,5 +1,6 @@
 //! What every emitted program keeps to, and the way back to the original.
 
+mod line_ends;
 mod pages;
 mod real;
 mod tokens;

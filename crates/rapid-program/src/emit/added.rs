@@ -154,15 +154,14 @@ impl<'p> Added<'p> {
         style: &LayoutStyle,
     ) {
         let name = context.names.core(function);
-        let (start, end) = (range.start as usize, range.end as usize);
         let added = name.len() + arguments.len() + 2;
         let mut before = EditText::from(name.as_bytes());
         before.extend_from_slice(b"(");
         let mut behind = EditText::default();
-        if insertion::line_length(&file.bytes, start) + added > MAX_LINE {
+        if insertion::line_length(file, range.start) + added > MAX_LINE {
             before.extend_from_slice(style.eol);
         }
-        if insertion::line_length(&file.bytes, end) + added > MAX_LINE {
+        if insertion::line_length(file, range.end) + added > MAX_LINE {
             behind.extend_from_slice(style.eol);
         }
         behind.extend_from_slice(arguments);

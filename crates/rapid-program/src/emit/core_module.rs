@@ -3,7 +3,7 @@
 use super::context::EmitContext;
 use super::digest;
 use super::header::{self, Record};
-use super::insertion::{LayoutStyle, majority_eol};
+use super::insertion::{LayoutStyle, eol_for};
 use super::module::code_checksums;
 use super::options::EmittedFile;
 use rapid_syntax::SourceFile;
@@ -12,8 +12,7 @@ use rapid_syntax::SourceFile;
 #[must_use]
 pub(super) fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> EmittedFile {
     let name = context.names.core("tcCore");
-    let style =
-        LayoutStyle { eol: majority_eol(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };
+    let style = LayoutStyle { eol: eol_for(&beside.bytes), indent: b"  ".to_vec(), unit: b"  ".to_vec() };
     let mut bytes = format!("MODULE {name}").into_bytes();
     bytes.extend_from_slice(style.eol);
     let data = context.data();

@@ -3,13 +3,14 @@
 //! Whatever is put in can be taken out again to the byte: whole lines at the beginning of a line where
 //! that is possible, else right before a token.
 
+use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Module, ModuleItem, Routine, Stmt, StmtKind};
 
 /// How a file writes its lines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct LayoutStyle {
-    /// Its line end: the most frequent one.
+    /// The line end of what is put in, see [`eol_for`].
     pub eol: &'static [u8],
     /// Blanks before what stands in a module.
     pub indent: Vec<u8>,
@@ -30,7 +31,7 @@ impl LayoutStyle {
         };
         // far out to the right a line of targets would not fit
         let indent = if indent.len() > 16 { unit.clone() } else { indent };
-        Self { eol: majority_eol(source), indent, unit }
+        Self { eol: eol_for(source), indent, unit }
     }
 
     /// Appends a line that is indented by two blanks a level, the first level being the module's.
@@ -60,9 +61,10 @@ impl LayoutStyle {
     }
 }
 
-/// The most frequent line end; LF where there is none.
+/// The line end of what is put into a file: its most frequent one, LF where there is none. Where lone CR stand beside others it is CR LF:
+/// a lone CR or LF could become one line end with a neighbour, and taking it out would take the neighbour's along.
 #[must_use]
-pub(super) fn majority_eol(source: &[u8]) -> &'static [u8] {
+pub(super) fn eol_for(source: &[u8]) -> &'static [u8] {
     let (mut crlf, mut lf, mut cr) = (0_usize, 0_usize, 0_usize);
     for at in memchr::memchr2_iter(b'\n', b'\r', source) {
         if source[at] == b'\n' {
@@ -75,9 +77,10 @@ pub(super) fn majority_eol(source: &[u8]) -> &'static [u8] {
             cr += 1;
         }
     }
-    if crlf > lf && crlf >= cr {
+    let is_mixed = cr > 0 && crlf + lf > 0;
+    if is_mixed || crlf > lf {
         b"\r\n"
-    } else if cr > lf {
+    } else if cr > 0 {
         b"\r"
     } else {
         b"\n"
@@ -98,12 +101,19 @@ pub(super) fn line_start(source: &[u8], offset: usize) -> usize {
     source[..offset.min(source.len())].iter().rposition(|&b| b == b'\n' || b == b'\r').map_or(0, |at| at + 1)
 }
 
-/// How long the line is that `offset` stands on.
-pub(super) fn line_length(source: &[u8], offset: usize) -> usize {
-    let start = line_start(source, offset);
-    let rest = source.get(offset..).unwrap_or_default();
-    let end = offset + memchr::memchr2(b'\n', b'\r', rest).unwrap_or(rest.len());
-    end - start
+/// How long the line is that `offset` stands on, without its end: by the file's index, as a line may hold all of its motions.
+pub(super) fn line_length(file: &SourceFile, offset: u32) -> usize {
+    let line = file.lines.line(offset);
+    let start = file.lines.start_of(line) as usize;
+    let next =
+        if line < file.lines.lines() { file.lines.start_of(line + 1) as usize } else { file.bytes.len() };
+    let whole = file.bytes.get(start..next).unwrap_or_default();
+    let end = match whole {
+        [.., b'\r', b'\n'] => 2,
+        [.., b'\r' | b'\n'] => 1,
+        _ => 0,
+    };
+    whole.len() - end
 }
 
 /// Past the line end that stands at `offset`; `offset` itself where none stands there.
@@ -227,14 +237,23 @@ pub(super) fn with_empty_line_before(source: &[u8], range: TextRange) -> TextRan
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rapid_syntax::diagnostic::FileId;
 
     #[test]
-    fn the_most_frequent_line_end() {
-        assert_eq!(majority_eol(b""), b"\n");
-        assert_eq!(majority_eol(b"a\r\nb\r\nc\n"), b"\r\n");
-        assert_eq!(majority_eol(b"a\nb\nc\r\n"), b"\n");
-        assert_eq!(majority_eol(b"a\rb\rc"), b"\r");
-        assert_eq!(majority_eol(b"a\r\r\nb\r\r\n"), b"\r\n");
+    fn the_most_frequent_line_end_that_joins_no_neighbour() {
+        assert_eq!(eol_for(b""), b"\n");
+        assert_eq!(eol_for(b"a\r\nb\r\nc\n"), b"\r\n");
+        assert_eq!(eol_for(b"a\nb\nc\r\n"), b"\n");
+        assert_eq!(eol_for(b"a\rb\rc"), b"\r");
+        assert_eq!(eol_for(b"a\r\r\nb\r\r\n"), b"\r\n");
+        assert_eq!(eol_for(b"a\nb\nc\rd"), b"\r\n");
+        assert_eq!(eol_for(b"a\rb\rc\nd"), b"\r\n");
+    }
+
+    #[test]
+    fn the_length_of_a_line_is_that_of_its_text() {
+        let file = SourceFile::read(FileId(0), "a.mod", b"abc\r\nde\r\rf\nlast".to_vec());
+        assert_eq!([0, 2, 5, 6, 8, 9, 11, 14].map(|at| line_length(&file, at)), [3, 3, 2, 2, 0, 1, 4, 4]);
     }
 
     #[test]

@@ -46,6 +46,8 @@ pub(super) const MAX_NAME: usize = 32;
 pub(super) struct Names {
     taken: BTreeSet<String>,
     renamed: BTreeMap<String, String>,
+    /// For each name that was wished for, in lower case, the number that is tried next: 1 is the name itself.
+    next: BTreeMap<String, u32>,
 }
 
 impl Names {
@@ -79,7 +81,7 @@ impl Names {
                 }
             });
         }
-        let mut names = Self { taken, renamed: BTreeMap::new() };
+        let mut names = Self { taken, ..Self::default() };
         let collide: Vec<String> =
             ours.iter().filter(|n| names.taken.contains(&n.to_ascii_lowercase())).cloned().collect();
         names.taken.extend(ours.iter().map(|n| n.to_ascii_lowercase()));
@@ -124,17 +126,18 @@ impl Names {
 
     /// Takes `wish`, or `wish_2`, `wish_3` ... where it is taken; `None` where that grows too long.
     pub(super) fn claim(&mut self, wish: &str) -> Option<String> {
-        let mut name = wish.to_owned();
-        for n in 2_u32.. {
+        // Names are never given back: what was taken for the last of the same wish still is.
+        let next = self.next.entry(wish.to_ascii_lowercase()).or_insert(1);
+        loop {
+            let name = if *next == 1 { wish.to_owned() } else { format!("{wish}_{next}") };
             if name.len() > MAX_NAME {
                 return None;
             }
+            *next = next.checked_add(1)?;
             if self.taken.insert(name.to_ascii_lowercase()) {
                 return Some(name);
             }
-            name = format!("{wish}_{n}");
         }
-        None
     }
 }
 

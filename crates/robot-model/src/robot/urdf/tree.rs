@@ -20,10 +20,15 @@ pub(super) struct UrdfJoint<'d> {
     pub(super) parent_from_joint: Isometry3<f64>,
 }
 
+/// So many links are named in a message at most.
+const MOST_NAMED: usize = 12;
+
 /// Joints by the link they lead to, and masses by their link.
 pub(super) struct Tree<'d> {
     root: Node<'d, 'd>,
     by_child: BTreeMap<&'d str, UrdfJoint<'d>>,
+    /// The links that joints lead to from each link, in order of name.
+    children: BTreeMap<&'d str, Vec<&'d str>>,
     links: BTreeMap<&'d str, Option<Link>>,
 }
 
@@ -31,7 +36,8 @@ impl<'d> Tree<'d> {
     /// # Errors
     /// [`RobotError::Urdf`] of an element that lacks something or names a link that is not there.
     pub(super) fn read(root: Node<'d, 'd>) -> Result<Self, RobotError> {
-        let mut tree = Self { root, by_child: BTreeMap::new(), links: BTreeMap::new() };
+        let (by_child, children) = (BTreeMap::new(), BTreeMap::new());
+        let mut tree = Self { root, by_child, children, links: BTreeMap::new() };
         for node in root.children().filter(|node| node.has_tag_name("link")) {
             tree.links.insert(attribute(&node, "name")?, mass(&node)?);
         }
@@ -51,6 +57,9 @@ impl<'d> Tree<'d> {
             if let Some(other) = tree.by_child.insert(joint.child, joint) {
                 return Err(wrong(&node, format!("two joints lead to the link `{}`", other.child)));
             }
+        }
+        for joint in tree.by_child.values() {
+            tree.children.entry(joint.parent).or_default().push(joint.child);
         }
         Ok(tree)
     }
@@ -72,15 +81,18 @@ impl<'d> Tree<'d> {
 
     fn tip(&self, tip: Option<&str>) -> Result<&'d str, RobotError> {
         let known = |name: &str| self.links.keys().copied().find(|link| *link == name);
-        let has_child = |link: &str| self.by_child.values().any(|joint| joint.parent == link);
         let ends: Vec<&'d str> = self
             .links
             .keys()
             .copied()
-            .filter(|link| self.by_child.contains_key(link) && !has_child(link))
+            .filter(|link| self.by_child.contains_key(link) && !self.children.contains_key(link))
             .collect();
+        let named = || {
+            let more = if ends.len() > MOST_NAMED { ", ..." } else { "" };
+            format!("{}{more}", ends.get(..MOST_NAMED).unwrap_or(&ends).join(", "))
+        };
         if let Some(name) = tip {
-            let problem = || format!("there is no link `{name}`; its ends are {}", ends.join(", "));
+            let problem = || format!("there is no link `{name}`; its ends are {}", named());
             return known(name).ok_or_else(|| wrong(&self.root, problem()));
         }
         match (TIPS.into_iter().find_map(known), ends.as_slice()) {
@@ -89,7 +101,7 @@ impl<'d> Tree<'d> {
             (None, _) => {
                 let problem = format!(
                     "which link is the flange is not told: its ends are {}; name one, FILE.urdf:LINK",
-                    ends.join(", ")
+                    named()
                 );
                 Err(wrong(&self.root, problem))
             }
@@ -106,7 +118,9 @@ impl<'d> Tree<'d> {
                 total.mass_kg += mass_kg;
                 moment += mass_kg * (link_from_at * Point3::from(com_m)).coords;
             }
-            let fixed = self.by_child.values().filter(|joint| joint.parent == at && joint.kind == "fixed");
+            let children = self.children.get(at).into_iter().flatten();
+            let fixed =
+                children.filter_map(|child| self.by_child.get(child)).filter(|joint| joint.kind == "fixed");
             // A circle of fixed joints has no root, so it hangs on no link of the chain.
             open.extend(fixed.map(|joint| (joint.child, link_from_at * joint.parent_from_joint)));
         }
