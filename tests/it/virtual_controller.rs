@@ -40,7 +40,7 @@ fn numbers_are_single_precision_and_operators_bind_as_the_language_says() {
     r{10}:=1/3*3;
     d:=16777217;
     d:=d+1;
-    b:=NOT FALSE AND 1<2 OR 5 MOD 0=1;
+    b:=NOT FALSE AND 1>2 OR 5 MOD 0=1; ! NOT takes with it what AND joins
     r{11}:=7 MOD 4*2;
     r{12}:=Exp(1);
   ENDPROC

@@ -130,6 +130,8 @@ class Program:
             lambda: f"{self.truth(0)} {self.one('OR', 'XOR')} {self.truth(0)} AND {self.truth(0)}",
             lambda: f"{self.truth(0)} AND {self.truth(0)} {self.one('OR', 'XOR')} {self.truth(0)}",
             lambda: f"NOT {self.truth(0)} {self.one('OR', 'XOR')} {self.truth(0)}",
+            lambda: f"NOT {self.truth(0)} AND {self.truth(0)}",
+            lambda: f"{self.truth(0)} OR NOT {self.truth(0)} AND {self.truth(0)}",
             lambda: f"({self.truth(depth - 1)}) AND (NOT {self.truth(0)})",
             lambda: f"NOT ({self.truth(depth - 1)})",
         )()

@@ -211,12 +211,11 @@ class Driftpost(unittest.TestCase):
     def test_a_loop_that_leaves_itself_is_not_endless(self):
         self.assertIsNone(differs("WHILE TRUE DO a:=a+1; IF a>5 GOTO out; ENDWHILE out: r:=a;", 6))
 
-    # Where driftpost is wrong: this fails until it is put right, and then says so.
-
-    @unittest.expectedFailure
     def test_not_negates_the_whole_term(self):
-        """driftpost takes NOT f AND f for (NOT f) AND f; the syntax summary has [ NOT ] <logical term>: NOT (f AND f), which is TRUE."""
+        """The syntax summary has [ NOT ] <logical term>: NOT (f AND f), which is TRUE; (NOT f) AND f were FALSE."""
         self.assertIsNone(differs("IF NOT f AND f r:=5;", 5))
+        self.assertIsNone(differs("IF NOT t AND f OR f r:=5;", 5))
+        self.assertIsNone(differs("IF NOT a=1 AND f r:=5;", 5))
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ use super::lexical::{
     any_word, becomes, begins_name, blank, identifier, name, number, placeholder, sign, string,
 };
 use super::numbers::is_plain;
-use super::operator::{COMPARISON, binding, operator};
+use super::operator::{COMPARISON, CONJUNCTION, binding, operator};
 use super::plain_list::{self, PlainList, PlainPart};
 use super::recover::balanced;
 use super::tree::{Arg, ArgKind, BinaryExpr, CallExpr, Expr, ExprKind, FieldExpr, IndexExpr, UnaryOp};
@@ -21,7 +21,7 @@ pub(super) fn expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
     let i = blank(i);
     let (rest, operand) = match i.peek() {
         Some(b'0'..=b'9') => leaf(number(i), ExprKind::Number)?, // most of all expressions: a number in a list
-        Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg)?,
+        Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg, 0)?,
         Some(b'[') => match i.state.nested(|| aggregate(i)) {
             Some(read) => read?,
             None => return too_deep(i),
@@ -35,7 +35,7 @@ pub(super) fn expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
 }
 
 fn nested_expression<'a>(i: Text<'a>) -> Read<'a, Expr> {
-    match i.state.nested(|| operand(i).and_then(|(rest, lhs)| operations(rest, lhs, 0))) {
+    match i.state.nested(|| operand(i, 0).and_then(|(rest, lhs)| operations(rest, lhs, 0))) {
         Some(read) => read,
         None => too_deep(i),
     }
@@ -64,7 +64,9 @@ fn operations<'a>(mut i: Text<'a>, mut lhs: Expr, least: u8) -> Read<'a, Expr> {
         let state = i.state;
         let left_height = state.height.get();
         let (rest, rhs) = state
-            .nested(|| operand(after).and_then(|(rest, rhs)| operations(rest, rhs, strength + 1)))
+            .nested(|| {
+                operand(after, strength + 1).and_then(|(rest, rhs)| operations(rest, rhs, strength + 1))
+            })
             .unwrap_or_else(|| after.no_match())?;
         raise(rest, left_height.max(state.height.get()))?;
         i = rest;
@@ -86,15 +88,17 @@ fn raise<'a>(i: Text<'a>, below: u16) -> Read<'a, ()> {
 
 /// `operand = [ "-" | "+" ] operand | "NOT" expression | primary ;`
 ///
-/// NOT takes a comparison with it (`NOT a=1 AND b` is `(NOT (a=1)) AND b`), signs nothing.
+/// NOT takes all with it that AND joins (`NOT a=1 AND b` is `NOT ((a=1) AND b)`: ABB's syntax summary has `[ NOT ] <logical term>`, and
+/// their list of priorities has it last, with OR and XOR), behind an AND a comparison alone; signs take nothing. What stands beside it
+/// binds at least as strongly as `least`.
 #[inline]
-fn operand<'a>(i: Text<'a>) -> Read<'a, Expr> {
+fn operand<'a>(i: Text<'a>, least: u8) -> Read<'a, Expr> {
     let i = blank(i);
     match i.peek() {
-        Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg),
-        Some(b'+') => unary(i, i.skip(1), UnaryOp::Plus),
+        Some(b'-') => unary(i, i.skip(1), UnaryOp::Neg, least),
+        Some(b'+') => unary(i, i.skip(1), UnaryOp::Plus, least),
         Some(b'n' | b'N') => match any_word(i) {
-            Some((rest, Word::Not)) => unary(i, rest, UnaryOp::Not),
+            Some((rest, Word::Not)) => unary(i, rest, UnaryOp::Not, least),
             _ => primary(i),
         },
         _ => primary(i),
@@ -102,20 +106,24 @@ fn operand<'a>(i: Text<'a>) -> Read<'a, Expr> {
 }
 
 #[inline]
-fn unary<'a>(start: Text<'a>, after: Text<'a>, op: UnaryOp) -> Read<'a, Expr> {
+fn unary<'a>(start: Text<'a>, after: Text<'a>, op: UnaryOp, least: u8) -> Read<'a, Expr> {
     let (rest, inner) = match after.peek() {
         Some(b'0'..=b'9') => primary(after)?,
-        _ => nested_operand(after, op)?,
+        _ => nested_operand(after, op, least)?,
     };
     raise(rest, start.state.height.get())?;
     let range = TextRange::new(start.at(), inner.range.end);
     Ok((rest, Expr { range, kind: ExprKind::Unary { op, operand: Box::new(inner) } }))
 }
 
-fn nested_operand<'a>(i: Text<'a>, op: UnaryOp) -> Read<'a, Expr> {
+fn nested_operand<'a>(i: Text<'a>, op: UnaryOp, least: u8) -> Read<'a, Expr> {
     let read = i.state.nested(|| {
-        let (rest, inner) = operand(i)?;
-        if op == UnaryOp::Not { operations(rest, inner, COMPARISON) } else { Ok((rest, inner)) }
+        let (rest, inner) = operand(i, least)?;
+        if op == UnaryOp::Not {
+            operations(rest, inner, least.clamp(CONJUNCTION, COMPARISON))
+        } else {
+            Ok((rest, inner))
+        }
     });
     read.unwrap_or_else(|| i.no_match())
 }

@@ -10,12 +10,15 @@ pub(super) fn binding(op: BinaryOp) -> u8 {
     use BinaryOp::*;
     match op {
         Or | Xor => 0,
-        And => 1,
+        And => CONJUNCTION,
         Lt | Le | Eq | Ge | Gt | Ne => COMPARISON,
         Add | Sub => 3,
         Mul | Div | IntDiv | Mod => 4,
     }
 }
+
+/// The binding power of AND.
+pub(super) const CONJUNCTION: u8 = 1;
 
 /// The binding power of comparisons: a higher one binds before a lower one.
 pub(super) const COMPARISON: u8 = 2;
