@@ -81,6 +81,7 @@ fn of_kind(error: &SimulateError) -> &'static str {
         SimulateError::Endless { .. } | SimulateError::Idle(_) => {
             "say with --set NAME=VALUE what comes from outside"
         }
+        SimulateError::OverLimit { .. } => "simulate a part of the program with --entry, or fewer --passes",
         SimulateError::Arm(_) => "use another robot",
     }
 }

@@ -218,3 +218,30 @@ fn what_cannot_be_run_is_refused() {
         driftpost(args).assert().code(2);
     }
 }
+
+/// An error handler that puts nothing right and tries again: it ends by the limit of steps, with the line.
+#[test]
+fn a_handler_that_retries_for_ever_comes_to_an_end() {
+    let run = driftpost(&["simulate", "fixtures/simulate/retry_for_ever.mod", "--robot", "irb140"])
+        .assert()
+        .code(2);
+    let message = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(message.contains("error[simulate::endless]"), "{message}");
+    assert!(message.contains("retry_for_ever.mod:10: "), "{message}");
+    assert!(message.contains("does not come to an end"), "{message}");
+}
+
+/// What asks for more than the virtual controller holds is refused with the line, in memory that is no matter.
+#[test]
+fn what_the_controller_holds_no_more_of_is_refused_with_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("big.mod");
+    let text = "MODULE M\n  VAR robtarget big{1000,1000};\n  PROC main()\n    big{1,1}.trans.x:=2;\n  ENDPROC\nENDMODULE\n";
+    std::fs::write(&path, text).unwrap();
+    let run = driftpost(&["simulate", &path.to_string_lossy(), "--robot", "irb140"]).assert().code(2);
+    let message = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(
+        message.contains("error[simulate::limit]") && message.contains("big.mod:4: with big"),
+        "{message}"
+    );
+}

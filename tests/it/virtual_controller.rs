@@ -1,6 +1,7 @@
 //! The virtual controller executes RAPID by the language's rules: expected values are worked out by hand.
 
 mod endings;
+mod limits;
 
 use virtual_controller::{Controller, Outcome, Value};
 

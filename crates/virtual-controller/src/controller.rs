@@ -242,6 +242,7 @@ impl Controller {
     fn value_error(name: &str, fault: &Fault) -> SimulateError {
         let why = match fault {
             Fault::Raised { text, .. } | Fault::Fatal(text) => text.clone(),
+            Fault::Ended(Outcome::OverLimit { what, .. }) => what.clone(),
             Fault::Ended(_) => "its initial value does not come to an end".to_owned(),
         };
         SimulateError::Value { name: name.to_owned(), why }

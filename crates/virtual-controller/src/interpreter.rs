@@ -18,8 +18,8 @@ use super::arm::ControllerArm;
 use super::code::{Call, Name};
 use super::ids::{ModuleId, RoutineId};
 use super::loaded::LoadedProgram;
-use super::machine::Machine;
-use super::outcome::{Fault, SourceLine};
+use super::machine::{MOST_VALUES, Machine};
+use super::outcome::{Fault, Outcome, SourceLine};
 use super::value::{Type, Value};
 use rapid_syntax::diagnostic::TextRange;
 
@@ -62,6 +62,19 @@ impl Interpreter<'_> {
     pub(crate) fn here(&self) -> SourceLine {
         let Some(frame) = self.machine.stack.frames.last() else { return SourceLine::default() };
         self.program.source_line(frame.module, self.position())
+    }
+
+    /// Ends the run: there is more of something than this controller holds.
+    pub(crate) fn over_limit<T>(&self, what: String) -> Result<T, Fault> {
+        Err(Fault::Ended(Outcome::OverLimit { at: self.here(), what }))
+    }
+
+    /// Makes sure that so many single values more fit beside those that are there.
+    pub(crate) fn reserve_values(&self, name: &str, more: u64) -> Result<(), Fault> {
+        if self.machine.data.grown() + self.machine.stack.values() + more <= MOST_VALUES {
+            return Ok(());
+        }
+        self.over_limit(format!("with {name} the program's data are more than {MOST_VALUES} single values"))
     }
 
     /// The instruction in work: its place in its file.

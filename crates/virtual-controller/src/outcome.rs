@@ -39,6 +39,14 @@ pub enum SimulateError {
     /// A program goes on without a motion, and no loop of it is seen to wait.
     #[error("{}:{}: here the program was after ten million statements without a motion: it does not come to an end", .0.file, .0.line)]
     Idle(SourceLine),
+    /// A program needs more than this controller holds.
+    #[error("{}", over_limit(at, what))]
+    OverLimit {
+        /// Where in the program.
+        at: SourceLine,
+        /// What there is more of, as a sentence without full stop.
+        what: String,
+    },
     /// The arm has no closed-form inverse kinematics.
     #[error("the controller's kinematics of this arm is not known: {0}")]
     Arm(String),
@@ -58,6 +66,7 @@ impl SimulateError {
             Self::NoData(_) => "simulate::no-data",
             Self::Value { .. } => "simulate::value",
             Self::Endless { .. } | Self::Idle(_) => "simulate::endless",
+            Self::OverLimit { .. } => "simulate::limit",
             Self::Arm(_) => "robot::structure",
             Self::Scenario(_) => "simulate::scenario",
         }
@@ -74,6 +83,11 @@ pub(super) fn endless(at: &SourceLine, names: &[String]) -> String {
             names.join(", ")
         ),
     }
+}
+
+/// What there is more of than this controller holds, and where, as a sentence without full stop.
+pub(super) fn over_limit(at: &SourceLine, what: &str) -> String {
+    format!("{}:{}: {what}, and the virtual controller holds no more", at.file, at.line)
 }
 
 /// Where in the program something happened.
@@ -109,6 +123,13 @@ pub enum Outcome {
         at: SourceLine,
         /// What its conditions ask for.
         names: Vec<String>,
+    },
+    /// More moves, or more data, than this controller holds.
+    OverLimit {
+        /// The statement at which it was stopped.
+        at: SourceLine,
+        /// What there is more of, as a sentence without full stop.
+        what: String,
     },
     /// An error that no handler took, or text no controller would run.
     Failed {

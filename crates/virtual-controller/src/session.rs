@@ -2,7 +2,7 @@
 
 use super::arm::Move;
 use super::controller::Controller;
-use super::outcome::{Outcome, SimulateError, endless};
+use super::outcome::{Outcome, SimulateError, endless, over_limit};
 use super::truth::TrueRobot;
 use super::value::{Type, Value};
 use super::warming::Warming;
@@ -340,6 +340,7 @@ fn ended(outcome: Outcome) -> Result<Outcome, SimulateError> {
     match outcome {
         Outcome::Endless { at, names } => Err(SimulateError::Endless { at, names }),
         Outcome::OutOfSteps { at, moving: false } => Err(SimulateError::Idle(at)),
+        Outcome::OverLimit { at, what } => Err(SimulateError::OverLimit { at, what }),
         other => Ok(other),
     }
 }
@@ -352,6 +353,7 @@ fn failure(outcome: &Outcome) -> Option<String> {
             Some(format!("{}:{}: the program does not come to an end", at.file, at.line))
         }
         Outcome::Endless { at, names } => Some(endless(at, names)),
+        Outcome::OverLimit { at, what } => Some(over_limit(at, what)),
         Outcome::Failed { message, at, .. } => Some(format!("{}:{}: {message}", at.file, at.line)),
     }
 }

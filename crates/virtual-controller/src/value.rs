@@ -91,6 +91,20 @@ impl Type {
         }
     }
 
+    /// How many single values data of this type hold, an array's element; each record counts as one more. Counted no further than
+    /// `most`: records of records double from one to the next.
+    pub(crate) fn values_up_to(&self, most: u64) -> u64 {
+        let Self::Record(record) = self.element() else { return 1 };
+        let mut sum = 1;
+        for (_, ty) in record.fields.iter() {
+            if sum >= most {
+                break;
+            }
+            sum += ty.values_up_to(most - sum);
+        }
+        sum
+    }
+
     /// The initial value of an array of these dimensions, outermost first.
     #[must_use]
     pub fn initial_array(&self, dims: &[usize]) -> Value {
@@ -195,6 +209,15 @@ impl Value {
         match self {
             Self::Record(_, parts) | Self::Array(parts) => parts,
             _ => &[],
+        }
+    }
+
+    /// How many single values it holds, as [`Type::values_up_to`] counts; the elements of an array are alike.
+    pub(crate) fn values(&self) -> u64 {
+        match self {
+            Self::Record(_, parts) => 1 + parts.iter().map(Self::values).sum::<u64>(),
+            Self::Array(parts) => parts.len() as u64 * parts.first().map_or(0, Self::values),
+            _ => 1,
         }
     }
 

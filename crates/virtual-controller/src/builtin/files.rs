@@ -6,7 +6,7 @@
 use super::data::with_option;
 use super::parameter::{Data, Instruction, Parameter, instruction, string};
 use crate::interpreter::{Args, Interpreter};
-use crate::machine::Disk;
+use crate::machine::{Disk, MOST_FILE_BYTES};
 use crate::outcome::{Fault, fatal, raise};
 use crate::value::Value;
 
@@ -21,6 +21,10 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
         match file {
             Some(file) if !vm.machine.disk.protected => {
                 // A string holds a character for each byte of the controller's text.
+                if vm.machine.disk.written + line.len() > MOST_FILE_BYTES {
+                    return vm.over_limit(format!("more than {MOST_FILE_BYTES} bytes are written to files"));
+                }
+                vm.machine.disk.written += line.len();
                 let bytes = line.chars().map(|c| u8::try_from(c).unwrap_or(b'?'));
                 vm.machine.disk.files.entry(file).or_default().extend(bytes);
                 Ok(())

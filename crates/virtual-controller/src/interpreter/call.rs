@@ -4,7 +4,7 @@ use super::Interpreter;
 use crate::code::{Call, Expr, ExprKind, Name, Param};
 use crate::ids::RoutineId;
 use crate::loaded::RoutineKind;
-use crate::machine::{Access, Binding, DataRef, Slot};
+use crate::machine::{Access, Binding, DataRef, MOST_INTERRUPTS, Slot};
 use crate::outcome::{Fault, fatal, raise};
 use crate::value::{Type, Value};
 use rapid_syntax::tree::ParamMode;
@@ -143,6 +143,9 @@ impl Interpreter<'_> {
         let old = self.read(&place)?.number().unwrap_or(0.0) as f32;
         if self.machine.interrupts.list.iter().any(|i| i.number == old) {
             return raise("err_alrdycnt", "the interrupt is connected already");
+        }
+        if self.machine.interrupts.list.len() >= MOST_INTERRUPTS {
+            return raise("err_inomax", format!("{MOST_INTERRUPTS} interrupts are connected already"));
         }
         let number = self.machine.interrupts.next_number();
         self.write(&place, Value::Num(number))?;

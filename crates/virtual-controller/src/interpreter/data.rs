@@ -4,7 +4,7 @@ use super::Interpreter;
 use crate::code::{Expr, ExprKind};
 use crate::compile;
 use crate::loaded::DatumOrigin;
-use crate::machine::{Access, Binding, DataRef, DataRoot, DataState, Selector};
+use crate::machine::{Access, Binding, DataRef, DataRoot, DataState, MOST_VALUES, Selector};
 use crate::outcome::{Fault, fatal};
 use crate::predefined;
 use crate::value::{Type, Value};
@@ -173,11 +173,26 @@ impl Interpreter<'_> {
             DataState::Untouched => *self.machine.data.state_mut(id) = DataState::InEvaluation,
         }
         let value = self.initial(id);
+        if let Ok(value) = &value
+            && !self.has_initial_text(id)
+        {
+            self.machine.data.note_grown(id, value.values());
+        }
         *self.machine.data.state_mut(id) = match &value {
             Ok(value) => DataState::Known(value.clone()),
             Err(_) => DataState::Untouched,
         };
         value.map(drop)
+    }
+
+    /// Whether the text of the program gives the datum a value.
+    fn has_initial_text(&self, id: usize) -> bool {
+        let Some(DatumOrigin::Module { module, at }) = self.program.data.get(id).map(|datum| datum.origin)
+        else {
+            return true; // the controller's own
+        };
+        let module = self.program.modules.get(module.index());
+        module.and_then(|module| module.data_decl(at)).is_some_and(|decl| decl.init.is_some())
     }
 
     fn initial(&mut self, id: usize) -> Result<Value, Fault> {
@@ -209,9 +224,8 @@ impl Interpreter<'_> {
         for dim in dims {
             sizes.push(self.index(dim)? + 1);
         }
-        if sizes.iter().try_fold(1_usize, |n, s| n.checked_mul(*s)).is_none_or(|n| n > 10_000_000) {
-            return fatal(format!("{name}: an array this large does not fit into memory"));
-        }
+        let elements = sizes.iter().fold(1_u64, |n, size| n.saturating_mul(*size as u64));
+        self.reserve_values(name, elements.saturating_mul(ty.values_up_to(MOST_VALUES + 1)))?;
         let Some(init) = init else { return Ok(ty.initial_array(&sizes)) };
         let value = self.eval(init, Some(ty))?;
         let value = match value.coerced(ty) {

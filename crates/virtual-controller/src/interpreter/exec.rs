@@ -218,6 +218,9 @@ impl Interpreter<'_> {
         let code = self.code(routine)?;
         let Some(module) = self.program.module_of(routine) else { return fatal("no such routine") };
         let base = self.machine.stack.slots.len();
+        let handed_over = slots.iter().map(Slot::values).sum::<u64>();
+        self.reserve_values("what is handed over", handed_over)?;
+        let values = self.machine.stack.values() + handed_over;
         self.machine.stack.slots.extend(slots);
         self.machine.stack.slots.resize_with(base + code.slots, || Slot::local(Type::Num));
         self.machine.stack.frames.push(Frame {
@@ -229,6 +232,7 @@ impl Interpreter<'_> {
             current: 0,
             failed: None,
             trap,
+            values,
             effort: self.machine.meter.total,
             passes: BTreeMap::new(),
             exit_conditions: BTreeMap::new(),
@@ -238,6 +242,9 @@ impl Interpreter<'_> {
         for decl in &code.decls {
             let ty = self.program.type_named(Some(module), &decl.type_name).array_of(decl.dims.len());
             let value = self.declared_value("a local", &ty, &decl.dims, decl.init.as_ref())?;
+            if let Some(frame) = self.machine.stack.frames.last_mut() {
+                frame.values += value.values();
+            }
             if let Some(slot) = self.machine.stack.slots.get_mut(base + decl.slot) {
                 slot.constant = decl.kind == DataKind::Const;
                 slot.ty = ty;

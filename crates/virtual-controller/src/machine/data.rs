@@ -22,6 +22,10 @@ pub(crate) struct DataValues {
     pub pinned: BTreeMap<usize, Value>,
     /// Bytes of text of constants that were evaluated whole because a part of them was asked for.
     constant_text: u32,
+    /// How many single values data hold that begin without an initial value in the text, by datum.
+    grown: BTreeMap<usize, u64>,
+    /// The sum of them.
+    grown_values: u64,
 }
 
 /// Text of constants that are evaluated whole: as values they take some seven times as much.
@@ -62,6 +66,18 @@ impl DataValues {
     /// The datum begins again with its initial value.
     pub(crate) fn forget(&mut self, datum: usize) {
         *self.state_mut(datum) = DataState::Untouched;
+        self.grown_values -= self.grown.remove(&datum).unwrap_or(0);
+    }
+
+    /// The datum holds so many single values that no text gives.
+    pub(crate) fn note_grown(&mut self, datum: usize, values: u64) {
+        self.grown_values -= self.grown.insert(datum, values).unwrap_or(0);
+        self.grown_values += values;
+    }
+
+    /// How many single values there are that no text gives.
+    pub(crate) fn grown(&self) -> u64 {
+        self.grown_values
     }
 }
 

@@ -19,6 +19,8 @@ pub(crate) struct Disk {
     pub load_sessions: Vec<Option<String>>,
     /// Files that a program writes to, by the channel's number less one; `None` where it is closed.
     pub channels: Vec<Option<String>>,
+    /// Bytes that programs have written.
+    pub written: usize,
     /// Nothing can be written: the disk is full, or read only.
     pub protected: bool,
 }

@@ -21,6 +21,14 @@ impl Slot {
     pub(crate) fn local(ty: Type) -> Self {
         Self { binding: Binding::Own(ty.initial()), ty, constant: false }
     }
+
+    /// How many single values it holds itself.
+    pub(crate) fn values(&self) -> u64 {
+        match &self.binding {
+            Binding::Own(value) => value.values(),
+            Binding::Ref(_) | Binding::Signal(_) | Binding::Absent => 0,
+        }
+    }
 }
 
 /// What a slot holds.
@@ -47,6 +55,8 @@ pub(crate) struct Frame {
     /// In its ERROR handler: the instruction that failed.
     pub failed: Option<usize>,
     pub trap: bool,
+    /// Single values of its parameters and locals and of the routines that it was called by.
+    pub values: u64,
     /// What had been executed when it was entered: what a trap does is not part of what it interrupts.
     pub effort: Effort,
     /// Passes of each endless loop, by the instruction that jumps back.
@@ -122,6 +132,11 @@ impl CallStack {
     /// No routine is in execution any more.
     pub(crate) fn clear(&mut self) {
         *self = Self::default();
+    }
+
+    /// Single values of all routines in execution.
+    pub(crate) fn values(&self) -> u64 {
+        self.frames.last().map_or(0, |frame| frame.values)
     }
 
     /// How high it is now.
