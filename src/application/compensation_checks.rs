@@ -4,7 +4,7 @@ use super::compensation::{Compensation, PAPER_ROBOT};
 use super::named::model_of_another_robot;
 use rapid_program::program::{Program, is_of_task};
 use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity};
 use robot_model::robot::Robot;
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
@@ -23,6 +23,50 @@ const OTHER_MAKERS: [&str; 12] = [
     "YASKAWA",
 ];
 
+/// Modules that a message names at most.
+const MOST_NAMED: usize = 6;
+
+/// The modules that an earlier run has made; and what is half done, where others that move the arm are not of its making: a run with
+/// `--in-place` may have been killed between them.
+fn already_compensated(program: &Program) -> Vec<Diagnostic> {
+    let modules = &program.facts.modules;
+    let mut found: Vec<Diagnostic> = Vec::new();
+    for module in modules {
+        if let Some(range) = module.compensated {
+            let text = format!("module {} is already compensated", module.name);
+            found.push(
+                Diagnostic::error("refuse::already-compensated", text)
+                    .at(program.file(module.file).span(range))
+                    .help("give the original, or get it back with `driftpost restore`"),
+            );
+        }
+    }
+    let is_made = |file: FileId| modules.iter().any(|of| of.file == file && of.compensated.is_some());
+    let mut originals: Vec<FileId> =
+        program.routines.iter().map(|routine| routine.file).filter(|file| !is_made(*file)).collect();
+    originals.dedup();
+    if !found.is_empty() && !originals.is_empty() {
+        let names = |files: &[FileId]| {
+            let paths: Vec<&str> =
+                files.iter().take(MOST_NAMED).map(|file| program.file(*file).path.as_str()).collect();
+            let more = files.len().saturating_sub(MOST_NAMED);
+            if more == 0 { paths.join(", ") } else { format!("{} and {more} more", paths.join(", ")) }
+        };
+        let made: Vec<FileId> =
+            modules.iter().filter(|of| of.compensated.is_some()).map(|of| of.file).collect();
+        let text = format!(
+            "{} {} compensated, and what moves the arm in {} is not: a run with --in-place may have been stopped between them",
+            names(&made),
+            if found.len() == 1 { "is" } else { "are" },
+            names(&originals)
+        );
+        found.push(Diagnostic::error("refuse::half-compensated", text).help(
+            "`driftpost restore FOLDER -o OTHER` writes the originals of all to another folder and leaves the common module out; compensate those",
+        ));
+    }
+    found
+}
+
 impl Compensation {
     /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
     /// of how it was made.
@@ -31,16 +75,7 @@ impl Compensation {
             self.own_files(program).flat_map(|file| file.warnings.iter().cloned()).collect();
         found.extend(program.diagnostics.iter().cloned());
         found.extend(self.check_robot(program));
-        for module in &program.facts.modules {
-            if let Some(range) = module.compensated {
-                let text = format!("module {} is already compensated", module.name);
-                found.push(
-                    Diagnostic::error("refuse::already-compensated", text)
-                        .at(program.file(module.file).span(range))
-                        .help("give the original, or get it back with `driftpost restore`"),
-                );
-            }
-        }
+        found.extend(already_compensated(program));
         for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
             let text = format!("made with {} kinematics, not with nominal ones", remark.word);
             let (severity, help) = if self.allow_non_nominal {

@@ -56,9 +56,10 @@ impl Restoration {
             Err(error) => Err(RestorationError::File { path: path.to_owned(), error: Box::new(error) }),
         };
         let files = self.files.iter().map(one).collect::<Result<Vec<_>, _>>()?;
-        let is_original = |file: &RestoredFile| matches!(file, RestoredFile::Original(_));
+        // A common module alone is what a run leaves that was stopped before it exchanged the first of the others.
+        let is_emitted = |file: &RestoredFile| !matches!(file, RestoredFile::Other);
         match &self.program {
-            Some(program) if !files.iter().any(is_original) => {
+            Some(program) if !files.iter().any(is_emitted) => {
                 Err(RestorationError::NoneEmitted { program: program.clone() })
             }
             _ => Ok(RestoredFiles {

@@ -1,8 +1,8 @@
 //! Files: read with a message that says what to do, written whole or not at all.
 
 use super::Console;
-pub use super::pending::{PENDING, Pending, place_all};
-use super::pending::{folder_of, unwritable};
+use super::pending::folder_of;
+pub use super::pending::{PENDING, Pending, place_all, unwritable};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
 use std::io::{self, Read};
@@ -105,7 +105,7 @@ fn is_pipe(_: fs::FileType) -> bool {
     false
 }
 
-/// The message for a file that cannot be read.
+/// The message for a file that cannot be read; `what` begins with "folder" where a folder is asked for.
 pub fn cannot_read(path: &Path, what: &str, cause: &io::Error) -> Diagnostic {
     let shown = path.display();
     if cause.kind() == io::ErrorKind::NotFound {
@@ -120,7 +120,7 @@ pub fn cannot_read(path: &Path, what: &str, cause: &io::Error) -> Diagnostic {
         });
         return refusal;
     }
-    if path.is_dir() {
+    if path.is_dir() && !what.starts_with("folder") {
         return Diagnostic::error("input::unreadable", format!("{shown} is a folder, not a {what}"))
             .help("name a file");
     }
@@ -207,11 +207,12 @@ impl Output {
         let Self::File(pending) = self else { return Ok(()) };
         let path = pending.path().to_path_buf();
         let mut out = io::BufWriter::with_capacity(1 << 16, pending.out());
-        write(&mut out)?;
-        let flushed = io::Write::flush(&mut out);
-        drop(out);
-        flushed.map_err(|cause| unwritable(&path, cause))?;
-        Ok(())
+        let written = write(&mut out).and_then(|()| Ok(io::Write::flush(&mut out)?));
+        // What is written there fails for the file's own reasons.
+        written.map_err(|error| match error.downcast::<io::Error>() {
+            Ok(cause) => unwritable(&path, cause).into(),
+            Err(other) => other,
+        })
     }
 
     /// The file that is to be put in its place, of which nothing is left here; what goes to standard output stays.
@@ -298,6 +299,16 @@ pub fn identity(path: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_folder_that_may_not_be_read_is_said_to_be_unreadable() {
+        let folder = tempfile::tempdir().unwrap();
+        let denied = io::Error::from(io::ErrorKind::PermissionDenied);
+        let message = |what| cannot_read(folder.path(), what, &denied).message;
+        let shown = folder.path().display();
+        assert_eq!(message("folder"), format!("the folder {shown} cannot be read: permission denied"));
+        assert_eq!(message("program"), format!("{shown} is a folder, not a program"));
+    }
 
     #[test]
     fn a_result_is_as_large_as_what_is_read_and_no_larger() {

@@ -1,6 +1,6 @@
 //! `--report`: the page of a result, beside what a command writes anyway.
 
-use super::files::Pending;
+use super::files::{Pending, unwritable};
 use crate::application::sha256;
 use crate::report::{ResultPage, write_page};
 use driftpost::application::ProgramFiles;
@@ -38,9 +38,9 @@ impl PageOutput {
     pub fn write_with(self, work: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> anyhow::Result<()> {
         let Some(mut page) = self.0 else { return Ok(()) };
         let mut out = BufWriter::with_capacity(1 << 16, page.out());
-        work(&mut out)?;
-        out.flush()?;
+        let written = work(&mut out).and_then(|()| out.flush());
         drop(out);
+        written.map_err(|cause| unwritable(page.path(), cause))?;
         Ok(page.place()?)
     }
 

@@ -91,6 +91,11 @@ impl Pending {
         &mut self.file
     }
 
+    /// Has what was written reach the disk, so that a place that is taken is never an empty file after the power has gone.
+    fn sync(&self) -> Result<(), Diagnostic> {
+        self.file.as_file().sync_all().map_err(|cause| unwritable(&self.path, cause))
+    }
+
     /// Puts the file in its place; folders are made now, so that what is refused until then leaves none.
     ///
     /// # Errors
@@ -119,18 +124,23 @@ impl Pending {
     }
 }
 
-/// Puts files in their places: what goes through a device or a pipe first, as that is what fails.
+/// Puts files in their places, in the order given but for what goes through a device or a pipe: that comes first, as it is what
+/// fails. All are on the disk before the first is put there; `withdrawn` are taken away just before it.
 ///
 /// # Errors
 /// `output::unwritable`, which says what was written until then.
-pub fn place_all(mut files: Vec<Pending>) -> Result<(), Diagnostic> {
+pub fn place_all(mut files: Vec<Pending>, withdrawn: &[PathBuf]) -> Result<(), Diagnostic> {
     files.sort_by_key(|file| !file.is_through());
+    files.iter().filter(|file| !file.is_through()).try_for_each(Pending::sync)?;
     // A pipe may wait for its reader for ever; until a file is in its place an interruption leaves nothing.
     let mut uninterrupted = None;
     let mut written: Vec<String> = Vec::new();
     for file in files {
         if !file.is_through() && uninterrupted.is_none() {
             uninterrupted = Some(placing());
+            for path in withdrawn {
+                fs::remove_file(path).map_err(|cause| unwritable(path, cause))?;
+            }
         }
         let path = file.path().display().to_string();
         if let Err(mut refusal) = file.place() {

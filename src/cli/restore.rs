@@ -134,7 +134,7 @@ fn put_in_place(
         }
         all.extend(output.into_pending());
     }
-    place_all(all)?;
+    place_all(all, &[])?;
     for ((path, restored), to) in found.originals().zip(&names) {
         restored.touched.iter().for_each(|touched| note_touched(path, touched, console));
         warn(path, &restored.altered, console);

@@ -3,17 +3,21 @@
 use super::destination::{Destination, STANDARD, is_pgf};
 use super::files::{self, Pending};
 use super::program_input::ProgramInput;
+use crate::application::EarlierResult;
 use rapid_program::emit::EmittedFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Files of a result, each written beside its place; all are written before any is put in its place.
-///
-/// The first are the emitted ones: changed modules, new ones beside them.
 #[derive(Default)]
 pub struct Writing {
-    pending: Vec<Pending>,
+    /// The common module, which the others call.
+    cores: Vec<Pending>,
+    /// Modules that are changed.
+    changed: Vec<Pending>,
+    /// What stays as it is, and lists of modules.
+    others: Vec<Pending>,
     /// Paths and sizes of the emitted files.
     written: Vec<(PathBuf, usize)>,
     /// The emitted files; of the common module alone with what stands in it.
@@ -24,8 +28,11 @@ pub struct Writing {
 
 /// Files that are whole, beside their places.
 pub struct Written {
-    /// To be put in their places.
+    /// To be put in their places in this order. A run may be killed between any two: what then stands there must be a program that
+    /// moves the arm rightly, or one that no controller loads.
     pub pending: Vec<Pending>,
+    /// Taken away before anything is put in its place: an earlier common module, with which what is new must never run.
+    pub withdrawn: Vec<PathBuf>,
     /// Paths and sizes of the emitted files, changed and new.
     pub emitted: Vec<(PathBuf, usize)>,
     /// What goes to standard output.
@@ -48,7 +55,8 @@ impl Writing {
         if path == Path::new(STANDARD) {
             self.standard = Some(file.bytes.clone());
         } else {
-            self.put(&path, &file.bytes)?;
+            let whole = beside(&path, &file.bytes)?;
+            if file.source.is_none() { &mut self.cores } else { &mut self.changed }.push(whole);
         }
         let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
         self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
@@ -56,9 +64,7 @@ impl Writing {
     }
 
     fn put(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
-        let mut file = Pending::new(path)?;
-        file.fill(bytes)?;
-        self.pending.push(file);
+        self.others.push(beside(path, bytes)?);
         Ok(())
     }
 
@@ -101,6 +107,34 @@ impl Writing {
         if let Some(copies) = to.copies.as_ref().filter(|_| !record.is_empty()) {
             self.put(&copies.record(), record.as_bytes())?;
         }
-        Ok(Written { pending: self.pending, emitted: self.written, standard: self.standard })
+        Ok(self.in_order())
     }
+
+    /// Where originals or nothing stands, the common module comes first: then whatever is there is corrected rightly or not at all.
+    /// Where an earlier result stands, its common module goes first and the new one comes last: until then nothing loads, as old
+    /// modules would ask a new clock, or new ones an old one.
+    fn in_order(self) -> Written {
+        let is_earlier = |path: &Path| fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some());
+        let mut withdrawn = Vec::new();
+        for (core, file) in self.emitted.iter().filter(|file| file.source.is_none()).zip(&self.cores) {
+            if fs::read(file.path()).is_ok_and(|there| there != core.bytes) {
+                withdrawn.push(file.path().to_path_buf());
+            }
+        }
+        let replaces = self.changed.iter().chain(&self.others).any(|file| is_earlier(file.path()));
+        let (first, last) = if replaces || !withdrawn.is_empty() {
+            (Vec::new(), self.cores)
+        } else {
+            (self.cores, Vec::new())
+        };
+        let pending = first.into_iter().chain(self.others).chain(self.changed).chain(last).collect();
+        Written { pending, withdrawn, emitted: self.written, standard: self.standard }
+    }
+}
+
+/// A file that is whole beside its place.
+fn beside(path: &Path, bytes: &[u8]) -> Result<Pending, Diagnostic> {
+    let mut file = Pending::new(path)?;
+    file.fill(bytes)?;
+    Ok(file)
 }

@@ -1,5 +1,7 @@
 //! What happens when the machine fails: killed at any moment, two runs at once, a folder that cannot be, no home.
 
+mod several;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -190,6 +192,37 @@ fn a_disk_that_fills_up_while_a_result_is_written_is_left_as_it_was() {
     let (message, shown) = (String::from_utf8_lossy(&output.stderr), String::from_utf8_lossy(&output.stdout));
     assert_eq!(shown, "exit 2\nout.mod\nbefore\n", "{message}");
     assert!(message.contains("error[output::unwritable]") && message.contains("No space left"), "{message}");
+}
+
+/// What a run says that may write no file of more than so many blocks (of 512 or 1024 bytes, as the shell counts): the system refuses to write on, as on a full disk.
+#[cfg(unix)]
+fn with_short_files(folder: &Path, blocks: u32, more: &str) -> (Option<i32>, String) {
+    let script = format!(
+        "trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" compensate in.mod --robot irb140 -o out.mod --form ramp --quiet {more}"
+    );
+    let output = Command::new("sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_driftpost")])
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned())
+}
+
+/// Of what goes beside the program that file is named which is too large for the disk.
+#[cfg(unix)]
+#[test]
+fn the_file_is_named_that_does_not_fit_on_the_disk() {
+    // The program has 25 kB, its difference 34, the page 760, the table of joints 2,000.
+    for (blocks, option, name) in
+        [(30, "--diff", "all.diff"), (200, "--report", "page.html"), (200, "--joints-csv", "joints.csv")]
+    {
+        let folder = bench();
+        let (code, message) = with_short_files(folder.path(), blocks, &format!("{option} {name}"));
+        assert_eq!(code, Some(2), "{option}: {message}");
+        assert!(message.contains(&format!("{name} cannot be written")), "{option}: {message}");
+        assert!(!message.contains("standard output"), "{option}: {message}");
+        assert!(!folder.path().join("out.mod").exists(), "{option}");
+    }
 }
 
 /// A clock that was set back: the source is of a later year, and so is what a killed run left; or all is of 1970.

@@ -2,7 +2,7 @@
 
 use crate::application::write_file_diff;
 use crate::cli::Console;
-use crate::cli::files::Pending;
+use crate::cli::files::{Pending, unwritable};
 use crate::report::{self, ShortDiff};
 use rapid_program::emit::EmittedFile;
 use rapid_program::program::Program;
@@ -39,8 +39,8 @@ impl DiffTo {
     /// Takes what changes in an emitted file, which goes to `path`.
     ///
     /// # Errors
-    /// What cannot be written, a full disk or a closed pipe.
-    pub fn add(&mut self, program: &Program, file: &EmittedFile, path: &str) -> io::Result<()> {
+    /// `output::unwritable`, naming the difference's own file.
+    pub fn add(&mut self, program: &Program, file: &EmittedFile, path: &str) -> Result<(), Diagnostic> {
         let buffered = |out: &mut dyn Write| {
             let mut out = BufWriter::with_capacity(1 << 16, out);
             write_file_diff(&mut out, program, file, path)?;
@@ -55,8 +55,11 @@ impl DiffTo {
                 }
                 Ok(())
             }
-            Self::Standard(all) => buffered(all),
-            Self::File(pending) => buffered(pending.out()),
+            Self::Standard(all) => buffered(all).map_err(|cause| no_output(&cause)),
+            Self::File(pending) => {
+                let written = buffered(pending.out());
+                written.map_err(|cause| unwritable(pending.path(), cause))
+            }
         }
     }
 

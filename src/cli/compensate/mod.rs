@@ -82,7 +82,7 @@ fn write_results(
         Err(message) => return Err(all_made.remove(0).refuse(message)),
     };
     let pending = std::mem::take(&mut written.pending).into_iter().chain(recordings);
-    if let Err(message) = place_all(pending.chain(results.take_files()).collect()) {
+    if let Err(message) = place_all(pending.chain(results.take_files()).collect(), &written.withdrawn) {
         return Ok(Err(message.into()));
     }
     note_written(console, &all_made, &written, &destination);

@@ -4,7 +4,7 @@ use super::Args;
 use super::diff_to::{DiffTo, no_output};
 use crate::cli::Console;
 use crate::cli::destination::{Destination, is_pgf};
-use crate::cli::files::{Output, Pending};
+use crate::cli::files::{Output, Pending, unwritable};
 use crate::cli::writing::Written;
 use crate::report::{self, SourceReview};
 use driftpost::application::{Compensated, Compensation, Refusal};
@@ -61,7 +61,7 @@ impl Results {
         path: &str,
         review: &mut SourceReview,
     ) -> Result<(), Diagnostic> {
-        self.diff.add(program, file, path).map_err(|cause| no_output(&cause))?;
+        self.diff.add(program, file, path)?;
         if let Some(id) = file.source.filter(|_| self.page.is_some()) {
             let from = program.file(id);
             review.add(&from.path, path, &from.bytes, &file.edits);
@@ -89,7 +89,9 @@ impl Results {
         let Some(page) = &mut self.page else { return Ok(()) };
         let mut out = BufWriter::with_capacity(1 << 16, page.out());
         let written = Compensated::write_page_of(all_made, reviews, &mut out);
-        written.and_then(|()| out.flush()).map_err(|cause| no_output(&cause))
+        let written = written.and_then(|()| out.flush());
+        drop(out);
+        written.map_err(|cause| unwritable(page.path(), cause))
     }
 
     /// The files that are to be put in their places; what goes to standard output stays.
@@ -120,7 +122,8 @@ impl Results {
             let title = args.program.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
             // of several jobs it does not say whose the refusal is
             let job = <&[Compensation; 1]>::try_from(jobs).ok().map(|[job]| job);
-            refusal.write_page(&title.join(", "), job, page.out())?;
+            let written = refusal.write_page(&title.join(", "), job, page.out());
+            written.map_err(|cause| unwritable(page.path(), cause))?;
             page.place()?;
         }
         self.json.stream(console, |out| Ok(refusal.write_json(out)?))
@@ -248,7 +251,7 @@ pub(super) fn recording(args: &Args, made: &Compensated<'_>) -> Result<Vec<Pendi
     let Some(path) = &args.mcap else { return Ok(Vec::new()) };
     let [mut file, mut arm] = [Pending::new(path)?, Pending::new(&path.with_extension("urdf"))?];
     let recording = made.recording()?;
-    file.fill(&recording.mcap().map_err(|cause| no_output(&cause))?)?;
+    file.fill(&recording.mcap().map_err(|cause| unwritable(path, cause))?)?;
     arm.fill(recording.arm_urdf().as_bytes())?;
     Ok(vec![file, arm])
 }
