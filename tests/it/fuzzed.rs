@@ -132,3 +132,41 @@ fn no_text_breaks_out_of_a_page() {
 fn any_result_makes_a_page_or_is_refused() {
     run(targets::json::json, &seeds(&["json"], 6000), 300, false);
 }
+
+#[test]
+fn any_description_of_a_robot_is_read_or_refused() {
+    run(targets::robots::robots, &seeds(&["urdf", "toml", "csv"], 8000), 1500, false);
+}
+
+/// Each column map with each table, a zero byte between them.
+#[test]
+fn any_file_under_any_column_map_is_read_or_refused() {
+    let [maps, tables] = [&["toml"][..], &["csv", "txt"]].map(|endings| {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/measuring");
+        let mut paths: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+        paths.sort();
+        paths.retain(|path| path.extension().is_some_and(|e| endings.contains(&&*e.to_string_lossy())));
+        paths.into_iter().map(|path| fs::read(path).unwrap()).collect::<Vec<_>>()
+    });
+    let both = |map: &[u8], table: &[u8]| [map, b"\0", &table[..table.len().min(3000)]].concat();
+    let pairs: Vec<Vec<u8>> =
+        maps.iter().flat_map(|map| tables.iter().map(|table| both(map, table)).collect::<Vec<_>>()).collect();
+    assert!(pairs.len() > 8);
+    run(targets::column_maps::column_maps, &pairs, 1500, false);
+}
+
+#[test]
+fn any_scenario_is_read_or_refused() {
+    run(targets::scenarios::scenarios, &seeds(&["toml"], 6000), 3000, false);
+}
+
+#[test]
+fn any_list_of_targets_or_joints_is_read_or_refused() {
+    run(targets::lists::lists, &seeds(&["csv"], 6000), 2000, false);
+}
+
+#[cfg(feature = "cli")]
+#[test]
+fn any_file_of_settings_is_taken_or_refused() {
+    run(targets::settings::settings, &seeds(&["toml"], 6000), 300, false);
+}
