@@ -144,10 +144,14 @@ pub fn place_all(mut files: Vec<Pending>, withdrawn: &[PathBuf]) -> Result<(), D
         }
         let path = file.path().display().to_string();
         if let Err(mut refusal) = file.place() {
-            refusal.help = Some(match written.as_slice() {
+            let mut help = match written.as_slice() {
                 [] => "name another place for it, or give write permission; nothing was written".to_owned(),
                 list => format!("written are {}, and nothing else", list.join(", ")),
-            });
+            };
+            if uninterrupted.is_some() {
+                help.extend(withdrawn.iter().map(|path| format!("; {} was taken away", path.display())));
+            }
+            refusal.help = Some(help);
             return Err(refusal);
         }
         written.push(path);

@@ -88,10 +88,15 @@ fn mutated(seeds: &[Vec<u8>], random: &mut ChaCha8Rng) -> Vec<u8> {
     bytes
 }
 
+/// So many times as many executions, where the environment asks for them: `FUZZ_TIMES=100 cargo test --test it fuzzed::any_list`.
+fn times() -> usize {
+    std::env::var("FUZZ_TIMES").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
+}
+
 /// `count` executions of a target; what breaks it is said with its bytes.
 fn run(target: fn(&[u8]), seeds: &[Vec<u8>], count: usize, prefix: bool) {
     let mut random = ChaCha8Rng::seed_from_u64(20_261_122);
-    for execution in 0..count {
+    for execution in 0..count * times() {
         let mut bytes = mutated(seeds, &mut random);
         if prefix {
             bytes.insert(0, random.random());
