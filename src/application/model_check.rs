@@ -3,7 +3,7 @@
 use super::named::model_of_another_robot;
 use crate::report::validation as report;
 use metrology::diagnose::{RefitScope, ValidateError, Validation, validate};
-use metrology::measure::Measurements;
+use metrology::measure::{Measurements, check_rows};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
@@ -40,7 +40,9 @@ impl ModelCheck {
     /// [`ValidateError`]
     pub fn run(&self, measurements: &Measurements) -> Result<ModelChecked, ValidateError> {
         let validation = validate(measurements, &self.robot, &self.model, self.refit)?;
-        Ok(ModelChecked { validation, limit_mm: self.limit_mm })
+        let of_rows = check_rows(measurements, &self.robot).warnings;
+        let warnings = measurements.warnings.iter().cloned().chain(of_rows).collect();
+        Ok(ModelChecked { validation, warnings, limit_mm: self.limit_mm })
     }
 }
 
@@ -49,6 +51,8 @@ impl ModelCheck {
 pub struct ModelChecked {
     /// Distances that model and nominal robot leave, where the model was found and elsewhere.
     pub validation: Validation,
+    /// What a person should look at in the measurements: rows and columns that were left out.
+    pub warnings: Vec<Diagnostic>,
     limit_mm: Option<f64>,
 }
 

@@ -5,6 +5,7 @@ use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured};
 use crate::application::sha256;
+use crate::report::LocatedDiagnostic;
 use driftpost::application::ChangeCheck;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;
@@ -59,6 +60,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
     let before = measured::of_file(&args.before, args.columns.as_deref())?;
     let after = measured::of_file(&args.after, args.columns.as_deref())?;
+    let warnings = before.warnings.iter().chain(&after.warnings).cloned();
+    console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
     let found = job.run(&before, &after).map_err(Diagnostic::from)?;
     let takes_standard_output = json.is_standard();
     let (data, mut text) = (found.json(), Vec::new());

@@ -112,7 +112,7 @@ impl MeasurementArgs {
         Ok((measurements, input))
     }
 
-    /// Reads touches.
+    /// Reads touches, and tells what a person should look at in them.
     ///
     /// # Errors
     /// As [`MeasurementArgs::table`].

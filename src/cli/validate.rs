@@ -70,6 +70,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (measurements, _) = args.source.read(console)?;
     console.explain(&LocatedDiagnostic::all(job.warning(), &[]), false);
     let found = job.run(&measurements).map_err(Diagnostic::from)?;
+    console.explain(&LocatedDiagnostic::all(found.warnings.iter().cloned(), &[]), true);
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

@@ -9,6 +9,7 @@
 
 mod architecture;
 mod arms;
+mod bad_cells;
 mod bad_measurements;
 mod branch_end;
 mod calibration;

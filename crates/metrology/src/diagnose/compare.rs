@@ -260,7 +260,6 @@ fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements)
             direction: pair.before.direction,
             payload_kg: pair.before.payload_kg,
             joint_temperature_c: None,
-            air_temperature_c: None,
         })
         .collect();
     Measurements {

@@ -247,7 +247,6 @@ mod tests {
                     direction: Some(Joints::from_fn(joints, |j| if share(j + 1) < 0.5 { -1 } else { 1 })),
                     payload_kg: Some([0.0, 2.0, 3.5][k % 3]),
                     joint_temperature_c: Some(Joints::from_fn(joints, |j| 20.0 + 9.0 * share(j + 2))),
-                    air_temperature_c: None,
                     line: 0,
                     rows: vec![k],
                 };
@@ -317,7 +316,6 @@ mod tests {
             direction: true,
             payload: true,
             joint_temperature: true,
-            air_temperature: false,
         };
         let dataset = Dataset::new(&robot, observations, channels);
         let mut tried: BTreeSet<EffectKind> = BTreeSet::new();

@@ -13,7 +13,9 @@ pub(super) const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 pub(super) static DIRECTIONS: [&str; MOST_JOINTS] = ["dir1", "dir2", "dir3", "dir4", "dir5", "dir6", "dir7"];
 pub(super) static TEMPERATURES: [&str; MOST_JOINTS] =
     ["temp_j1_c", "temp_j2_c", "temp_j3_c", "temp_j4_c", "temp_j5_c", "temp_j6_c", "temp_j7_c"];
-pub(super) const OTHERS: [&str; 7] = ["id", "pose_id", "t_min", "target", "kind", "payload_kg", "temp_air_c"];
+/// Temperature of the air: no effect is driven by it.
+pub(super) const AIR: &str = "temp_air_c";
+pub(super) const OTHERS: [&str; 7] = ["id", "pose_id", "t_min", "target", "kind", "payload_kg", AIR];
 pub(super) const FIXED: &str = "fixed_id";
 pub(super) const LENGTH: &str = "length_mm";
 

@@ -8,6 +8,7 @@ mod column_map;
 mod column_names;
 mod error;
 mod fault;
+mod gaps;
 mod initial_guess;
 mod iso9283;
 mod join;

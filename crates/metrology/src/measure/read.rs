@@ -1,14 +1,15 @@
 //! Reading the measurement table: columns by name, in any order, checked cell by cell.
 
-use super::column_names::{FIXED, QUATERNION, SLIDES};
+use super::column_names::{FIXED, SLIDES};
 use super::error::missing_column;
+use super::gaps::{EmptyCells, at_lines, complete_channels, name_poses, no_reading};
 use super::row_cells::{ColumnIndex, RowCells};
 use super::table::Table;
 use super::touch_times::{self, StampedRow};
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{JointKind, Joints};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 impl Measurements {
     /// Reads a measurement file: CSV with columns by name (mm, degrees, minutes), in any order.
@@ -51,29 +52,22 @@ impl Touches {
     }
 }
 
-/// Lines that a warning lists at most.
-const MOST_LINES: usize = 8;
-
 fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     let columns = ColumnIndex::new(&table.header)?;
     let mut warnings = columns.warnings.clone();
     let mut rows = Vec::new();
-    let mut poses: BTreeMap<String, usize> = BTreeMap::new();
+    let mut pose_names: Vec<Option<String>> = Vec::new();
     let mut targets: BTreeMap<String, usize> = BTreeMap::new();
     let mut fixed_points: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
     let mut decimals = 0;
-    let mut with_gaps: BTreeSet<&'static str> = BTreeSet::new();
-    let mut without: BTreeMap<&'static str, Vec<u64>> = BTreeMap::new();
+    let mut empty = EmptyCells::new();
+    let mut without = EmptyCells::new();
     for line in &table.lines {
         let cells = RowCells { columns: &columns, line };
         if let Some(column) = cells.absent() {
             without.entry(column).or_default().push(line.number);
             continue;
         }
-        let pose = cells.text("pose_id").unwrap_or_default();
-        let pose = if pose.is_empty() { format!("\u{0}{}", line.number) } else { pose.to_owned() };
-        let next = poses.len();
-        let pose = *poses.entry(pose).or_insert(next);
         let reading = cells.reading(&mut |kind, name| {
             let next = fixed_points.len();
             *fixed_points.entry((kind, name.to_owned())).or_insert(next)
@@ -87,8 +81,11 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
                 decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
             }
         }
-        with_gaps.extend(cells.empty_among_optional());
-        rows.push(cells.row(pose, target, reading)?);
+        for name in cells.empty_among_optional() {
+            empty.entry(name).or_default().push(line.number);
+        }
+        pose_names.push(cells.name("pose_id"));
+        rows.push(cells.row(target, reading)?);
     }
     if !rows.iter().any(|row: &MeasurementRow| row.reading.involves_arm()) {
         if let Some((column, lines)) = without.first_key_value() {
@@ -100,10 +97,12 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     for (column, lines) in without {
         warnings.push(no_reading(column, &lines));
     }
-    let channels = complete_channels(&columns, &mut rows, &with_gaps, &mut warnings);
+    warnings.extend(unnamed_targets(&rows, &targets));
+    let pose_id = name_poses(&mut rows, &pose_names, columns.has("pose_id"), &mut warnings);
+    let channels = complete_channels(&columns, &mut rows, &empty, &mut warnings);
     Ok(Measurements {
         rows,
-        channels,
+        channels: Channels { pose_id, ..channels },
         targets: in_order(targets),
         fixed_points: in_order(fixed_points.into_iter().map(|((_, name), index)| (name, index))),
         joint_kinds: kinds(&columns),
@@ -112,16 +111,16 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     })
 }
 
-/// The warning of rows without a reading in a column that has to be there.
-fn no_reading(column: &str, lines: &[u64]) -> Diagnostic {
-    let shown: Vec<String> = lines.iter().take(MOST_LINES).map(u64::to_string).collect();
-    let more = if lines.len() > MOST_LINES { ", ..." } else { "" };
-    let text = format!(
-        "column {column} is empty or no number in {} rows: lines {}{more}",
-        lines.len(),
-        shown.join(", ")
-    );
-    Diagnostic::warning("measure::no-reading", text).help("these rows are left out")
+/// The warning of rows that do not say which of several targets they saw.
+fn unnamed_targets(rows: &[MeasurementRow], targets: &BTreeMap<String, usize>) -> Option<Diagnostic> {
+    let unnamed = *targets.get("").filter(|_| targets.len() > 1)?;
+    let of_it = rows.iter().filter(|row| row.reading.involves_arm() && row.target == unnamed);
+    let lines: Vec<u64> = of_it.map(|row| row.line).collect();
+    let text = format!("target is empty in {}", at_lines(&lines));
+    Some(
+        Diagnostic::warning("measure::gaps", text)
+            .help("they count as rows of one more target, whose place is fitted"),
+    )
 }
 
 /// How each joint moves, by the unit of its column.
@@ -156,52 +155,6 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
     }
     touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
     Ok(Touches { touches, points: measurements.fixed_points, warnings: measurements.warnings })
-}
-
-/// A channel counts only when every row has it; one with gaps is left out, with a warning.
-fn complete_channels(
-    columns: &ColumnIndex,
-    rows: &mut [MeasurementRow],
-    with_gaps: &BTreeSet<&'static str>,
-    warnings: &mut Vec<Diagnostic>,
-) -> Channels {
-    let mut keep = |names: &[&str], here: fn(&MeasurementRow) -> bool, has: fn(&MeasurementRow) -> bool| {
-        let there = names.first().is_some_and(|name| columns.has(name));
-        let gaps = rows.iter().filter(|row| here(row) && !has(row)).count();
-        if there && gaps > 0 {
-            let empty: Vec<&str> = names.iter().copied().filter(|name| with_gaps.contains(name)).collect();
-            let many =
-                if names.len() > 1 { "; all of them are left out" } else { "; it is left out altogether" };
-            warnings.push(
-                Diagnostic::warning(
-                    "measure::gaps",
-                    format!("{} is empty in {gaps} of {} rows{many}", empty.join(", "), rows.len()),
-                )
-                .help("fill the cells, or remove the rows"),
-            );
-        }
-        there && gaps == 0
-    };
-    let any = |_: &MeasurementRow| true;
-    let arm = |row: &MeasurementRow| row.reading.involves_arm();
-    let channels = Channels {
-        pose_id: columns.has("pose_id"),
-        time: keep(&["t_min"], any, |r| r.t_min.is_some()),
-        orientation: keep(&QUATERNION, arm, |r| r.orientation.is_some()),
-        direction: keep(columns.directions, arm, |r| r.direction.is_some()),
-        payload: keep(&["payload_kg"], arm, |r| r.payload_kg.is_some()),
-        joint_temperature: keep(columns.temperatures, arm, |r| r.joint_temperature_c.is_some()),
-        air_temperature: keep(&["temp_air_c"], any, |r| r.air_temperature_c.is_some()),
-    };
-    for row in rows {
-        row.t_min = row.t_min.filter(|_| channels.time);
-        row.orientation = row.orientation.filter(|_| channels.orientation);
-        row.direction = row.direction.filter(|_| channels.direction);
-        row.payload_kg = row.payload_kg.filter(|_| channels.payload);
-        row.joint_temperature_c = row.joint_temperature_c.filter(|_| channels.joint_temperature);
-        row.air_temperature_c = row.air_temperature_c.filter(|_| channels.air_temperature);
-    }
-    channels
 }
 
 fn decimals_of(text: &str) -> usize {
@@ -272,13 +225,21 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_column_and_a_channel_with_gaps_are_warned_about_and_ignored() {
-        let m = read(&format!("{HEADER},t_min,operator\n0,0,0,0,0,0,1,2,3,,me\n0,0,0,0,0,0,1,2,3,4,me\n"))
-            .unwrap();
-        let codes: Vec<&str> = m.warnings.iter().map(|w| w.code).collect();
-        assert_eq!(codes, ["measure::unknown-column", "measure::gaps"]);
-        assert!(!m.channels.time);
-        assert_eq!(m.rows[1].t_min, None);
+    fn columns_of_which_nothing_is_made_are_named() {
+        let m = read(&format!("{HEADER},operator,temp_j7_c,temp_air_c\n0,0,0,0,0,0,1,2,3,me,30,\n")).unwrap();
+        let warnings: Vec<(&str, &str)> = m.warnings.iter().map(|w| (w.code, w.message.as_str())).collect();
+        assert_eq!(
+            warnings,
+            [
+                ("measure::unknown-column", "column 'operator' is not known and is ignored"),
+                (
+                    "measure::unused-column",
+                    "column 'temp_j7_c' is of no joint of the 6 that the file has and is not used"
+                ),
+                ("measure::unused-column", "column 'temp_air_c' drives no effect and is not used"),
+            ]
+        );
+        assert_eq!(m.rows.len(), 1);
     }
 
     #[test]
@@ -290,8 +251,8 @@ mod tests {
         assert_eq!(
             messages,
             [
-                "column q3_deg is empty or no number in 1 rows: lines 3",
-                "column y_mm is empty or no number in 1 rows: lines 2",
+                "column q3_deg is empty or no number in 1 row: line 3",
+                "column y_mm is empty or no number in 1 row: line 2",
             ]
         );
         let none = read(&format!("{HEADER}\n0,0,0,0,0,,1,2,3\n")).unwrap_err();

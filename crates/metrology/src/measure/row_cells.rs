@@ -1,6 +1,8 @@
 //! One line of a measurement table: its cells by column, checked one by one, as a row in SI units.
 
-use super::column_names::{self, DIRECTIONS, FIXED, LENGTH, POINT, QUATERNION, SLIDES, TEMPERATURES, known};
+use super::column_names::{
+    self, AIR, DIRECTIONS, FIXED, JOINTS, LENGTH, POINT, QUATERNION, SLIDES, TEMPERATURES, known,
+};
 use super::error::missing_column;
 use super::table::Line;
 use super::{MeasureError, MeasurementRow, Reading};
@@ -72,12 +74,39 @@ impl ColumnIndex {
                 }
             }
         }
+        warnings.extend(unused(&at, &joints, directions, temperatures));
         Ok(Self { at, joints, directions, temperatures, warnings })
     }
 
     pub(super) fn has(&self, name: &str) -> bool {
         self.at.contains_key(name)
     }
+}
+
+/// The warnings of columns that are known and that nothing is made of.
+fn unused(
+    at: &BTreeMap<String, usize>,
+    joints: &[&'static str],
+    directions: &[&'static str],
+    temperatures: &[&'static str],
+) -> Vec<Diagnostic> {
+    let of_joints = [joints, directions, temperatures].concat();
+    let per_joint = [&JOINTS[..], &SLIDES, &DIRECTIONS, &TEMPERATURES].concat();
+    let without_joint = |name: &&str| !of_joints.contains(name);
+    let mut columns: Vec<(&str, String)> = per_joint
+        .into_iter()
+        .filter(without_joint)
+        .map(|name| (name, format!("is of no joint of the {} that the file has", joints.len())))
+        .collect();
+    columns.push((AIR, "drives no effect".to_owned()));
+    let there = columns.into_iter().filter(|(name, _)| at.contains_key(*name));
+    there
+        .map(|(name, why)| {
+            let text = format!("column '{name}' {why} and is not used");
+            Diagnostic::warning("measure::unused-column", text)
+                .help("none is needed: the answer is the same without it")
+        })
+        .collect()
 }
 
 /// Whether a cell says that nothing was measured.
@@ -99,6 +128,11 @@ impl RowCells<'_> {
         self.columns.at.get(name).and_then(|&index| self.line.cells.get(index)).map(String::as_str)
     }
 
+    /// What a cell names; `None` where it is absent or says that there is nothing.
+    pub(super) fn name(&self, name: &str) -> Option<String> {
+        self.text(name).filter(|text| !is_nothing(text)).map(str::to_owned)
+    }
+
     /// The first cell that the row cannot do without and that says that there is nothing.
     pub(super) fn absent(&self) -> Option<&'static str> {
         let base = self.text("kind").is_some_and(|kind| kind.eq_ignore_ascii_case("base"));
@@ -116,7 +150,7 @@ impl RowCells<'_> {
 
     /// Columns of what need not be there whose cell is empty.
     pub(super) fn empty_among_optional(&self) -> impl Iterator<Item = &'static str> {
-        let single = ["t_min", "payload_kg", "temp_air_c"];
+        let single = ["t_min", "payload_kg"];
         let all = {
             let per_joint = self.columns.directions.iter().chain(self.columns.temperatures).copied();
             single.into_iter().chain(QUATERNION).chain(per_joint)
@@ -250,12 +284,8 @@ impl RowCells<'_> {
         self.number(column).and(Err(self.impossible(column, "nothing was measured")))
     }
 
-    pub(super) fn row(
-        &self,
-        pose: usize,
-        target: usize,
-        reading: Reading,
-    ) -> Result<MeasurementRow, MeasureError> {
+    /// The row, its pose not numbered yet.
+    pub(super) fn row(&self, target: usize, reading: Reading) -> Result<MeasurementRow, MeasureError> {
         let q_rad = if reading.involves_arm() || self.has_joints() {
             self.joints()?
         } else {
@@ -293,7 +323,7 @@ impl RowCells<'_> {
         Ok(MeasurementRow {
             line: self.line.number,
             id: self.text("id").map(str::to_owned),
-            pose,
+            pose: 0,
             target,
             stand: 0,
             t_min: self.optional("t_min")?,
@@ -303,7 +333,6 @@ impl RowCells<'_> {
             direction,
             payload_kg,
             joint_temperature_c: self.per_joint(self.columns.temperatures)?,
-            air_temperature_c: self.optional("temp_air_c")?,
         })
     }
 }

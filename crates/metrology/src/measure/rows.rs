@@ -32,8 +32,6 @@ pub struct MeasurementRow {
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
     pub joint_temperature_c: Option<Joints>,
-    /// Temperature of the air.
-    pub air_temperature_c: Option<f64>,
 }
 
 /// Which optional columns the file has, complete for every row.
@@ -51,8 +49,6 @@ pub struct Channels {
     pub payload: bool,
     /// Joint temperatures: `temp_j1_c` to `temp_j6_c`.
     pub joint_temperature: bool,
-    /// Temperature of the air: `temp_air_c`.
-    pub air_temperature: bool,
 }
 
 /// A measurement file as read.

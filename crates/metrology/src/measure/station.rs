@@ -39,8 +39,6 @@ pub struct Station {
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
     pub joint_temperature_c: Option<Joints>,
-    /// Temperature of the air.
-    pub air_temperature_c: Option<f64>,
     /// Line in the file of its first row.
     pub line: u64,
     /// Rows in the mean, as indices into the file's rows.
@@ -62,7 +60,6 @@ impl Station {
             direction: None,
             payload_kg: None,
             joint_temperature_c: None,
-            air_temperature_c: None,
             line: 0,
             rows: vec![pose],
         }
@@ -257,7 +254,6 @@ fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usiz
         direction: first.direction,
         payload_kg: first.payload_kg,
         joint_temperature_c,
-        air_temperature_c: average(&|row| row.air_temperature_c),
         line: first.line,
         rows: group.to_vec(),
     })

@@ -1,0 +1,75 @@
+//! Cells of a measurement file that are empty, stand still or are rounded, and models of files that say how large their noise is.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::fs;
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+/// Standard error, JSON and, where one was asked for and written, the model.
+struct Answer {
+    code: i32,
+    messages: String,
+    json: Value,
+    model: Option<String>,
+}
+
+fn diagnose(csv: &str, arguments: &[&str]) -> Answer {
+    let folder = TempDir::new().unwrap();
+    let [csv_path, json_path, model] =
+        ["m.csv", "out.json", "model.toml"].map(|name| folder.path().join(name));
+    fs::write(&csv_path, csv).unwrap();
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.arg("diagnose").arg(&csv_path).arg("--json").arg(&json_path).args(arguments);
+    if arguments.contains(&"--sigma-mm") {
+        command.arg("--model-out").arg(&model);
+    }
+    let output = command.output().unwrap();
+    Answer {
+        code: output.status.code().unwrap(),
+        messages: String::from_utf8_lossy(&output.stderr).into_owned(),
+        json: serde_json::from_slice(&fs::read(&json_path).unwrap()).unwrap(),
+        model: fs::read_to_string(&model).ok(),
+    }
+}
+
+/// Header and rows.
+type Cells = (Vec<String>, Vec<Vec<String>>);
+
+/// Poses of a virtual arm whose second joint gives way, each measured once.
+static SOUND: LazyLock<Cells> = LazyLock::new(|| {
+    let folder = TempDir::new().unwrap();
+    let sets = folder.path().join("sets");
+    let mut command = Command::cargo_bin("driftpost").unwrap();
+    command.arg("synth").arg(&sets);
+    command.args(["--effects", "joint_compliance:2", "--n", "80", "--seed", "5"]).assert().success();
+    let text = fs::read_to_string(sets.join("set_0000/measurements.csv")).unwrap();
+    let mut lines = text.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<String>>());
+    let header = lines.next().unwrap();
+    let mut seen = std::collections::BTreeSet::new();
+    (header, lines.filter(|row| seen.insert(row[1].clone())).collect())
+});
+
+/// The sound file with its rows changed; `at` finds a column.
+fn changed(change: impl Fn(&mut Vec<Vec<String>>, &dyn Fn(&str) -> usize)) -> String {
+    let (header, mut rows) = SOUND.clone();
+    let at = |name: &str| header.iter().position(|column| column == name).unwrap();
+    change(&mut rows, &at);
+    let lines = std::iter::once(&header).chain(&rows).map(|row| row.join(",") + "\n");
+    lines.collect()
+}
+
+/// A row with an empty cell is answered as if it were not in the file, which says so; it took the whole column with it.
+#[test]
+fn an_empty_cell_costs_its_row_and_not_its_column() {
+    let without = diagnose(&changed(|rows, _| drop(rows.pop())), &[]);
+    for (column, cell) in [("t_min", ""), ("payload_kg", "NaN"), ("temp_j3_c", "nan"), ("dir2", "")] {
+        let text = changed(|rows, at| cell.clone_into(&mut rows.last_mut().unwrap()[at(column)]));
+        let line = text.lines().count();
+        let mut answer = diagnose(&text, &[]);
+        let warning = format!("{column} is empty or no number in 1 row: line {line}");
+        assert!(answer.messages.contains(&warning), "{}", answer.messages);
+        answer.json["warnings"] = without.json["warnings"].clone();
+        assert_eq!(answer.json, without.json, "{column}");
+    }
+}
