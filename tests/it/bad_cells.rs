@@ -73,3 +73,51 @@ fn an_empty_cell_costs_its_row_and_not_its_column() {
         assert_eq!(answer.json, without.json, "{column}");
     }
 }
+
+/// What is wrong: kind, column and lines.
+fn fault(text: &str, arguments: &[&str]) -> (String, String, Vec<u64>) {
+    let answer = diagnose(text, arguments);
+    assert_eq!(answer.json["verdict"], "data_fault", "{}", answer.json["reason"]);
+    let fault = &answer.json["fault"];
+    let lines = fault["lines"].as_array().unwrap().iter().map(|line| line.as_u64().unwrap()).collect();
+    (fault["kind"].as_str().unwrap().to_owned(), fault["column"].as_str().unwrap().to_owned(), lines)
+}
+
+const JOINTS: [&str; 6] = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
+
+/// Joints `which` with the values of row `from` in the rows behind it, up to `to`.
+fn frozen(which: &[&str], from: usize, to: usize) -> String {
+    changed(|rows, at| {
+        for (k, &name) in (from + 1..to.min(rows.len())).flat_map(|k| which.iter().map(move |name| (k, name)))
+        {
+            rows[k][at(name)] = rows[from][at(name)].clone();
+        }
+    })
+}
+
+#[test]
+fn joints_that_are_not_read_anew_are_named_with_their_rows() {
+    let n = SOUND.1.len();
+    let lines = |from: usize, to: usize| (from as u64 + 2..to as u64 + 2).collect::<Vec<u64>>();
+    for (from, to) in [(n - 12, n), (30, 36)] {
+        let (kind, column, found) = fault(&frozen(&JOINTS, from, to), &[]);
+        assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", "q1_deg to q6_deg"));
+        assert_eq!(found, lines(from, to));
+    }
+    for (joint, from, to) in [("q4_deg", 20, 35), ("q2_deg", 40, n), ("q6_deg", 30, n)] {
+        let (kind, column, found) = fault(&frozen(&[joint], from, to), &[]);
+        assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", joint));
+        // Where the joint happened to stand near the value that was written the row is not far off.
+        assert!(found.len() + 3 >= to - from - 1, "{found:?}");
+        assert!(found.iter().all(|line| lines(from + 1, to).contains(line)), "{found:?}");
+    }
+}
+
+#[test]
+fn a_joint_that_is_never_read_anew_is_named() {
+    for joint in ["q6_deg", "q4_deg"] {
+        let (kind, column, found) = fault(&frozen(&[joint], 0, usize::MAX), &[]);
+        assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", joint));
+        assert_eq!(found.len(), SOUND.1.len());
+    }
+}

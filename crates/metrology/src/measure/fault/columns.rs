@@ -1,7 +1,7 @@
 //! Faults that the cells show before any geometry: points that stand still, columns in another unit, a pose_id that names
 //! no pose.
 
-use super::{Fault, FaultKind};
+use super::{Fault, FaultKind, frozen};
 use crate::measure::{MeasurementRow, Measurements, Reading};
 use robot_model::deform::gravity::links;
 use robot_model::robot::SerialArm;
@@ -28,7 +28,11 @@ const FEWEST_ROWS: usize = 3;
 #[must_use]
 pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Option<Fault> {
     let rows: Vec<&MeasurementRow> = used.iter().filter_map(|&i| measurements.rows.get(i)).collect();
-    frozen(&rows).or_else(|| payload(&rows, robot)).or_else(|| temperatures(&rows)).or_else(|| hot_arm(&rows))
+    frozen_points(&rows)
+        .or_else(|| frozen::all_joints(&rows, robot))
+        .or_else(|| payload(&rows, robot))
+        .or_else(|| temperatures(&rows))
+        .or_else(|| hot_arm(&rows))
 }
 
 fn apart(a: &MeasurementRow, b: &MeasurementRow) -> bool {
@@ -36,7 +40,7 @@ fn apart(a: &MeasurementRow, b: &MeasurementRow) -> bool {
 }
 
 /// One point to the last digit, at joints that differ.
-fn frozen(rows: &[&MeasurementRow]) -> Option<Fault> {
+fn frozen_points(rows: &[&MeasurementRow]) -> Option<Fault> {
     let mut seen: BTreeMap<([u64; 3], usize), Vec<&MeasurementRow>> = BTreeMap::new();
     for row in rows {
         if let Reading::Point { position_m } = row.reading {

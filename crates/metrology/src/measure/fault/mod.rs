@@ -1,6 +1,7 @@
 //! A file that contradicts itself or the robot: units, axes, columns, rows, robot and tool, tried one by one.
 
 mod columns;
+mod frozen;
 mod rows;
 mod whole;
 
@@ -29,6 +30,8 @@ pub enum FaultKind {
     RoundedJoints,
     /// One point at many poses.
     FrozenPoint,
+    /// Joint columns that stand still while the arm moves.
+    FrozenJoints,
     /// Points and joints are shifted against each other.
     RowsShifted,
     /// Rows of one `pose_id` at different joints.
@@ -60,6 +63,7 @@ impl FaultKind {
             Self::JointsOutOfRange => "joints_out_of_range",
             Self::RoundedJoints => "rounded_joints",
             Self::FrozenPoint => "frozen_point",
+            Self::FrozenJoints => "frozen_joints",
             Self::RowsShifted => "rows_shifted",
             Self::PoseNames => "pose_names",
             Self::PayloadBeyondArm => "payload_beyond_arm",

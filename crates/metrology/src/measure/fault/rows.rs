@@ -3,6 +3,7 @@
 //! A registration of most of the file is looked for in parts of it; rows far off it are tried with what could have
 //! happened to them, one explanation at a time.
 
+use super::frozen;
 use super::whole::{Change, all_shifted, changes};
 use super::{Fault, FaultKind};
 use crate::measure::initial_guess::with_fixed_points_beyond;
@@ -97,12 +98,13 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     let columns = single_columns(robot, rows, registration, &far, limit_m);
     let here_and_there = (far.len() as f64) < MOST * (last - first + 1) as f64;
     if columns.is_some() || (here_and_there && !is_late(rows, registration, &far, limit_m)) {
-        return columns.or_else(still);
+        return columns.or_else(still).or_else(|| frozen_joint(robot, rows, registration, &far, limit_m));
     }
     // One of two stands has half of the rows.
     let half = 4 * near >= rows.len();
     late(rows, registration, &far, limit_m)
         .or_else(still)
+        .or_else(|| frozen_joint(robot, rows, registration, &far, limit_m))
         .or_else(|| if half { moved(rows, registration, targets, &far, limit_m) } else { None })
 }
 
@@ -228,6 +230,32 @@ fn still(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m:
         fault(FaultKind::FrozenPoint, "x_mm, y_mm, z_mm", rows, &which, |count, lines| {
             format!("{count} rows ({lines}) have the point of the row before, though the arm had moved: the instrument stood still")
         })
+    })
+}
+
+/// One joint's column with the value of the row before, where other angles of that joint alone put the points.
+fn frozen_joint(
+    robot: &SerialArm,
+    rows: &[PosedRow],
+    registration: &Registration,
+    far: &[usize],
+    limit_m: f64,
+) -> Option<PartFault> {
+    let chain = SerialChain::nominal(robot);
+    let explained = |j: usize| -> Vec<usize> {
+        let stands_still = |i: &usize| {
+            let before = i.checked_sub(1).map(|before| rows[before].station.q_rad[j].to_bits());
+            before == Some(rows[*i].station.q_rad[j].to_bits())
+        };
+        let fits =
+            |i: &usize| frozen::refitted(robot, &chain, registration, &rows[*i].station, j).off_m < limit_m;
+        far.iter().copied().filter(|i| stands_still(i) && fits(i)).collect()
+    };
+    let tried = (0..robot.joints.len()).map(|j| (explained(j), j));
+    let (which, j) = tried.reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })?;
+    (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
+        let lines = which.iter().map(|&i| rows[i].station.line).collect();
+        PartFault::Fault(frozen::one_joint(robot, j, lines))
     })
 }
 

@@ -1,6 +1,6 @@
 //! What is wrong with all rows at once: units, axes, columns, robot and tool, tried one by one.
 
-use super::{Fault, FaultKind};
+use super::{Fault, FaultKind, frozen};
 use crate::measure::{Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -115,7 +115,8 @@ pub fn find_fault(
             .or_else(|| trial.axes())
             .or_else(|| trial.columns())
             .or_else(|| trial.joints())
-            .or_else(|| trial.other_robot());
+            .or_else(|| trial.other_robot())
+            .or_else(|| trial.frozen_joint(stations));
         if found.is_some() {
             return found;
         }
@@ -323,6 +324,20 @@ impl Trial<'_> {
             known.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
         explains(Some(left_m), self.left_m)
             .then(|| Fault::of_all(FaultKind::JointColumns, Some(&column), description))
+    }
+
+    /// A column that is the same in all rows, of a joint that moved.
+    fn frozen_joint(&self, all: &[Station]) -> Option<Fault> {
+        let of_arm = || all.iter().filter(|s| s.reading.involves_arm());
+        let first = of_arm().next()?.q_rad;
+        let stands_still = |j: &usize| of_arm().all(|s| s.q_rad[*j].to_bits() == first[*j].to_bits());
+        (0..self.robot.joints.len()).filter(stands_still).find_map(|j| {
+            let free = frozen::with_free_joint(self.robot, &self.stations, j, |stations, poses| {
+                register(stations, poses, self.targets, None).ok()
+            })?;
+            let is_it = explains(left_m(self.robot, &free, self.targets), self.left_m);
+            is_it.then(|| frozen::one_joint(self.robot, j, of_arm().map(|s| s.line).collect()))
+        })
     }
 
     fn other_robot(&self) -> Option<Fault> {
