@@ -121,3 +121,30 @@ fn a_joint_that_is_never_read_anew_is_named() {
         assert_eq!(found.len(), SOUND.1.len());
     }
 }
+
+/// Held against two fifths of the noise that is in it, no model of a set is one.
+#[test]
+fn a_model_that_leaves_more_than_the_stated_noise_is_none() {
+    let text = changed(|_, _| ());
+    let own_mm = diagnose(&text, &[]).json["noise"]["model_sigma_mm"].as_f64().unwrap();
+    let [held, less] =
+        [own_mm, 0.4 * own_mm].map(|sigma_mm| diagnose(&text, &["--sigma-mm", &format!("{sigma_mm:.5}")]));
+    assert!(held.code == 0 && held.model.is_some(), "{}", held.messages);
+    assert!(less.code == 2 && less.model.is_none(), "{}", less.messages);
+    let why = less.json["no_model"].as_str().unwrap();
+    assert!(why.contains("noise as stated leaves") && less.messages.contains(why), "{why}");
+}
+
+/// A joint that turns by six in a thousand too far: a hundred times a gear's usual error, so that something else is wrong.
+#[test]
+fn a_term_of_any_effect_far_beyond_its_usual_size_is_no_model() {
+    let text = changed(|rows, at| {
+        for row in rows.iter_mut() {
+            let cell = &mut row[at("q1_deg")];
+            *cell = format!("{:.6}", cell.parse::<f64>().unwrap() / 1.006);
+        }
+    });
+    let answer = diagnose(&text, &["--sigma-mm", "0.03"]);
+    assert!(answer.code == 2 && answer.model.is_none(), "{} {}", answer.json["reason"], answer.messages);
+    assert!(answer.messages.contains("times its usual size"), "{}", answer.messages);
+}

@@ -8,14 +8,15 @@ use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effe
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
 use super::heldout::{self, Folds};
-use super::identify::{NoModel, drifts_by_rows, identify, is_by_rows};
+use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
 use super::linear_fit::solve;
-use super::linearise::Linearised;
+use super::linearise::{Linearised, shift_m};
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::next_measurements::next_measurements;
+use super::no_model::{NoModel, holds};
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
 use super::outcome::{
@@ -101,7 +102,10 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     diagnosis.untestable = diagnosis.untestable_detail.iter().map(|d| d.effect).collect();
     diagnosis.untestable.sort_by_key(|kind| kind.name());
     diagnosis.untestable.dedup();
-    let Some(identification) = identification else { return Evaluation::without_model(diagnosis) };
+    let Some(identification) = identification else {
+        diagnosis.no_model = misses_stated(&fitted, prepared.options).map(|why| why.to_string());
+        return Evaluation::without_model(diagnosis);
+    };
     diagnosis.warnings.splice(0..0, identification.warning());
     diagnosis.no_model = identification.no_model();
     Evaluation { diagnosis, identified: identification.found.ok() }
@@ -153,13 +157,13 @@ impl Identification {
         let Prepared { measured, linear, options, .. } = *prepared;
         let untimed = drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen);
         if !untimed {
-            return Self { found: identify(measured, fitted, options.tool_m), untimed };
+            return Self { found: identify(measured, fitted, options), untimed };
         }
         let mut timeless = problem.candidates.to_vec();
         // Nor steps: together they would climb as the drift does.
         timeless.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
         let fitted = best_model(&SearchProblem { candidates: &timeless, ..*problem });
-        Self { found: identify(measured, &fitted, options.tool_m), untimed }
+        Self { found: identify(measured, &fitted, options), untimed }
     }
 
     /// Why there is none, for people.
@@ -174,6 +178,18 @@ impl Identification {
             message: format!("{UNTIMED}: the model is fitted without it"),
         })
     }
+}
+
+/// That a model would leave more of its own rows than the noise that is stated, as far as that shows before one is made.
+fn misses_stated(fitted: &FittedModel<'_>, options: &DiagnosisOptions) -> Option<NoModel> {
+    let FittedModel { linear, model, .. } = fitted;
+    let stated_m = options.sigma_m?;
+    let rms_m = |twists: &[Twist]| {
+        let kept = twists.iter().zip(&model.outliers).filter(|(_, out)| !**out);
+        let squares: Vec<f64> = kept.map(|(twist, _)| shift_m(twist).powi(2)).collect();
+        (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+    };
+    holds(rms_m(&model.residuals), rms_m(&linear.nominal), fitted, Some(stated_m)).err()
 }
 
 /// Where the model does not hold in a region that was held out whole.

@@ -133,6 +133,16 @@ pub(super) fn floor_m(fitted: &FittedModel<'_>) -> f64 {
     model.peak.sigma_m * mean.sqrt()
 }
 
+/// What independent noise of `sigma_m` in one coordinate leaves on a station, 3-D, whatever the model takes for noise.
+#[must_use]
+pub(super) fn independent_floor_m(fitted: &FittedModel<'_>, sigma_m: f64) -> f64 {
+    let FittedModel { model, linear, .. } = fitted;
+    let observations = &linear.dataset.observations;
+    let variance = |(w, s): (&f64, &Observation)| s.rows(3) as f64 / w;
+    let sum: f64 = model.base_weights.iter().zip(observations).map(variance).sum();
+    sigma_m * (sum / observations.len() as f64).sqrt()
+}
+
 /// The stations of `groups` that are not set aside, by fits and a search for causes without them.
 fn held_out(fitted: &mut FittedModel<'_>, folds: &Folds, groups: &[usize]) -> Vec<HeldOutSquares> {
     let FittedModel { model, workspace, .. } = fitted;

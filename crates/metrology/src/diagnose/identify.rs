@@ -5,11 +5,12 @@
 
 use super::dataset::{Dataset, Twist};
 use super::effects::{Candidate, Motion};
-use super::heldout::floor_m;
 use super::linearise::{Linearised, shift_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
+use super::no_model::{NoModel, holds, is_usual};
 use super::normal_equations::ModelColumns;
+use super::options::DiagnosisOptions;
 use super::search::ChosenCause;
 use super::spectrum;
 use super::terms::{agree_on_centre, terms};
@@ -18,12 +19,9 @@ use crate::measure::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{Isometry3, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{
-    Estimate, Growth, Identified, MeasuredRange, Mounting, Term, ThermalState,
-};
+use robot_model::deform::identified::{Growth, Identified, MeasuredRange, Mounting, Term, ThermalState};
 use robot_model::deform::{DeformedSerialArm, Payload};
 use robot_model::robot::{Joints, SerialArm};
-use robot_model::units::mm_from_m;
 use std::sync::Arc;
 
 const ROUNDS: usize = 3;
@@ -35,9 +33,10 @@ const ROUNDS: usize = 3;
 pub(super) fn identify(
     measured: MeasuredRobot<'_>,
     fitted: &FittedModel<'_>,
-    tool_m: Option<Vector3<f64>>,
+    options: &DiagnosisOptions,
 ) -> Result<Identified, NoModel> {
     let MeasuredRobot { robot, measurements, stations } = measured;
+    let DiagnosisOptions { tool_m, sigma_m: stated_m } = *options;
     let FittedModel { linear, model, workspace } = fitted;
     let dataset = &linear.dataset;
     let measured_range = measured_range(measurements.rows.len(), stations, robot.joints.len());
@@ -96,7 +95,9 @@ pub(super) fn identify(
     let whole = Arc::new(identified.clone());
     let ModelResiduals { residuals: left, registration } =
         residuals_of(&robot, stations, &whole, linear, tool_m, centre_m)?;
-    plausible(&identified, &left, fitted)?;
+    is_usual(&columns, &solution.values, &named, candidates, &identified)?;
+    let kept = |i: usize| !model.outliers[i];
+    holds(rms_m(&left, kept), rms_m(&linear.nominal, kept), fitted, stated_m)?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
@@ -113,7 +114,7 @@ pub(super) fn identify(
                 let stepped = Arc::new(identified.clone());
                 let left = residuals_of(&robot, &stations, &stepped, linear, tool_m, centre_m)?.residuals;
                 let before: Vec<Twist> = since.iter().map(|&i| linear.nominal[i]).collect();
-                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), fitted)?;
+                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), fitted, stated_m)?;
             }
         }
         identified.terms.retain(|term| !is_of_mounting(term));
@@ -127,93 +128,8 @@ fn hangs_at_m(model: &Identified, dataset: &Dataset, payload_m: Vector3<f64>) ->
     (model.needs_load() && dataset.largest_payload_kg > 0.0).then_some(payload_m)
 }
 
-/// Why no model is made of what was found.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub(super) enum NoModel {
-    /// The normal equations have no solution.
-    #[error("its parameters cannot be solved for")]
-    NotSolved,
-    /// The exact arm under the model does not stand where it was measured.
-    #[error(
-        "it leaves {left_mm:.3} mm of its own rows, rms, where noise leaves {floor_mm:.3} mm and base and tool alone {before_mm:.3} mm"
-    )]
-    Misses {
-        /// What the exact arm under the model leaves, 3-D rms.
-        left_mm: f64,
-        /// What the noise alone would leave, 3-D rms.
-        floor_mm: f64,
-        /// What registration alone leaves.
-        before_mm: f64,
-    },
-    /// A term far beyond its usual size.
-    #[error("{term} came out at {times:.0} times its usual size: these poses do not tell it")]
-    Beyond {
-        /// The term in words.
-        term: String,
-        /// How many times its usual size it came out at.
-        times: f64,
-    },
-    /// Two terms that these poses cannot tell from each other.
-    #[error("{term}: its size is known to the last digit, which no measurement does")]
-    NoSigma {
-        /// The term in words.
-        term: String,
-    },
-    /// The arm under the model cannot be registered.
-    #[error(transparent)]
-    Register(#[from] RegisterError),
-    /// The file would not be read back.
-    #[error("it cannot be written: {problem}")]
-    Unwritable {
-        /// What reading it back says.
-        problem: String,
-    },
-}
-
 /// Fewest stations behind a step by which a model is judged.
 const FEWEST_SINCE: usize = 12;
-/// What a model may leave of its own rows, over what noise leaves.
-const OWN_ROWS: f64 = 1.5;
-/// An error of a joint's transmission beyond this is none, radians: 50 times what is usual.
-const FURTHEST_TURN_RAD: f64 = 0.015;
-const USUAL_TURN_RAD: f64 = 3e-4;
-
-/// Whether a model is one: exact on its own rows, of sizes that can be.
-fn plausible(identified: &Identified, left: &[Twist], fitted: &FittedModel<'_>) -> Result<(), NoModel> {
-    let FittedModel { linear, model, .. } = fitted;
-    let name = |term: &Term| {
-        let joint = term.joint.map_or_else(String::new, |joint| format!(" of joint {joint}"));
-        format!("{}{joint}", term.kind)
-    };
-    for term in identified.terms.iter().filter(|term| term.cause) {
-        let gear = matches!(
-            term.kind,
-            EffectKind::GearEccentricity
-                | EffectKind::GearSecondHarmonic
-                | EffectKind::GearMesh
-                | EffectKind::Backlash
-        );
-        if gear && term.size() > FURTHEST_TURN_RAD {
-            return Err(NoModel::Beyond { term: name(term), times: term.size() / USUAL_TURN_RAD });
-        }
-        let known = |value: &Estimate| value.value != 0.0 && value.sigma == Some(0.0);
-        if term.values.first().is_some_and(known) {
-            return Err(NoModel::NoSigma { term: name(term) });
-        }
-    }
-    let kept = |i: usize| !model.outliers[i];
-    holds(rms_m(left, kept), rms_m(&linear.nominal, kept), fitted)
-}
-
-/// Whether what a model leaves of its own rows is no more than noise, and less than was there before.
-fn holds(left_m: f64, before_m: f64, fitted: &FittedModel<'_>) -> Result<(), NoModel> {
-    let floor_m = floor_m(fitted);
-    if left_m > OWN_ROWS * floor_m || left_m > before_m {
-        let [left_mm, floor_mm, before_mm] = [left_m, floor_m, before_m].map(mm_from_m);
-        return Err(NoModel::Misses { left_mm, floor_mm, before_mm });
-    }
-    Ok(())
-}
 
 /// The stations, their places in the file as minutes where they have none: as the signatures take them.
 fn by_the_clock(stations: &Stations, dataset: &Dataset) -> Stations {

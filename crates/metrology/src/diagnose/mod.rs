@@ -24,6 +24,7 @@ mod marginal;
 mod measured_robot;
 mod model;
 mod next_measurements;
+mod no_model;
 mod noise_fault;
 mod normal_equations;
 mod observation;

@@ -19,6 +19,10 @@ pub(crate) trait Effect: Sync {
     fn usual_size(&self) -> &'static str;
     /// The literature that signature and usual size come from.
     fn source(&self) -> &'static str;
+    /// Beyond so many prior standard deviations it is something else: of the prior's sizes a hundredth lies there.
+    fn furthest_sigmas(&self) -> f64 {
+        30.0
+    }
     /// How it shows over time: constant, drift, step.
     fn time(&self) -> TimeCourse {
         TimeCourse::Constant

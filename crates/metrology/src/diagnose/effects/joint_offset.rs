@@ -20,6 +20,10 @@ impl Effect for JointOffset {
     fn usual_size(&self) -> &'static str {
         "0.1 to 2 mrad"
     }
+    /// A zero that was set by eye may be two degrees off.
+    fn furthest_sigmas(&self) -> f64 {
+        100.0
+    }
     fn source(&self) -> &'static str {
         "Mooring, Roth, Driels, Fundamentals of Manipulator Calibration, 1991, ch. 2"
     }

@@ -23,6 +23,9 @@ impl Effect for ToolStep {
     fn usual_size(&self) -> &'static str {
         "any size"
     }
+    fn furthest_sigmas(&self) -> f64 {
+        f64::INFINITY
+    }
     fn source(&self) -> &'static str {
         "rigid motion of the target on the flange"
     }

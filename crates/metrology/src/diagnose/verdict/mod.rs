@@ -17,5 +17,6 @@ mod wording;
 pub(super) use cause_group::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
 pub(super) use judge::judge;
 pub(super) use judgement::Judgement;
+pub(super) use size::reported;
 pub(super) use wording::describe_candidate;
 pub use wording::{GearBand, describe, gear_bands};
