@@ -122,6 +122,26 @@ fn a_joint_that_is_never_read_anew_is_named() {
     }
 }
 
+/// Rounded to steps that nobody writes, some of them counted from an angle that is no multiple of the step.
+#[test]
+fn joints_rounded_to_any_step_are_told_with_it() {
+    for (step_deg, offset_deg) in [(0.1, 0.0), (0.1, 0.037), (0.15, 0.0), (0.15, 0.02)] {
+        let text = changed(|rows, at| {
+            for row in rows.iter_mut() {
+                for name in JOINTS {
+                    let cell = &mut row[at(name)];
+                    let steps = ((cell.parse::<f64>().unwrap() - offset_deg) / step_deg).round();
+                    *cell = format!("{:.4}", steps * step_deg + offset_deg);
+                }
+            }
+        });
+        let answer = diagnose(&text, &[]);
+        assert_eq!(answer.json["fault"]["kind"], "rounded_joints", "{}", answer.json["reason"]);
+        let reason = answer.json["reason"].as_str().unwrap();
+        assert!(reason.contains(&format!("rounded to {step_deg} deg")), "{reason}");
+    }
+}
+
 /// Held against two fifths of the noise that is in it, no model of a set is one.
 #[test]
 fn a_model_that_leaves_more_than_the_stated_noise_is_none() {
