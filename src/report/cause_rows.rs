@@ -6,16 +6,18 @@ use robot_model::units::mrad_from_rad;
 use std::fmt::Write;
 
 /// A row for each cause; the lines of one joint's gear, where there are several, are one. Of causes that are there the largest at
-/// the tool stand first, alternatives together, the likeliest of them first; of mere candidates the likeliest.
-pub fn rows(causes: &[Cause], named: bool) -> Vec<String> {
+/// the tool stand first, alternatives together, the likeliest of them first; of mere candidates the likeliest. `gap_mm`: the gap that they
+/// are to explain.
+pub fn rows(causes: &[Cause], named: bool, gap_mm: Option<f64>) -> Vec<String> {
     let (bands, others) = gear_bands(causes);
     let largest = |slot: usize| {
         let of_slot = causes.iter().filter(|c| c.slot == slot);
         of_slot.map(Cause::seen_mm).fold(0.0, f64::max)
     };
-    let mut rows: Vec<(f64, String)> = bands.iter().map(|band| (band.seen_mm, band_in_words(band))).collect();
+    let mut rows: Vec<(f64, String)> =
+        bands.iter().map(|band| (band.seen_mm, band_in_words(band, gap_mm))).collect();
     // They come the likeliest first, and sorting keeps that order among alternatives.
-    rows.extend(others.iter().map(|cause| (largest(cause.slot), in_words(cause, causes))));
+    rows.extend(others.iter().map(|cause| (largest(cause.slot), in_words(cause, causes, gap_mm))));
     if named {
         rows.sort_by(|a, b| b.0.total_cmp(&a.0));
     }
@@ -23,9 +25,14 @@ pub fn rows(causes: &[Cause], named: bool) -> Vec<String> {
 }
 
 /// The lines of one joint's gear.
-fn band_in_words(band: &GearBand) -> String {
+fn band_in_words(band: &GearBand, gap_mm: Option<f64>) -> String {
+    let beyond = if gap_mm.is_some_and(|gap_mm| band.seen_mm > gap_mm) {
+        " one by one, more than the gap: over the angles that were measured they take each other back"
+    } else {
+        ""
+    };
     format!(
-        "gear_mesh of joint {} ({}): {} lines, {} to {} a turn, {:.3} mrad rms, {}",
+        "gear_mesh of joint {} ({}): {} lines, {} to {} a turn, {:.3} mrad rms, {}{beyond}",
         band.joint,
         plainly(EffectKind::GearMesh),
         band.lines,
@@ -65,8 +72,11 @@ pub fn plainly(effect: EffectKind) -> &'static str {
     }
 }
 
+/// Likelier than this a cause is there, however large.
+const IS_THERE: f64 = 0.9;
+
 /// One cause; `causes` are all, among which its alternatives are.
-fn in_words(cause: &Cause, causes: &[Cause]) -> String {
+fn in_words(cause: &Cause, causes: &[Cause], gap_mm: Option<f64>) -> String {
     let mut text = describe(cause);
     let plain = plainly(cause.effect);
     if !plain.is_empty() {
@@ -77,7 +87,9 @@ fn in_words(cause: &Cause, causes: &[Cause]) -> String {
         // Writing to a String cannot fail.
         let _ = match cause.sigma {
             Some(sigma) if sigma > size => {
-                write!(text, ": size open, under {}{unit}", number(size + 2.0 * sigma))
+                let there = if cause.posterior > IS_THERE { "it is there, but " } else { "" };
+                let most = number(size + 2.0 * sigma);
+                write!(text, ": {there}how large it is these data do not tell (anything up to {most}{unit})")
             }
             Some(sigma) => write!(text, ": {} +- {}{unit}", number(size), number(sigma)),
             None => write!(text, ": {}{unit}", number(size)),
@@ -85,6 +97,9 @@ fn in_words(cause: &Cause, causes: &[Cause]) -> String {
     }
     if let Some(rms_mm) = cause.rms_mm {
         let _ = write!(text, ", {}", moves(rms_mm, cause.seen_mm()));
+        if gap_mm.is_some_and(|gap_mm| cause.seen_mm() > gap_mm) {
+            let _ = write!(text, ", most of it taken back by others: {:.3} mm of the gap", cause.of_gap_mm());
+        }
     }
     let alternatives = causes.iter().filter(|c| c.slot == cause.slot).count();
     let choice =
@@ -126,5 +141,45 @@ pub fn number(value: f64) -> String {
         format!("{value:.2e}")
     } else {
         format!("{value:.3}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(posterior: f64, size: f64, seen_mm: f64) -> String {
+        let cause = Cause {
+            size: Some(size),
+            sigma: Some(1e-5),
+            unit: SizeUnit::Radian,
+            rms_mm: Some(2.0),
+            rms_seen_mm: Some(seen_mm),
+            rms_of_gap_mm: Some(0.05),
+            ..Cause::of(EffectKind::JointOffset, posterior)
+        };
+        rows(&[cause], true, Some(0.18)).remove(0)
+    }
+
+    #[test]
+    fn a_cause_that_others_take_back_is_told_by_what_of_the_gap_rests_on_it() {
+        let more = row(0.99, 1e-3, 1.99);
+        assert!(
+            more.contains("moves the tool by 2.000 mm, most of it taken back by others: 0.050 mm of the gap"),
+            "{more}"
+        );
+        assert!(!row(0.99, 1e-3, 0.15).contains("taken back"));
+    }
+
+    #[test]
+    fn a_size_that_is_not_told_is_said_to_be_so() {
+        let open = row(0.9999, 5e-6, 0.1);
+        assert!(
+            open.contains(
+                "it is there, but how large it is these data do not tell (anything up to 2.50e-5 rad)"
+            ),
+            "{open}"
+        );
+        assert!(row(0.4, 5e-6, 0.1).contains(": how large it is these data do not tell"));
     }
 }

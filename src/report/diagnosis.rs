@@ -45,16 +45,16 @@ fn share_explained(d: &Findings) -> Option<f64> {
 }
 
 /// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
-/// what they move the tool by beside base and target.
+/// what of the gap rests on them.
 pub(super) fn mostly_explained(d: &Findings) -> Option<String> {
     let percent = 100.0 * share_explained(d)?;
     // A candidate's probability is at most one half under these verdicts.
     let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
-    likely.sort_by(|a, b| b.seen_mm().total_cmp(&a.seen_mm()));
+    likely.sort_by(|a, b| b.of_gap_mm().total_cmp(&a.of_gap_mm()));
     let leading: Vec<String> = likely
         .iter()
         .take(3)
-        .map(|cause| format!("{} ({:.3} mm at the tool)", describe(cause), cause.seen_mm()))
+        .map(|cause| format!("{} ({:.3} mm of the gap)", describe(cause), cause.of_gap_mm()))
         .collect();
     let by = match leading.is_empty() {
         true => "small errors of all joints' geometry and the nearest candidates together".to_owned(),
@@ -67,13 +67,21 @@ pub(super) fn mostly_explained(d: &Findings) -> Option<String> {
 fn left(page: &mut String, d: &Findings) {
     let s = &d.shrink;
     if let (Some(before), Some(after), Some(floor)) = (s.before_rms_mm, s.after_rms_mm, s.floor_rms_mm) {
+        let causes = s.causes_only_rms_mm.filter(|_| names_causes(d));
+        let causes =
+            causes.map_or_else(String::new, |causes| format!(", {causes:.3} mm with the named causes alone"));
         line(
             page,
             &format!(
-                "Gap: {before:.3} mm, {after:.3} mm with the model on poses held out, of which noise {floor:.3} mm (rms, 3-D)."
+                "Gap: {before:.3} mm, {after:.3} mm with the model on poses held out{causes}, of which noise {floor:.3} mm (rms, 3-D)."
             ),
         );
     }
+}
+
+/// Whether the verdict is that causes are there.
+fn names_causes(d: &Findings) -> bool {
+    matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous)
 }
 
 /// How many rows where, what they decide, and what else can tell.
@@ -110,15 +118,15 @@ fn poses_below(d: &Findings) -> String {
 /// What to do with this verdict.
 pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
     let poses = poses_below(d);
-    let write = match d.no_model {
-        Some(_) => "no model can be written",
+    let write = match &d.no_model {
+        Some(why) => format!("no model can be written: {why}"),
         None if arm.clone().six_axis().is_ok() => {
-            "write the model (--model-out), validate it on other poses, compensate with it"
+            "write the model (--model-out), validate it on other poses, compensate with it".to_owned()
         }
-        None => "write the model (--model-out), validate it on other poses",
+        None => "write the model (--model-out), validate it on other poses".to_owned(),
     };
     match d.verdict {
-        Verdict::Explained | Verdict::Several if poses.is_empty() => write.to_owned(),
+        Verdict::Explained | Verdict::Several if poses.is_empty() => write,
         Verdict::Explained | Verdict::Several => format!("{write}; to be surer {poses}"),
         Verdict::Ambiguous if play_or_spring(d) => {
             "measure again with the directions of approach (dir1 to dir6): play follows them, a spring does not"
@@ -131,7 +139,7 @@ pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
             format!("{write}; to see more {poses}")
         }
         _ if share_explained(d).is_some() && d.no_model.is_none() => match poses.is_empty() {
-            true => write.to_owned(),
+            true => write,
             false => format!("{write}; for what is left {poses}"),
         },
         Verdict::UnexplainedScatter if !poses.is_empty() && misses_a_channel(d) => {
@@ -199,9 +207,8 @@ fn gain(page: &mut String, d: &Findings) {
             ),
         );
     }
-    let named = matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
     if let Some(causes) =
-        s.causes_only_rms_mm.filter(|causes| named && (causes - after).abs() > WORTH_A_LINE_MM)
+        s.causes_only_rms_mm.filter(|causes| names_causes(d) && (causes - after).abs() > WORTH_A_LINE_MM)
     {
         line(
             page,

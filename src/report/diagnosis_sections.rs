@@ -102,7 +102,7 @@ pub(super) fn evidence(page: &mut String, d: &Findings) {
     };
     line(page, title);
     zeros(page, d);
-    let rows = rows(&d.causes, named);
+    let rows = rows(&d.causes, named, d.shrink.before_rms_mm);
     for row in rows.iter().take(MOST_LISTED) {
         line(page, &format!("  {row}"));
     }

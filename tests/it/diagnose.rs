@@ -478,5 +478,9 @@ fn what_base_and_target_leave_of_a_cause_is_told_beside_its_own_size() {
         // A gear line of many periods looks like no shift or turn; one of a single period does.
         let absorbed = if cause["effect"] == "gear_eccentricity" { 0.1..0.5 } else { -0.001..0.02 };
         assert!(absorbed.contains(&(1.0 - seen / own)), "{own} mm of its own, {seen} mm shown");
+        // A line that nothing else looks like is missed whole where it is left out; of one of a single period others take a part over.
+        let of_gap = mm(cause, "rms_of_gap_mm");
+        let resting = if cause["effect"] == "gear_eccentricity" { 0.1..1.01 } else { 0.95..1.01 };
+        assert!(resting.contains(&(of_gap / seen)), "{of_gap} mm of the gap, {seen} mm shown");
     }
 }

@@ -39,6 +39,9 @@ pub struct Cause {
     pub rms_mm: Option<f64>,
     /// What of `rms_mm` is left where base and target stand as well as they can beside it: the part that measurements show.
     pub rms_seen_mm: Option<f64>,
+    /// What of the measured gap rests on it: the root of what the squares of the gap grow by where it is left out and all others are fitted
+    /// again. Causes that take back what others do may each move the point by more than the whole gap.
+    pub rms_of_gap_mm: Option<f64>,
     /// How much likelier than nothing in its place, nats.
     pub evidence_nats: Option<f64>,
     /// Usual size, for comparison.
@@ -57,9 +60,15 @@ impl Cause {
         self.rms_seen_mm.or(self.rms_mm).unwrap_or(0.0)
     }
 
+    /// What of the measured gap rests on it, mm; what it moves the point by beside base and target where that is less.
+    #[must_use]
+    pub fn of_gap_mm(&self) -> f64 {
+        self.seen_mm().min(self.rms_of_gap_mm.unwrap_or(f64::INFINITY))
+    }
+
     /// An effect as a cause of no joint, not fitted.
     #[must_use]
-    pub(super) fn of(kind: EffectKind, posterior: f64) -> Self {
+    pub fn of(kind: EffectKind, posterior: f64) -> Self {
         let effect = effects::effect(kind);
         Self {
             effect: kind,
@@ -75,6 +84,7 @@ impl Cause {
             unit: effect.unit(),
             rms_mm: None,
             rms_seen_mm: None,
+            rms_of_gap_mm: None,
             evidence_nats: None,
             usual: effect.usual_size(),
             source: effect.source(),
@@ -316,7 +326,7 @@ pub struct Findings {
     pub tool_mm: Option<[f64; 3]>,
     /// Warnings of reading and judging the data.
     pub warnings: Vec<Warning>,
-    /// Why no model is made of what was found, where one was asked for and that is so.
+    /// Why no model is made of what was found, where one was asked for and that is so; or why one would not be, where that shows without.
     pub no_model: Option<String>,
     /// Residuals of every row, before and after; not in the JSON.
     #[serde(skip)]

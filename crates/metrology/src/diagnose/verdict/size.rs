@@ -37,12 +37,19 @@ pub(super) fn cause(
         Some(i) => all[i] = this,
         None => all.push(this),
     }
+    let mut others = all.clone();
+    others.remove(i.unwrap_or(chosen.len()));
     let groups = workspace.design.all_groups();
-    let fit = solve(&workspace.design, &groups, &all, Some(model.peak.geometry_ratio));
+    let ratio = Some(model.peak.geometry_ratio);
+    let fit = solve(&workspace.design, &groups, &all, ratio);
+    let without = solve(&workspace.design, &groups, &others, ratio);
+    let left_m = |fit: &LinearFit| left_rms_m(&workspace.design, &model.outliers, fit);
+    let of_gap_m = (left_m(&without).powi(2) - left_m(&fit).powi(2)).max(0.0).sqrt();
     let candidate = &workspace.library.candidates[cause_group.best];
     let (size, sigma) = size_of(candidate, &columns, &fit, model.peak.sigma_m);
     let moved: Vec<f64> = moved_by(linear, candidate, &columns, &fit);
     let mut cause = cause_unfitted(workspace, cause_group);
+    cause.rms_of_gap_mm = Some(mm_from_m(of_gap_m));
     cause.size = Some(size);
     cause.sigma = Some(sigma);
     cause.rms_mm = Some(mm_from_m(rms(&moved)));
@@ -105,16 +112,16 @@ pub(super) fn total_rms_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f
     let ratio = Some(model.peak.geometry_ratio);
     let left = |chosen: &[ChosenCause]| {
         let fit = solve(&workspace.design, &groups, chosen, ratio);
-        let residuals = workspace.design.residuals(&fit.coefficients);
-        let kept: Vec<f64> = residuals
-            .iter()
-            .zip(&model.outliers)
-            .filter(|(_, out)| !**out)
-            .map(|(m, _)| shift_m(m))
-            .collect();
-        rms(&kept).powi(2)
+        left_rms_m(&workspace.design, &model.outliers, &fit).powi(2)
     };
     (left(&[]) - left(chosen)).max(0.0).sqrt()
+}
+
+/// What a fit leaves of the stations that are not set aside, 3-D rms, metres.
+fn left_rms_m(design: &Design, outliers: &[bool], fit: &LinearFit) -> f64 {
+    let residuals = design.residuals(&fit.coefficients);
+    let kept = residuals.iter().zip(outliers).filter(|(_, out)| !**out);
+    rms(&kept.map(|(left, _)| shift_m(left)).collect::<Vec<f64>>())
 }
 
 /// Root mean square of the values; 0 of none.
@@ -178,7 +185,8 @@ fn seen_m(
 }
 
 /// How many of an effect's columns are its own: what a warm-up effect adds as a constant is no part of it.
-fn reported(candidate: &Candidate, columns: usize) -> usize {
+#[must_use]
+pub(in crate::diagnose) fn reported(candidate: &Candidate, columns: usize) -> usize {
     let constant =
         candidate.effect().unit() != SizeUnit::Millimetre && candidate.effect().time() == TimeCourse::Drift;
     if constant { candidate.n_reported } else { columns }
