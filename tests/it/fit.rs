@@ -339,3 +339,38 @@ fn a_mistyped_minute_is_told_with_its_line_and_column() {
         "{message}"
     );
 }
+
+/// Times dealt out anew, of a robot that warms up quickly: the touch that is furthest off a drift fitted to chance looks false beside that drift alone, and is
+/// not to speak for it by being left out.
+#[test]
+fn a_touch_that_goes_against_a_drift_does_not_speak_for_it_by_being_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let sets = folder.path().join("sets");
+    let mut synth = Command::cargo_bin("driftpost").unwrap();
+    synth.arg("synth").arg(&sets).args([
+        "--touches",
+        "4",
+        "--times",
+        "30",
+        "--growth",
+        "two-stage:15",
+        "--seed",
+        "0",
+    ]);
+    synth.assert().success();
+    let mut read = Touches::from_csv(&std::fs::read(sets.join("touches.csv")).unwrap()).unwrap();
+    let robot = Robot::built_in("irb140").unwrap();
+    assert!(fit(&read, &robot, &FitOptions::default()).is_ok());
+    read.touches.sort_by_key(|touch| touch.line);
+    let times: Vec<f64> = read.touches.iter().map(|touch| touch.t_min).collect();
+    // The fractions of a sine times a large number follow nothing.
+    let by_chance = |k: usize| ((3000.0 + k as f64) * 12.9898).sin() * 43_758.547;
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by(|a, b| by_chance(*a).rem_euclid(1.0).total_cmp(&by_chance(*b).rem_euclid(1.0)));
+    for (touch, from) in read.touches.iter_mut().zip(order) {
+        touch.t_min = times[from];
+    }
+    read.touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
+    let refused = fit(&read, &robot, &FitOptions::default()).unwrap_err();
+    assert!(matches!(refused, FitError::NoDrift { .. }), "{refused}");
+}
