@@ -45,16 +45,23 @@ fn share_explained(d: &Findings) -> Option<f64> {
 }
 
 /// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
-/// what of the gap rests on them.
+/// what they move the tool by beside base and target, or, where others take that back, by what of the gap rests on them.
 pub(super) fn mostly_explained(d: &Findings) -> Option<String> {
     let percent = 100.0 * share_explained(d)?;
     // A candidate's probability is at most one half under these verdicts.
     let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
-    likely.sort_by(|a, b| b.of_gap_mm().total_cmp(&a.of_gap_mm()));
+    let gap_mm = d.shrink.before_rms_mm.unwrap_or(f64::INFINITY);
+    // What others take back is no part of the gap.
+    let is_taken_back = |cause: &Cause| cause.seen_mm() > gap_mm;
+    let in_gap_mm = |cause: &Cause| if is_taken_back(cause) { cause.of_gap_mm() } else { cause.seen_mm() };
+    likely.sort_by(|a, b| in_gap_mm(b).total_cmp(&in_gap_mm(a)));
     let leading: Vec<String> = likely
         .iter()
         .take(3)
-        .map(|cause| format!("{} ({:.3} mm of the gap)", describe(cause), cause.of_gap_mm()))
+        .map(|cause| {
+            let what = if is_taken_back(cause) { "of the gap" } else { "beside base and target" };
+            format!("{} ({:.3} mm {what})", describe(cause), in_gap_mm(cause))
+        })
         .collect();
     let by = match leading.is_empty() {
         true => "small errors of all joints' geometry and the nearest candidates together".to_owned(),

@@ -24,6 +24,10 @@ impl Effect for BaseTilt {
     fn usual_size(&self) -> &'static str {
         "1e-4 rad per 100 N.m"
     }
+    /// Springs under one load take each other back where the poses do not tell them apart: each may be further off than all of them.
+    fn furthest_sigmas(&self) -> f64 {
+        300.0
+    }
     fn source(&self) -> &'static str {
         "foundation as two rotary springs at the base"
     }

@@ -36,6 +36,10 @@ impl Effect for JointCompliance {
     fn usual_size(&self) -> &'static str {
         "0.2 to 1 mrad under the largest torque: 2 to 20 urad/(N.m) in the arm, 20 to 200 in the wrist"
     }
+    /// Springs under one load take each other back where the poses do not tell them apart: each may be further off than all of them.
+    fn furthest_sigmas(&self) -> f64 {
+        300.0
+    }
     fn source(&self) -> &'static str {
         "Khalil and Besnard 2002, Geometric calibration of robots with flexible joints and links"
     }

@@ -33,6 +33,10 @@ impl Effect for LinkBending {
     fn usual_size(&self) -> &'static str {
         "5 to 30 % of the joints' sag"
     }
+    /// Springs under one load take each other back where the poses do not tell them apart: each may be further off than all of them.
+    fn furthest_sigmas(&self) -> f64 {
+        300.0
+    }
     fn source(&self) -> &'static str {
         "Euler-Bernoulli cantilever; Khalil and Besnard 2002"
     }
