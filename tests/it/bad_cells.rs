@@ -33,7 +33,7 @@ fn diagnose(csv: &str, arguments: &[&str]) -> Answer {
     }
 }
 
-/// Header and rows.
+/// The header, and each row as its cells.
 type Cells = (Vec<String>, Vec<Vec<String>>);
 
 /// Poses of a virtual arm whose second joint gives way, each measured once.
