@@ -2,6 +2,7 @@
 //! files written, and a small fixed exam.
 
 mod outside_the_library;
+mod told_apart;
 
 use assert_cmd::Command;
 use serde_json::Value;
@@ -52,6 +53,13 @@ fn file(rows: usize, row: impl Fn(usize) -> ([f64; 6], [f64; 3])) -> String {
 fn noise(k: usize) -> f64 {
     let x = (k as f64 * 12.9898).sin() * 43_758.547;
     2.0 * (x - x.floor()) - 1.0
+}
+
+/// Joints of row `k`, degrees: equidistributed by the golden section and its powers.
+fn anywhere_deg(k: usize) -> [f64; 6] {
+    let most_deg = [150.0, 50.0, 50.0, 160.0, 100.0, 160.0];
+    let share = |j: usize| ((k + 1) as f64 * 0.618_034_f64.powi(j as i32 + 1)).fract();
+    std::array::from_fn(|j| most_deg[j] * (2.0 * share(j) - 1.0))
 }
 
 fn garbage(k: usize) -> ([f64; 6], [f64; 3]) {

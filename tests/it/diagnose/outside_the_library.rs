@@ -1,6 +1,6 @@
 //! What no cause of the library explains is said to be that, and what it looks like.
 
-use super::{diagnose, file, noise, verdict};
+use super::{anywhere_deg, diagnose, file, noise, verdict};
 use exam::effect::Effect;
 use exam::generate::data_set;
 use exam::recipe::Recipe;
@@ -52,13 +52,6 @@ fn a_shift_near_one_place_is_no_cause_of_the_library() {
         answer["where"]["region"]["center_mm"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap());
     let away_mm = found.zip(centre_mm).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
     assert!(away_mm < 180.0, "{away_mm} {answer:#}");
-}
-
-/// Joints of row `k`, degrees: equidistributed by the golden section and its powers.
-fn anywhere_deg(k: usize) -> [f64; 6] {
-    let most_deg = [150.0, 50.0, 50.0, 160.0, 100.0, 160.0];
-    let share = |j: usize| ((k + 1) as f64 * 0.618_034_f64.powi(j as i32 + 1)).fract();
-    std::array::from_fn(|j| most_deg[j] * (2.0 * share(j) - 1.0))
 }
 
 /// The reason for calling rows without a cause; `hand_m`: the measured point of joints (radians), row `k`.

@@ -7,6 +7,7 @@ use super::design::{Design, Whitening};
 use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effects};
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
+use super::gear_lines::{AliasedLine, aliased_line};
 use super::heldout::{self, Folds};
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
@@ -20,7 +21,7 @@ use super::no_model::{NoModel, holds};
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
 use super::outcome::{
-    Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
+    Cause, Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
 };
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
@@ -94,7 +95,8 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     if let Some(fault) = noise_beyond_stated(measured, &fitted, &judgement) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
-    let identification = wants_model.then(|| Identification::of(prepared, &problem, &fitted));
+    let identification =
+        wants_model.then(|| Identification::of(prepared, &problem, &fitted, &judgement.causes));
     fitted.workspace.library.gp_alternatives.clear();
     let mut diagnosis = consequences(prepared, &folds, &mut fitted, judgement);
     diagnosis.untestable_detail = visible.untestable;
@@ -153,8 +155,17 @@ struct Identification {
 
 impl Identification {
     /// The model of `fitted`; where something drifts by the order of rows, of a search without all that does.
-    fn of(prepared: &Prepared<'_>, problem: &SearchProblem<'_>, fitted: &FittedModel<'_>) -> Self {
+    fn of(
+        prepared: &Prepared<'_>,
+        problem: &SearchProblem<'_>,
+        fitted: &FittedModel<'_>,
+        causes: &[Cause],
+    ) -> Self {
         let Prepared { measured, linear, options, .. } = *prepared;
+        if let Some(AliasedLine { joint, periods }) = aliased_line(&linear.dataset, causes) {
+            let periods = periods.iter().map(u32::to_string).collect::<Vec<String>>().join(" and ");
+            return Self { found: Err(NoModel::Aliases { joint, periods }), untimed: false };
+        }
         let untimed = drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen);
         if !untimed {
             return Self { found: identify(measured, fitted, options), untimed };

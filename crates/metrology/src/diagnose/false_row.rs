@@ -33,7 +33,8 @@ pub(super) fn false_rows(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) 
                 id: row.id.clone(),
                 off_mm: Some(mm_from_m(off_m)),
                 times_middle: Some(off_m / middle_m.max(1e-12)),
-                looks_like: likeness(stations, linear, &model.residuals[i], i),
+                looks_like: repeats_agree(station.rows.len())
+                    .or_else(|| likeness(stations, linear, &model.residuals[i], i)),
             });
         }
     }
@@ -49,6 +50,15 @@ pub(super) fn false_rows(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) 
     }
     all.sort_by_key(|row| row.line);
     all
+}
+
+/// What is said of a pose whose `readings` were taken together as they agree.
+fn repeats_agree(readings: usize) -> Option<String> {
+    (readings > 1).then(|| {
+        format!(
+            "{readings} readings of this pose agree with each other: not the reading is wrong, but the joints as written, or the arm here"
+        )
+    })
 }
 
 fn shift(twist: &Twist) -> Vector3<f64> {

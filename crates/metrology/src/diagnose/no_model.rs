@@ -11,6 +11,7 @@ use super::verdict::{describe_candidate, reported};
 use crate::measure::RegisterError;
 use nalgebra::DVector;
 use robot_model::deform::identified::{Estimate, Identified, Term};
+use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
 
 /// Why no model is made of what was found.
@@ -48,6 +49,17 @@ pub(super) enum NoModel {
     NoSigma {
         /// The term in words.
         term: String,
+    },
+    /// A gear line of which nobody can say which it is: those that it may be are the same at the angles measured alone.
+    #[error(
+        "lines of {periods} periods per turn of joint {joint} are the same numbers at the angles measured and differ between them: measure \
+         joint {joint} at angles in between"
+    )]
+    Aliases {
+        /// The joint whose gear it is.
+        joint: Axis,
+        /// Periods per turn of the lines, in words.
+        periods: String,
     },
     /// The arm under the model cannot be registered.
     #[error(transparent)]

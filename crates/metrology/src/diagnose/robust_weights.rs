@@ -2,6 +2,7 @@
 
 use super::dataset::Twist;
 use super::linearise::{Linearised, shift_m};
+use super::moved_together;
 
 /// A station further than this many sigmas from the model, and alone there, is false.
 pub(super) const FALSE_SIGMAS: f64 = 4.5;
@@ -40,9 +41,10 @@ impl RobustWeights {
             .collect();
         let sigma_m = median(&mut sigmas);
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
-        let outliers: Vec<bool> = (0..residuals.len())
+        let mut outliers: Vec<bool> = (0..residuals.len())
             .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
             .collect();
+        moved_together::excuse(linear, residuals, &mut outliers);
         let weights = distances
             .iter()
             .zip(&outliers)

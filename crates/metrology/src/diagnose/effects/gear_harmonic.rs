@@ -15,9 +15,9 @@ pub(super) struct GearHarmonic {
 }
 
 /// Size of a gear's own double frequency, over the first: 10 to 20 % as measured on strain-wave gears (Tuttle and Seering 1996).
-const OVERTONE: f64 = 0.15;
+pub(super) const OVERTONE: f64 = 0.15;
 /// Share of gears in which it shows.
-const OVERTONE_WEIGHT: f64 = 0.3;
+pub(crate) const OVERTONE_WEIGHT: f64 = 0.3;
 
 /// An error of one period per turn of the joint.
 pub(super) const GEAR_ECCENTRICITY: GearHarmonic = GearHarmonic { kind: EffectKind::GearEccentricity, n: 1 };

@@ -1,13 +1,15 @@
 //! Teeth, rollers, waves of a gear: an error many times per turn of the joint.
 
 use super::effect::{Candidate, Effect, EffectVariant};
+use super::gear_harmonic::OVERTONE;
 use super::rigid::{Motion, of_arm};
 use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 use std::f64::consts::TAU;
 
-/// J_j times a sine and a cosine of n q_j, n scanned.
+/// J_j times a sine and a cosine of n q_j, n scanned; refined, of 2 n q_j too.
 pub(super) struct GearMesh;
 
 /// Periods per turn that are tried.
@@ -52,6 +54,16 @@ impl Effect for GearMesh {
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
         let q_rad = at.observation.q_rad[of_arm(variant.joint, at.observation)];
-        out.extend(<[f64; 2]>::from((f64::from(variant.n.unwrap_or(LOWEST)) * q_rad).sin_cos()));
+        for overtone in 1..=if variant.refined { 2 } else { 1 } {
+            let order = f64::from(overtone * variant.n.unwrap_or(LOWEST));
+            out.extend(<[f64; 2]>::from((order * q_rad).sin_cos()));
+        }
     }
+}
+
+/// The line of `n` periods per turn of `joint` with its own double frequency, of about [`OVERTONE`] of its size.
+pub(crate) fn line_with_overtone(joint: Axis, n: u32) -> Candidate {
+    let variant = EffectVariant { n: Some(n), refined: true, ..EffectVariant::of_joint(joint.index()) };
+    let sizes = vec![1e-4, 1e-4, OVERTONE * 1e-4, OVERTONE * 1e-4];
+    Candidate { n_reported: 2, ..Candidate::new(EffectKind::GearMesh, variant, sizes) }
 }

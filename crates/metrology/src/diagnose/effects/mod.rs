@@ -31,6 +31,8 @@ mod tool_step;
 
 pub(in crate::diagnose) use backlash::held_above_n_m;
 pub(super) use effect::{Candidate, EffectVariant};
+pub(super) use gear_harmonic::OVERTONE_WEIGHT;
+pub(super) use gear_mesh::line_with_overtone;
 pub(super) use library::{TestableEffects, UntestableEffect, effect, testable_effects};
 pub(super) use over_time::steps_too_near;
 pub(in crate::diagnose) use payload_mass::{soft, usual_compliance};

@@ -8,14 +8,16 @@ mod rival_model;
 mod separation;
 mod wording;
 
+use super::dataset::Dataset;
 use super::effects::Candidate;
+use super::gear_lines::are_aliases;
 use super::model::FittedModel;
 use super::options::DiagnosisOptions;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
 use super::verdict::{Judgement, OpenSlot, describe_candidate};
 use pool::{Setup, When, pool};
 use question::{DECIDES, HOPELESS, MOST_ALTERNATIVES, Planned, Question};
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 
 /// Poses at least and at most where something is open.
 const FEWEST: usize = 24;
@@ -45,7 +47,9 @@ pub(super) fn next_measurements(
     options: &DiagnosisOptions,
 ) -> NextMeasurements {
     let ambiguous = judgement.verdict == Verdict::Ambiguous;
-    let mut slots: Vec<&OpenSlot> = judgement.open.iter().collect();
+    // Where no effect leaves a signal there is none to measure for.
+    let mut slots: Vec<&OpenSlot> =
+        judgement.open.iter().filter(|slot| !slot.alternatives.is_empty()).collect();
     slots.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
     let open = slots.iter().filter(|slot| ambiguous && slot.uncertainty() > OPEN_NATS).count();
     slots.truncate(open.max(1));
@@ -103,10 +107,16 @@ impl<'a> Asked<'a> {
         rivals.map(move |rival| &candidates[rival.candidate])
     }
 
-    /// The same in words.
+    /// The same in words; of lines that are the same numbers at the angles measured, with where they are not.
     fn names(&self, slot: usize) -> Vec<String> {
         let dataset = &self.fitted.linear.dataset;
-        self.candidates(slot).map(|candidate| describe_candidate(candidate, dataset)).collect()
+        let rivals: Vec<&Candidate> = self.candidates(slot).collect();
+        let mut names: Vec<String> =
+            rivals.iter().map(|candidate| describe_candidate(candidate, dataset)).collect();
+        if let (Some(joint), Some(name)) = (aliased_joint(dataset, &rivals), names.last_mut()) {
+            *name += &format!(", at angles of joint {joint} between those measured");
+        }
+        names
     }
 
     /// What tells that the poses cannot; nests, where the poses have them, are themselves the other means.
@@ -120,6 +130,14 @@ impl<'a> Asked<'a> {
             false => format!("{}: {means}", wording::question(&self.names(slot))),
         })
     }
+}
+
+/// The joint whose gear the likeliest of the `rivals` is a line of, where another is the same at the angles measured.
+fn aliased_joint(dataset: &Dataset, rivals: &[&Candidate]) -> Option<Axis> {
+    let line = |c: &Candidate| c.variant.joint.zip(c.variant.n);
+    let (joint, n) = line(rivals.first()?)?;
+    let mut others = rivals.iter().filter_map(|c| line(c)).filter(|(of, _)| *of == joint);
+    others.any(|(_, m)| are_aliases(dataset, joint, n, m)).then_some(joint)
 }
 
 /// The best poses, after the last row or on a new warm-up.

@@ -4,6 +4,7 @@ use super::chosen::ChosenCause;
 use super::library::Library;
 use crate::diagnose::design::{Design, side_by_side};
 use crate::diagnose::effects::{Candidate, steps_too_near};
+use crate::diagnose::gear_lines::are_aliases;
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
 
@@ -70,6 +71,21 @@ impl Library<'_> {
             .filter(of_joint)
             .filter(|c| self.candidates[c.candidate].variant.n != line.variant.n);
         self.angles.get(joint.index()).is_some_and(|angles| *angles >= ANGLES_PER_LINE * (1 + others.count()))
+    }
+
+    /// Lines of the same gear that are nearly the same numbers as `candidate` at the angles measured, and other ones between them.
+    pub(crate) fn aliases(&self, candidate: usize) -> Vec<usize> {
+        let this = &self.candidates[candidate];
+        let (EffectKind::GearMesh, Some(joint), Some(n)) = (this.kind, this.variant.joint, this.variant.n)
+        else {
+            return Vec::new();
+        };
+        let is_alias = |other: &Candidate| {
+            other.kind == EffectKind::GearMesh
+                && other.variant.joint == Some(joint)
+                && other.variant.n.is_some_and(|m| are_aliases(self.dataset, joint, n, m))
+        };
+        (0..self.candidates.len()).filter(|&c| is_alias(&self.candidates[c])).collect()
     }
 
     /// The candidates' columns in the design, appended when new; [`Self::extend`] has to follow.

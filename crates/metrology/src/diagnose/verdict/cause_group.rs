@@ -2,8 +2,12 @@
 
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
+use crate::diagnose::gear_lines::is_one_bend;
+use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::search::{ChosenCause, Hypothesis, HypothesisRanking, RankedHypothesis, cause_columns};
+use crate::diagnose::search::{
+    ChosenCause, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis, cause_columns,
+};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
@@ -26,6 +30,34 @@ pub(crate) struct CauseGroup {
     pub gain_nats: f64,
     /// Its best s / sigma.
     pub size_ratio: f64,
+    /// The lines of its gear that it may be, the likeliest first; none of what is no line.
+    pub lines: Vec<LineShare>,
+}
+
+/// One of the lines that a cause may be.
+pub(crate) struct LineShare {
+    /// Index of its likeliest candidate.
+    pub candidate: usize,
+    /// Its part of the cause's probability.
+    pub share: f64,
+}
+
+impl CauseGroup {
+    /// The cause as each of the lines that cannot be ruled out, the likeliest first; what is no line as it is.
+    pub(super) fn by_line(&self) -> Vec<Self> {
+        let Self { best, probability, gain_nats, size_ratio, .. } = *self;
+        let whole = LineShare { candidate: best, share: 1.0 };
+        let lines = &self.lines[..credible_shares(self.lines.iter().map(|line| line.share))];
+        let lines = if lines.is_empty() { std::slice::from_ref(&whole) } else { lines };
+        let of_line = |line: &LineShare| Self {
+            best: line.candidate,
+            probability: probability * line.share,
+            gain_nats,
+            size_ratio,
+            lines: Vec::new(),
+        };
+        lines.iter().map(of_line).collect()
+    }
 }
 
 /// A slot of the model whose cause is not beyond doubt.
@@ -52,6 +84,7 @@ impl OpenSlot {
         let alternatives = groups
             .iter()
             .take(near.max(2))
+            .flat_map(CauseGroup::by_line)
             .map(|g| AlternativeCause {
                 candidate: g.best,
                 probability: g.probability.clamp(1e-9, 1.0),
@@ -77,22 +110,79 @@ pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRankin
     for RankedHypothesis { hypothesis, probability, peak } in &ranking.ranked {
         let Hypothesis::Effect(c) = hypothesis else { continue };
         let this = key(&workspace.library.candidates[*c]);
-        match found.iter_mut().find(|(k, _)| *k == this) {
-            Some((_, cause_group)) => cause_group.probability += probability,
-            None => found.push((
-                this,
-                CauseGroup {
-                    best: *c,
-                    probability: *probability,
-                    gain_nats: peak.log_evidence - ranking.null.log_evidence,
-                    size_ratio: peak.size_ratio,
-                },
-            )),
-        }
+        let at = found.iter().position(|(k, _)| *k == this).unwrap_or_else(|| {
+            let cause_group = CauseGroup {
+                best: *c,
+                probability: 0.0,
+                gain_nats: peak.log_evidence - ranking.null.log_evidence,
+                size_ratio: peak.size_ratio,
+                lines: Vec::new(),
+            };
+            found.push((this, cause_group));
+            found.len() - 1
+        });
+        let cause_group = &mut found[at].1;
+        cause_group.probability += probability;
+        add_line(workspace, &mut cause_group.lines, *c, *probability);
     }
     let mut cause_groups: Vec<CauseGroup> = found.into_iter().map(|(_, g)| g).collect();
+    for CauseGroup { probability, lines, .. } in &mut cause_groups {
+        lines.iter_mut().for_each(|line| line.share /= probability.max(f64::MIN_POSITIVE));
+        lines.sort_by(|a, b| b.share.total_cmp(&a.share));
+    }
     cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     cause_groups
+}
+
+/// Counts the probability of `candidate` to the line that it is, where it is one: over a short range near periods are one bend.
+fn add_line(workspace: &Workspace<'_>, lines: &mut Vec<LineShare>, candidate: usize, probability: f64) {
+    let candidates = workspace.library.candidates;
+    let variant = &candidates[candidate].variant;
+    let (EffectKind::GearMesh, Some(n), Some(joint)) = (candidates[candidate].kind, variant.n, variant.joint)
+    else {
+        return;
+    };
+    let is_same = |line: &&mut LineShare| {
+        let other = candidates[line.candidate].variant.n;
+        other.is_some_and(|other| is_one_bend(workspace.library.dataset, joint, n, other))
+    };
+    match lines.iter_mut().find(is_same) {
+        Some(line) => line.share += probability,
+        None => lines.push(LineShare { candidate, share: probability }),
+    }
+}
+
+/// A gear line where there are dozens, in place `i` of `chosen`: each stood far out when it was added, and none has an alternative but
+/// its like at the same angles.
+#[must_use]
+pub(super) fn line_among_many(fitted: &FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> CauseGroup {
+    let FittedModel { model, workspace, .. } = fitted;
+    let Workspace { design, library, .. } = workspace;
+    let one = &chosen[i];
+    let odds = one.gain_nats + library.log_prior[one.candidate] - NULL_PRIOR.ln();
+    let mut line = CauseGroup {
+        best: one.candidate,
+        probability: 1.0 / (1.0 + (-odds).exp()),
+        gain_nats: one.gain_nats,
+        size_ratio: one.size_ratio,
+        lines: Vec::new(),
+    };
+    let aliases = library.aliases(one.candidate);
+    if aliases.is_empty() {
+        return line;
+    }
+    let groups = design.all_groups();
+    let nuisance = NuisanceModel::new(design, &groups, &cause_columns(chosen, Some(i)), model.noise);
+    let weights: Vec<(usize, f64)> = std::iter::once(one.candidate)
+        .chain(aliases)
+        .map(|c| (c, library.gain(&nuisance, &groups, c) + library.log_prior[c]))
+        .collect();
+    let total = log_sum(weights.iter().map(|weight| weight.1));
+    line.lines.extend(
+        weights.into_iter().map(|(candidate, weight)| LineShare { candidate, share: (weight - total).exp() }),
+    );
+    line.lines.sort_by(|a, b| b.share.total_cmp(&a.share));
+    line
 }
 
 /// Joins to the likeliest cause the alternative that holds it as a special case: what the alternative adds is not needed, and
@@ -124,6 +214,26 @@ pub(super) fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseG
         group.probability = probability;
     }
     cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+}
+
+/// Gives a target that has slipped on the flange about the last joint's axis the odds of a jump of that joint's zero, and takes half of
+/// them from it: one and the same motion, of which a shift of any direction would be likelier to be another.
+pub(super) fn share_slip(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
+    let candidates = workspace.library.candidates;
+    let Some(first) = cause_groups.first() else { return };
+    let jump = &candidates[first.best];
+    let last = workspace.library.dataset.joints().checked_sub(1).map(Axis::at);
+    if jump.kind != EffectKind::JointStep || jump.variant.joint != last {
+        return;
+    }
+    let is_slip = |c: &Candidate| c.kind == EffectKind::ToolStep && c.variant.growth == jump.variant.growth;
+    let Some(slip) = candidates.iter().position(is_slip) else { return };
+    let known = cause_groups.iter().position(|g| candidates[g.best].kind == EffectKind::ToolStep);
+    let slipped = known.map(|at| cause_groups.remove(at).probability).unwrap_or_default();
+    let first = &mut cause_groups[0];
+    first.probability = 0.5 * (first.probability + slipped);
+    let CauseGroup { probability, gain_nats, size_ratio, .. } = *first;
+    cause_groups.insert(1, CauseGroup { best: slip, probability, gain_nats, size_ratio, lines: Vec::new() });
 }
 
 /// Whether both give under load, and one of them in a shape that is known to [`SHAPE_KNOWN_TO`] only.
@@ -164,17 +274,21 @@ fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f
 /// The likeliest groups that together make up nearly all of the causes' probability.
 #[must_use]
 pub(super) fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
-    let total: f64 = cause_groups.iter().map(|g| g.probability).sum();
-    let first = cause_groups.first().map_or(0.0, |g| g.probability);
+    cause_groups.iter().take(credible_shares(cause_groups.iter().map(|g| g.probability))).collect()
+}
+
+/// How many of these probabilities, the largest first, together make up nearly all.
+fn credible_shares(probabilities: impl Iterator<Item = f64> + Clone) -> usize {
+    let total: f64 = probabilities.clone().sum();
+    let first = probabilities.clone().next().unwrap_or(0.0);
     let mut sum = 0.0;
-    cause_groups
-        .iter()
-        .take_while(|g| {
-            let more = sum < CREDIBLE * total && g.probability >= RIVAL * first;
-            sum += g.probability;
+    probabilities
+        .take_while(|&p| {
+            let more = sum < CREDIBLE * total && p >= RIVAL * first;
+            sum += p;
             more
         })
-        .collect()
+        .count()
 }
 
 /// Every hypothesis for one slot of the model.

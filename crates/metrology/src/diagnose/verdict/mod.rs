@@ -8,6 +8,7 @@ mod judge;
 mod judgement;
 mod listing;
 mod noise;
+mod overtones;
 mod size;
 mod structure;
 mod with_causes;

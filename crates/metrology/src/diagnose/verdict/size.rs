@@ -8,7 +8,7 @@ use crate::diagnose::linear_fit::{LinearFit, solve};
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::Cause;
-use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
+use crate::diagnose::search::ChosenCause;
 use crate::diagnose::size_unit::SizeUnit;
 use crate::diagnose::time_course::TimeCourse;
 use nalgebra::{DMatrix, DVector};
@@ -55,20 +55,6 @@ pub(super) fn cause(
     cause.rms_mm = Some(mm_from_m(rms(&moved)));
     cause.rms_seen_mm = Some(mm_from_m(rms(&seen_m(&workspace.design, &groups, candidate, &columns, &fit))));
     cause
-}
-
-/// A gear line where there are dozens: each stood far out when it was added, none has an alternative but its like.
-pub(super) fn line_among_many(fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> Cause {
-    let library = &fitted.workspace.library;
-    let one = &chosen[i];
-    let odds = one.gain_nats + library.log_prior[one.candidate] - NULL_PRIOR.ln();
-    let cause_group = CauseGroup {
-        best: one.candidate,
-        probability: 1.0 / (1.0 + (-odds).exp()),
-        gain_nats: one.gain_nats,
-        size_ratio: one.size_ratio,
-    };
-    cause(fitted, chosen, Some(i), &cause_group)
 }
 
 /// A cause without its size.

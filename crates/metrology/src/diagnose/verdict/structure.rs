@@ -1,6 +1,7 @@
 //! Structure of no named cause beside the causes: is there any, where, and could it replace them.
 
 use super::cycles;
+use super::overtones::{line_odds, overtones};
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
@@ -144,6 +145,7 @@ pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -
     let FittedModel { model, workspace, .. } = fitted;
     let groups = workspace.design.all_groups();
     let whole_m = total_rms_m(fitted, chosen);
+    let overtones = overtones(fitted, chosen);
     for (joint, lines) in lines_by_joint(workspace, chosen) {
         let rest: Vec<ChosenCause> =
             (0..chosen.len()).filter(|i| !lines.contains(i)).map(|i| chosen[i].clone()).collect();
@@ -176,9 +178,7 @@ pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -
         }
         let mut together = 0.0;
         for &i in &lines {
-            let c = chosen[i].candidate;
-            together += workspace.library.gain(&nuisance, &groups, c) + workspace.library.log_prior[c]
-                - NULL_PRIOR.ln();
+            together += line_odds(fitted, &nuisance, (chosen, i), &overtones);
             nuisance.grow(&workspace.design, &groups, &chosen[i].columns);
         }
         if let Some((_, gp_alternative)) = best.filter(|(odds, _)| *odds > together + DROP_NATS) {

@@ -1,10 +1,14 @@
 //! The verdict on a model that has causes: which stand in each of its places, and whether structure of no cause overrules them.
 
-use super::cause_group::{CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, scan};
+use super::cause_group::{
+    CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, line_among_many, scan,
+    share_slip,
+};
 use super::judgement::Judgement;
 use super::listing::{listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
-use super::size::{cause, cause_unfitted, line_among_many, moved_m, rms, total_rms_m};
+use super::overtones::overtones;
+use super::size::{cause, cause_unfitted, moved_m, rms, total_rms_m};
 use super::structure::{
     MANY_CAUSES, NEGLIGIBLE_STRUCTURE_RATIO, alternative_share, gp_alternative_share, left_over_m,
     likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
@@ -40,7 +44,8 @@ pub(super) fn with_causes(
     scatter: Scatter,
 ) -> Judgement {
     let mut found = CausesFound::default();
-    for slot in 0..chosen.len() {
+    let overtones = overtones(fitted, chosen);
+    for slot in (0..chosen.len()).filter(|slot| !overtones.contains(slot)) {
         found.add_slot(fitted, chosen, slot);
     }
     let causes = listed(std::mem::take(&mut found.causes));
@@ -120,18 +125,22 @@ impl CausesFound {
         let candidates = fitted.workspace.library.candidates;
         if chosen.len() > MANY_CAUSES && candidates[chosen[i].candidate].variant.n.is_some() {
             let line = line_among_many(fitted, chosen, i);
-            if line.posterior < LIKELIER_THAN_NOT {
+            if line.probability < LIKELIER_THAN_NOT {
                 return;
             }
-            self.causes.push(Cause { slot: i + 1, ..line });
+            let lines = self.add_lines(fitted, chosen, i, &line);
             self.needed += 1;
-            self.clear += 1;
+            self.clear += usize::from(lines == 1);
+            if lines > 1 {
+                self.open.push(OpenSlot::new(Some(i), &[line], 1));
+            }
             return;
         }
         let ranking = scan(fitted, chosen, Some(i)).ranking;
         let mut cause_groups = cause_groups(&fitted.workspace, &ranking);
         join_nested(&fitted.workspace, &mut cause_groups);
         doubt_shapes(&fitted.workspace, &mut cause_groups);
+        share_slip(&fitted.workspace, &mut cause_groups);
         let Some(first) = cause_groups.first() else { return };
         let near = credible(&cause_groups);
         let nothing =
@@ -155,22 +164,39 @@ impl CausesFound {
         let play_too = looks_like_play(fitted, first.best);
         let by_temperature = rests_on_temperature(fitted, first.best);
         self.has_open_slot |= first.probability < LIKELIER_THAN_NOT;
+        let mut lines = 0;
+        for cause_group in &near {
+            lines += self.add_lines(fitted, chosen, i, cause_group);
+        }
         self.clear += usize::from(
-            near.len() == 1
+            lines == 1
                 && !play_too
                 && !by_temperature
                 && first.probability >= LIKELIER_THAN_NOT
                 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
         );
         self.open.push(OpenSlot::new(Some(i), &cause_groups, near.len()));
-        for cause_group in &near {
-            let found = cause(fitted, chosen, Some(i), cause_group);
-            self.causes.push(Cause { slot: i + 1, ..found });
-        }
         self.doubt(i + 1, play_too, by_temperature);
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
         }
+    }
+
+    /// Names a cause of slot `i`, a gear's as each of the lines that it may be; their number.
+    fn add_lines(
+        &mut self,
+        fitted: &mut FittedModel<'_>,
+        chosen: &[ChosenCause],
+        i: usize,
+        cause_group: &CauseGroup,
+    ) -> usize {
+        let lines = cause_group.by_line();
+        self.has_open_slot |= lines.len() > 1 && lines[0].probability < LIKELIER_THAN_NOT;
+        for line in &lines {
+            let found = cause(fitted, chosen, Some(i), line);
+            self.causes.push(Cause { slot: i + 1, ..found });
+        }
+        lines.len()
     }
 
     /// Gives even odds to the first cause of `slot` where something has the same shape: play that of a bent spring, and whatever changed

@@ -144,7 +144,9 @@ const BAND: usize = 3;
 #[must_use]
 pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
     let of = |joint: Axis| -> Vec<&Cause> {
-        causes.iter().filter(|c| c.effect == EffectKind::GearMesh && c.joint == Some(joint)).collect()
+        let alone = |c: &&Cause| causes.iter().filter(|other| other.slot == c.slot).count() == 1;
+        let is_line = |c: &&Cause| c.effect == EffectKind::GearMesh && c.joint == Some(joint);
+        causes.iter().filter(is_line).filter(alone).collect()
     };
     // Lines of different periods are independent over a turn: their squares add.
     let together = |squares: f64| squares.sqrt();
@@ -163,9 +165,11 @@ pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
             seen_mm: together(lines.iter().map(|c| c.seen_mm().powi(2)).sum()),
         })
         .collect();
-    let banded =
-        |c: &&Cause| c.effect == EffectKind::GearMesh && bands.iter().any(|b| Some(b.joint) == c.joint);
-    let others = causes.iter().filter(|c| !banded(c)).collect();
+    let mut others: Vec<&Cause> = causes.iter().collect();
+    for band in &bands {
+        let lines = of(band.joint);
+        others.retain(|c| !lines.iter().any(|line| std::ptr::eq(*line, *c)));
+    }
     (bands, others)
 }
 
@@ -193,10 +197,11 @@ pub(super) fn in_short(causes: &[Cause]) -> String {
     for slot in slots {
         let alternatives: Vec<&&Cause> = others.iter().filter(|c| c.slot == slot).collect();
         let size = alternatives.iter().map(|c| c.seen_mm()).fold(0.0, f64::max);
-        let names: Vec<String> = alternatives.iter().map(|c| describe(c)).collect();
-        let sure = alternatives.iter().all(|c| c.posterior >= CERTAIN);
+        let names = names_by_line(&alternatives);
+        let sure = alternatives.len() == 1 && alternatives[0].posterior >= CERTAIN;
         match names.as_slice() {
             [one] if sure => certain.push((size, one.clone())),
+            [one] if alternatives.len() > 1 => open.push((size, format!("one of: {one}"))),
             [one] => open.push((size, format!("one of: {one} or something that is not in the library"))),
             many => open.push((size, format!("one of: {}", many.join(" or ")))),
         }
@@ -213,6 +218,27 @@ pub(super) fn in_short(causes: &[Cause]) -> String {
         (true, false) => join(open, SAID),
         (false, false) => format!("certain: {}; {}", join(certain, SAID), join(open, SAID)),
     }
+}
+
+/// Each of a place's alternatives in words, those that are lines of one joint's gear together.
+fn names_by_line(alternatives: &[&&Cause]) -> Vec<String> {
+    let of_gear = |c: &Cause| (c.effect == EffectKind::GearMesh).then_some(c.joint);
+    let mut names = Vec::new();
+    for (i, cause) in alternatives.iter().enumerate() {
+        let same = |other: &&&&Cause| of_gear(cause).is_some() && of_gear(other) == of_gear(cause);
+        if alternatives[..i].iter().any(|other| same(&other)) {
+            continue;
+        }
+        let periods: Vec<String> =
+            alternatives[i..].iter().filter(same).filter_map(|c| c.n).map(|n| n.to_string()).collect();
+        names.push(match (periods.as_slice(), cause.joint) {
+            ([_, _, ..], Some(joint)) => {
+                format!("{} of joint {joint}, {} per turn", cause.effect, periods.join(" or "))
+            }
+            _ => describe(cause),
+        });
+    }
+    names
 }
 
 #[cfg(test)]
@@ -238,6 +264,21 @@ mod tests {
         assert_eq!((band.joint, band.lines, band.n), (Axis::at(1), 3, [11, 33]));
         assert!((band.rms_rad - 5e-6 / 2f64.sqrt()).abs() < 1e-18 && (band.rms_mm - 0.05).abs() < 1e-15);
         assert_eq!(gear_bands(&causes[..2]).1.len(), 2, "two lines are named one by one");
+    }
+
+    /// Lines that are the same numbers at the angles measured stand in one place: no band of lines that are all there.
+    #[test]
+    fn lines_that_may_be_one_another_are_said_as_one_choice() {
+        let line =
+            |n, posterior, slot| Cause { n: Some(n), posterior, ..cause(EffectKind::GearMesh, 2, slot, 0.1) };
+        let causes = [line(8, 0.6, 1), line(28, 0.2, 1), line(44, 0.1, 1)];
+        assert_eq!(gear_bands(&causes).0, []);
+        assert_eq!(in_short(&causes), "one of: gear_mesh of joint 2, 8 or 28 or 44 per turn");
+        let sure = [line(17, 0.99, 1), line(8, 0.6, 2), line(28, 0.3, 2)];
+        assert_eq!(
+            in_short(&sure),
+            "certain: gear_mesh of joint 2, 17 per turn; one of: gear_mesh of joint 2, 8 or 28 per turn"
+        );
     }
 
     #[test]
