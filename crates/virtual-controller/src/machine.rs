@@ -12,7 +12,7 @@ mod stack;
 pub(super) use data::{Access, DataRef, DataRoot, DataState, DataValues, Selector};
 pub(super) use interrupts::Interrupts;
 pub use limits::StepLimit;
-pub(super) use limits::{LimitReached, MOST_FILE_BYTES, MOST_INTERRUPTS, MOST_MOVES, MOST_VALUES, RunLimits};
+pub(super) use limits::{LimitReached, MOST_FILE_BYTES, MOST_INTERRUPTS, MOST_VALUES, RunLimits};
 pub(super) use log::Log;
 pub(super) use outside::{Disk, Signals};
 pub(super) use stack::{Binding, CallStack, ExitConditions, Frame, Slot, StackMark};

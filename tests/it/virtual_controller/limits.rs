@@ -1,7 +1,6 @@
-//! What the virtual controller holds no more of: moves, data, files, interrupts.
+//! What the virtual controller holds no more of: data, files, interrupts.
 
 use super::controller;
-use robot_model::robot::Robot;
 use virtual_controller::{Controller, Outcome};
 
 /// Where a run of `main` was stopped, and why.
@@ -16,21 +15,6 @@ fn of_data(declarations: &str, locals: &str, body: &str) -> Controller {
     controller(&format!(
         "MODULE M\n{declarations}\n  PROC main()\n{locals}\n    {body}\n  ENDPROC\nENDMODULE\n"
     ))
-}
-
-#[test]
-fn a_quarter_of_a_million_moves_is_the_end_of_a_run() {
-    let mut c = Controller::with_robot(&Robot::built_in("irb140").unwrap()).unwrap();
-    let target = "[[400,0,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-    let text = |n: &str| {
-        format!(
-            "MODULE M\n  PROC main()\n    FOR i FROM 1 TO {n} DO\n      MoveL {target},v100,fine,tool0;\n    ENDFOR\n  ENDPROC\nENDMODULE\n"
-        )
-    };
-    c.load("m.mod", text("1000000000").as_bytes()).unwrap();
-    let (line, what) = stopped(&mut c);
-    assert_eq!((line, c.arm_mut().unwrap().take_moves().len()), (4, 250_000), "{what}");
-    assert!(what.contains("more than 250000 moves"), "{what}");
 }
 
 #[test]

@@ -59,6 +59,10 @@ fn list<const N: usize>(values: [f64; N]) -> String {
 
 /// To nine decimals, without those that are zero.
 fn short(value: f64) -> String {
+    // A whole number beyond 64 bits is none of TOML's.
+    if value.abs() >= 1e18 {
+        return format!("{value:e}");
+    }
     let text = format!("{value:.9}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
@@ -68,6 +72,15 @@ fn short(value: f64) -> String {
 mod tests {
     use super::*;
     use crate::kinematics::Chain;
+
+    #[test]
+    fn numbers_beyond_64_bits_are_read_back() {
+        for value in [1.0, -9.2e17, 1.89e92, -5e18, f64::MAX] {
+            let table: toml::Table = format!("x = {}", short(value)).parse().unwrap();
+            let read = table["x"].as_float().or_else(|| table["x"].as_integer().map(|n| n as f64));
+            assert_eq!(read, Some(value));
+        }
+    }
 
     #[test]
     fn out_and_in_again_is_the_same_robot() {

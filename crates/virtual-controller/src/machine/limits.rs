@@ -3,8 +3,6 @@
 /// Steps without a motion, behind one another, that no work takes.
 const IDLE_STEPS: u64 = 10_000_000;
 
-/// Moves of one run: a record of each stays in memory.
-pub(crate) const MOST_MOVES: u64 = 250_000;
 /// Single values of data that no text of the program gives: arrays without an initial value, and what routines in execution hold.
 pub(crate) const MOST_VALUES: u64 = 5_000_000;
 /// Bytes of the files that a program writes.
@@ -51,29 +49,20 @@ pub(crate) struct RunLimits {
     pub moves_left: Option<u64>,
     /// Moves that were made so far.
     pub moves_made: u64,
-    /// Those of the run in work.
-    moves_of_run: u64,
     /// Steps since the last move.
     idle: u64,
 }
 
 impl Default for RunLimits {
     fn default() -> Self {
-        Self {
-            steps: StepLimit::default(),
-            passes: 1,
-            moves_left: None,
-            moves_made: 0,
-            moves_of_run: 0,
-            idle: 0,
-        }
+        Self { steps: StepLimit::default(), passes: 1, moves_left: None, moves_made: 0, idle: 0 }
     }
 }
 
 impl RunLimits {
     /// A run begins that may take so many steps.
     pub(crate) fn begin(&mut self, steps: StepLimit) {
-        (self.steps, self.idle, self.moves_of_run) = (steps, 0, 0);
+        (self.steps, self.idle) = (steps, 0);
     }
 
     /// One step more; `outermost` where the program itself goes on, not a function inside of an expression.
@@ -93,15 +82,9 @@ impl RunLimits {
         Ok(())
     }
 
-    /// Whether the run may make another move.
-    pub(crate) fn has_move_left(&self) -> bool {
-        self.moves_of_run < MOST_MOVES
-    }
-
     /// A move was made.
     pub(crate) fn count_move(&mut self) {
         self.moves_made += 1;
-        self.moves_of_run += 1;
         self.idle = 0;
         if let Some(moves) = &mut self.moves_left {
             *moves = moves.saturating_sub(1);
