@@ -7,7 +7,7 @@ use super::design::{Design, Whitening};
 use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effects};
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
-use super::gear_lines::{AliasedLine, aliased_line};
+use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
 use super::heldout::{self, Folds};
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
@@ -25,6 +25,7 @@ use super::outcome::{
 };
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
+use super::spectrum;
 use super::verdict::{Judgement, judge};
 use super::zeros::zeros;
 use crate::measure::{Fault, FaultKind};
@@ -108,7 +109,7 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
         diagnosis.no_model = misses_stated(&fitted, prepared.options).map(|why| why.to_string());
         return Evaluation::without_model(diagnosis);
     };
-    diagnosis.warnings.splice(0..0, identification.warning());
+    diagnosis.warnings.splice(0..0, identification.warnings());
     diagnosis.no_model = identification.no_model();
     Evaluation { diagnosis, identified: identification.found.ok() }
 }
@@ -149,12 +150,20 @@ fn consequences(
 /// What became of the model that was wanted.
 struct Identification {
     found: Result<Identified, NoModel>,
-    /// Something drifts over rows without times, and was left out of it.
-    untimed: bool,
+    /// What was found and is not in it.
+    left_out: Vec<LeftOut>,
+}
+
+/// What a model is made without, although it was found.
+struct LeftOut {
+    code: &'static str,
+    /// What it is, and why it cannot be in a model.
+    why: String,
 }
 
 impl Identification {
-    /// The model of `fitted`; where something drifts by the order of rows, of a search without all that does.
+    /// The model of `fitted`; of a search without them, where something drifts by the order of rows or a gear line is one of several
+    /// that the angles measured do not tell apart (but in a spectrum). Of such a line alone no model is made.
     fn of(
         prepared: &Prepared<'_>,
         problem: &SearchProblem<'_>,
@@ -162,31 +171,47 @@ impl Identification {
         causes: &[Cause],
     ) -> Self {
         let Prepared { measured, linear, options, .. } = *prepared;
-        if let Some(AliasedLine { joint, periods }) = aliased_line(&linear.dataset, causes) {
+        let mut left_out = Vec::new();
+        let mut candidates = problem.candidates.to_vec();
+        let spectra = spectrum::spectra(problem.candidates, &fitted.model.chosen);
+        // In a spectrum all lines of the gear stand side by side, of one size: what is the same at the angles measured is shared out.
+        let aliased = aliased_line(&linear.dataset, causes)
+            .filter(|line| !spectra.iter().any(|of| of.joint == line.joint));
+        if let Some(AliasedLine { joint, periods, slot }) = aliased {
             let periods = periods.iter().map(u32::to_string).collect::<Vec<String>>().join(" and ");
-            return Self { found: Err(NoModel::Aliases { joint, periods }), untimed: false };
+            let why = NoModel::Aliases { joint, periods };
+            if causes.iter().all(|cause| cause.slot == slot) {
+                return Self { found: Err(why), left_out };
+            }
+            left_out.push(LeftOut { code: "diagnose::aliased-line", why: why.to_string() });
+            candidates
+                .retain(|candidate| !(is_of_gear(candidate.kind) && candidate.variant.joint == Some(joint)));
         }
-        let untimed = drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen);
-        if !untimed {
-            return Self { found: identify(measured, fitted, options), untimed };
+        if drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen) {
+            left_out.push(LeftOut { code: "diagnose::untimed", why: UNTIMED.to_owned() });
+            // Nor steps: together they would climb as the drift does.
+            candidates.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
         }
-        let mut timeless = problem.candidates.to_vec();
-        // Nor steps: together they would climb as the drift does.
-        timeless.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
-        let fitted = best_model(&SearchProblem { candidates: &timeless, ..*problem });
-        Self { found: identify(measured, &fitted, options), untimed }
+        if left_out.is_empty() {
+            return Self { found: identify(measured, fitted, options), left_out };
+        }
+        let fitted = best_model(&SearchProblem { candidates: &candidates, ..*problem });
+        Self { found: identify(measured, &fitted, options), left_out }
     }
 
     /// Why there is none, for people.
     fn no_model(&self) -> Option<String> {
         let why = self.found.as_ref().err()?;
-        Some(if self.untimed { format!("{why}; {UNTIMED}") } else { why.to_string() })
+        let left_out = self.left_out.iter().map(|left_out| format!("; {}", left_out.why));
+        Some(std::iter::once(why.to_string()).chain(left_out).collect())
     }
 
-    fn warning(&self) -> Option<Warning> {
-        (self.untimed && self.found.is_ok()).then(|| Warning {
-            code: "diagnose::untimed",
-            message: format!("{UNTIMED}: the model is fitted without it"),
+    /// What the model is made without.
+    fn warnings(&self) -> impl Iterator<Item = Warning> {
+        let left_out = self.left_out.iter().filter(|_| self.found.is_ok());
+        left_out.map(|LeftOut { code, why }| Warning {
+            code,
+            message: format!("{why}: the model is fitted without it"),
         })
     }
 }

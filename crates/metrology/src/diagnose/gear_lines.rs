@@ -48,6 +48,8 @@ pub(super) struct AliasedLine {
     pub joint: Axis,
     /// Periods per turn, the likeliest first.
     pub periods: Vec<u32>,
+    /// The place of the model in which they are alternatives.
+    pub slot: usize,
 }
 
 /// The first line among `causes` that stands in one place with its aliases.
@@ -59,12 +61,13 @@ pub(super) fn aliased_line(dataset: &Dataset, causes: &[Cause]) -> Option<Aliase
         let others = causes.iter().filter(|other| other.slot == cause.slot).filter_map(line);
         let aliases = others.filter(|&(of, m)| of == joint && are_aliases(dataset, joint, n, m));
         let periods: Vec<u32> = std::iter::once(n).chain(aliases.map(|(_, m)| m)).collect();
-        (periods.len() > 1).then_some(AliasedLine { joint, periods })
+        (periods.len() > 1).then_some(AliasedLine { joint, periods, slot: cause.slot })
     })
 }
 
 /// Whether an effect is an error so many times per turn.
-fn is_of_gear(kind: EffectKind) -> bool {
+#[must_use]
+pub(super) fn is_of_gear(kind: EffectKind) -> bool {
     matches!(kind, EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic | EffectKind::GearMesh)
 }
 
