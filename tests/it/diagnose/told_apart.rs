@@ -72,6 +72,34 @@ fn gear_lines_that_a_grid_of_angles_does_not_tell_apart_are_one_choice_and_no_mo
     assert!(model.exists());
 }
 
+/// Beside such a line the target slips by 0.5 mm: the model holds the slip and nothing of joint 2's gear.
+#[test]
+fn a_gear_line_that_may_be_any_of_several_does_not_cost_the_model_of_another_cause() {
+    let chain = chain();
+    let hand = |q_rad: [f64; 6], k| {
+        let mut q_rad = q_rad;
+        q_rad[1] += 7e-5 * (44.0 * q_rad[1]).sin();
+        let slipped_m = if k < 60 { 0.0 } else { 5e-4 };
+        chain.forward(&q_rad) * Point3::new(0.04 + 0.6 * slipped_m, 0.03, 0.09 - 0.8 * slipped_m)
+    };
+    let on_grid = |k| {
+        let mut q_deg = anywhere_deg(k);
+        q_deg[1] = 10.0 * (q_deg[1] / 10.0).round();
+        q_deg
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("model.toml");
+    let (code, text, found) = answer(on_grid, hand, &["--model-out", path.to_str().unwrap()]);
+    assert_eq!(code, 0, "{text}");
+    assert!(text.contains("the model is fitted without the gear of joint 2"), "{text}");
+    let codes: Vec<_> = found["warnings"].as_array().unwrap().iter().map(|w| w["code"].as_str()).collect();
+    assert!(codes.contains(&Some("diagnose::aliased-line")), "{codes:?}");
+    let model: toml::Table = std::fs::read_to_string(&path).unwrap().parse().unwrap();
+    let effects: Vec<_> =
+        model["effect"].as_array().unwrap().iter().map(|term| term["effect"].as_str().unwrap()).collect();
+    assert!(effects.contains(&"tool_step") && !effects.contains(&"gear_mesh"), "{effects:?}");
+}
+
 /// A line of 8 periods a turn with a seventh of its size at 16 is one gear; as large as the line, it is another.
 #[test]
 fn a_gear_line_has_a_double_frequency_of_its_own() {

@@ -157,8 +157,10 @@ struct Identification {
 /// What a model is made without, although it was found.
 struct LeftOut {
     code: &'static str,
-    /// What it is, and why it cannot be in a model.
+    /// Why it cannot be in a model.
     why: String,
+    /// What the model has nothing of.
+    what: String,
 }
 
 impl Identification {
@@ -183,12 +185,21 @@ impl Identification {
             if causes.iter().all(|cause| cause.slot == slot) {
                 return Self { found: Err(why), left_out };
             }
-            left_out.push(LeftOut { code: "diagnose::aliased-line", why: why.to_string() });
-            candidates
-                .retain(|candidate| !(is_of_gear(candidate.kind) && candidate.variant.joint == Some(joint)));
+            let what = format!("the gear of joint {joint}");
+            left_out.push(LeftOut { code: "diagnose::aliased-line", why: why.to_string(), what });
+            // Of all others nothing new is looked for: something else would be found in the place of that gear.
+            let others = fitted.model.chosen.iter().map(|c| &problem.candidates[c.candidate]);
+            candidates = others
+                .filter(|other| !(is_of_gear(other.kind) && other.variant.joint == Some(joint)))
+                .cloned()
+                .collect();
         }
         if drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen) {
-            left_out.push(LeftOut { code: "diagnose::untimed", why: UNTIMED.to_owned() });
+            left_out.push(LeftOut {
+                code: "diagnose::untimed",
+                why: UNTIMED.to_owned(),
+                what: "it".to_owned(),
+            });
             // Nor steps: together they would climb as the drift does.
             candidates.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
         }
@@ -209,9 +220,9 @@ impl Identification {
     /// What the model is made without.
     fn warnings(&self) -> impl Iterator<Item = Warning> {
         let left_out = self.left_out.iter().filter(|_| self.found.is_ok());
-        left_out.map(|LeftOut { code, why }| Warning {
+        left_out.map(|LeftOut { code, why, what }| Warning {
             code,
-            message: format!("{why}: the model is fitted without it"),
+            message: format!("{why}: the model is fitted without {what}"),
         })
     }
 }
