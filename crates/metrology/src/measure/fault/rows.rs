@@ -90,22 +90,22 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     let middle_m = sorted.get(near / 2).copied().unwrap_or(0.0);
     let limit_m = FAR_M.max(FAR_TIMES * middle_m);
     let far: Vec<usize> = (0..rows.len()).filter(|&i| off_m[i] > limit_m).collect();
-    let still = || still(rows, registration, &far, limit_m);
-    if far.len() < FEWEST {
-        return still();
-    }
     let (first, last) = (far.first().copied()?, far.last().copied()?);
-    let columns = single_columns(robot, rows, registration, &far, limit_m);
-    let here_and_there = (far.len() as f64) < MOST * (last - first + 1) as f64;
-    if columns.is_some() || (here_and_there && !is_late(rows, registration, &far, limit_m)) {
-        return columns.or_else(still).or_else(|| frozen_joint(robot, rows, registration, &far, limit_m));
+    let off = FarRows { robot, rows, registration, far, limit_m };
+    if off.far.len() < FEWEST {
+        return off.still();
+    }
+    let columns = off.single_columns();
+    let here_and_there = (off.far.len() as f64) < MOST * (last - first + 1) as f64;
+    if columns.is_some() || (here_and_there && !off.is_late()) {
+        return columns.or_else(|| off.still()).or_else(|| off.frozen_joint());
     }
     // One of two stands has half of the rows.
     let half = 4 * near >= rows.len();
-    late(rows, registration, &far, limit_m)
-        .or_else(still)
-        .or_else(|| frozen_joint(robot, rows, registration, &far, limit_m))
-        .or_else(|| if half { moved(rows, registration, targets, &far, limit_m) } else { None })
+    off.late()
+        .or_else(|| off.still())
+        .or_else(|| off.frozen_joint())
+        .or_else(|| if half { off.moved(targets) } else { None })
 }
 
 /// The registration of a part of the file that most rows agree with.
@@ -142,151 +142,151 @@ fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector3<f64>>) ->
     best.filter(|part| part.near >= FEWEST_OF_PART && 8 * part.near >= n)
 }
 
-fn fault(
-    kind: FaultKind,
-    column: &str,
-    rows: &[PosedRow],
-    which: &[usize],
-    describe: impl Fn(usize, &str) -> String,
-) -> PartFault {
-    let lines = which.iter().map(|&i| rows[i].station.line).collect();
-    PartFault::Fault(Fault::in_rows(kind, column, lines, describe))
+/// Rows that are far off a registration that others agree with.
+struct FarRows<'a> {
+    robot: &'a SerialArm,
+    rows: &'a [PosedRow],
+    registration: &'a Registration,
+    /// Indices into `rows`, ascending.
+    far: Vec<usize>,
+    /// What is further off than this is far, metres.
+    limit_m: f64,
 }
 
-/// A unit or sign that is another in these rows.
-fn single_columns(
-    robot: &SerialArm,
-    rows: &[PosedRow],
-    registration: &Registration,
-    far: &[usize],
-    limit_m: f64,
-) -> Option<PartFault> {
-    let chain = SerialChain::nominal(robot);
-    let explained = |change: &Change| -> Vec<usize> {
-        let fits = |i: &usize| {
-            let mut station = rows[*i].station.clone();
+impl FarRows<'_> {
+    fn lines(&self, which: &[usize]) -> Vec<u64> {
+        which.iter().map(|&i| self.rows[i].station.line).collect()
+    }
+
+    fn fault(
+        &self,
+        kind: FaultKind,
+        column: &str,
+        which: &[usize],
+        describe: impl Fn(usize, &str) -> String,
+    ) -> PartFault {
+        PartFault::Fault(Fault::in_rows(kind, column, self.lines(which), describe))
+    }
+
+    /// The far rows that would be near as `changed`.
+    fn near_as(&self, changed: impl Fn(usize) -> Option<f64>) -> Vec<usize> {
+        let is_near = |i: &usize| changed(*i).is_some_and(|off_m| off_m < self.limit_m);
+        self.far.iter().copied().filter(is_near).collect()
+    }
+
+    /// Whether these are enough of the far rows to explain them.
+    fn are_most(&self, which: &[usize]) -> bool {
+        which.len() >= FEWEST && which.len() as f64 >= MOST * self.far.len() as f64
+    }
+
+    /// Of several explanations, each with the rows that it explains, the one of most rows, if those are enough.
+    fn best<T>(&self, tried: impl Iterator<Item = (Vec<usize>, T)>) -> Option<(Vec<usize>, T)> {
+        tried
+            .reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })
+            .filter(|(which, _)| self.are_most(which))
+    }
+
+    /// A unit or sign that is another in these rows.
+    fn single_columns(&self) -> Option<PartFault> {
+        let chain = SerialChain::nominal(self.robot);
+        let off_m = |change: &Change, i: usize| {
+            let mut station = self.rows[i].station.clone();
             (change.change)(&mut station);
-            registration.residual_m(&station, &station.pose(&chain)).norm() < limit_m
+            self.registration.residual_m(&station, &station.pose(&chain)).norm()
         };
-        far.iter().copied().filter(fits).collect()
-    };
-    let tried = changes(robot).into_iter().map(|change| (explained(&change), change));
-    let (which, change) = tried.reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })?;
-    (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
-        fault(change.kind, &change.column, rows, &which, |count, lines| {
+        let explained = |change: Change| (self.near_as(|i| Some(off_m(&change, i))), change);
+        let (which, change) = self.best(changes(self.robot).into_iter().map(explained))?;
+        Some(self.fault(change.kind, &change.column, &which, |count, lines| {
             format!("in {count} rows ({lines}) {}", change.description)
+        }))
+    }
+
+    /// The far rows that have the point of the row `by` places before (negative: after).
+    fn explained_by(&self, by: isize) -> Vec<usize> {
+        self.near_as(|i| {
+            let other = i.checked_add_signed(-by).and_then(|other| self.rows.get(other))?;
+            Some(self.registration.residual_m(&self.rows[i].station, &other.pose).norm())
         })
-    })
-}
+    }
 
-/// How many of the far rows have the point of the row `by` places before (negative: after).
-fn explained_by(
-    rows: &[PosedRow],
-    registration: &Registration,
-    far: &[usize],
-    limit_m: f64,
-    by: isize,
-) -> Vec<usize> {
-    let fits = |i: &usize| {
-        i.checked_add_signed(-by)
-            .and_then(|other| rows.get(other))
-            .is_some_and(|other| registration.residual_m(&rows[*i].station, &other.pose).norm() < limit_m)
-    };
-    far.iter().copied().filter(fits).collect()
-}
+    fn is_late(&self) -> bool {
+        let most = MOST * self.far.len() as f64;
+        [1, -1].into_iter().any(|by| self.explained_by(by).len() as f64 >= most)
+    }
 
-fn is_late(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m: f64) -> bool {
-    [1, -1]
-        .into_iter()
-        .any(|by| explained_by(rows, registration, far, limit_m, by).len() as f64 >= MOST * far.len() as f64)
-}
-
-fn late(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
-    [(1, "before"), (-1, "after")].into_iter().find_map(|(by, side)| {
-        let which = explained_by(rows, registration, far, limit_m, by);
-        (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
-            fault(FaultKind::RowsShifted, "x_mm, y_mm, z_mm", rows, &which, |count, lines| {
-                format!("in {count} rows ({lines}) the point is that of the row {side}: points and joints are shifted by one row")
+    fn late(&self) -> Option<PartFault> {
+        [(1, "before"), (-1, "after")].into_iter().find_map(|(by, side)| {
+            let which = self.explained_by(by);
+            self.are_most(&which).then(|| {
+                self.fault(FaultKind::RowsShifted, "x_mm, y_mm, z_mm", &which, |count, lines| {
+                    format!("in {count} rows ({lines}) the point is that of the row {side}: points and joints are shifted by one row")
+                })
             })
         })
-    })
-}
+    }
 
-/// The reading of the row before, but for the noise, where the arm stood elsewhere.
-fn still(rows: &[PosedRow], registration: &Registration, far: &[usize], limit_m: f64) -> Option<PartFault> {
-    let of_the_row_before = |i: &usize| {
-        let Some(before) = i.checked_sub(1).map(|before| &rows[before]) else { return false };
-        let row = &rows[*i];
-        let readings_m = [&row.station, &before.station].map(|station| station.reading.position_m());
-        let [Some(here_m), Some(there_m)] = readings_m else { return false };
-        let moved_m = registration.residual_m(&row.station, &before.pose)
-            - registration.residual_m(&row.station, &row.pose);
-        row.station.target == before.station.target
-            && (here_m - there_m).norm() < STILL_M
-            && moved_m.norm() > limit_m
-    };
-    let which: Vec<usize> = far.iter().copied().filter(of_the_row_before).collect();
-    (which.len() >= FEWEST_STILL).then(|| {
-        fault(FaultKind::FrozenPoint, "x_mm, y_mm, z_mm", rows, &which, |count, lines| {
-            format!("{count} rows ({lines}) have the point of the row before, though the arm had moved: the instrument stood still")
-        })
-    })
-}
-
-/// One joint's column with the value of the row before, where other angles of that joint alone put the points.
-fn frozen_joint(
-    robot: &SerialArm,
-    rows: &[PosedRow],
-    registration: &Registration,
-    far: &[usize],
-    limit_m: f64,
-) -> Option<PartFault> {
-    let chain = SerialChain::nominal(robot);
-    let explained = |j: usize| -> Vec<usize> {
-        let stands_still = |i: &usize| {
-            let before = i.checked_sub(1).map(|before| rows[before].station.q_rad[j].to_bits());
-            before == Some(rows[*i].station.q_rad[j].to_bits())
+    /// The reading of the row before, but for the noise, where the arm stood elsewhere.
+    fn still(&self) -> Option<PartFault> {
+        let Self { rows, registration, .. } = self;
+        let of_the_row_before = |i: &usize| {
+            let Some(before) = i.checked_sub(1).map(|before| &rows[before]) else { return false };
+            let row = &rows[*i];
+            let readings_m = [&row.station, &before.station].map(|station| station.reading.position_m());
+            let [Some(here_m), Some(there_m)] = readings_m else { return false };
+            let moved_m = registration.residual_m(&row.station, &before.pose)
+                - registration.residual_m(&row.station, &row.pose);
+            row.station.target == before.station.target
+                && (here_m - there_m).norm() < STILL_M
+                && moved_m.norm() > self.limit_m
         };
-        let fits =
-            |i: &usize| frozen::refitted(robot, &chain, registration, &rows[*i].station, j).off_m < limit_m;
-        far.iter().copied().filter(|i| stands_still(i) && fits(i)).collect()
-    };
-    let tried = (0..robot.joints.len()).map(|j| (explained(j), j));
-    let (which, j) = tried.reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })?;
-    (which.len() >= FEWEST && which.len() as f64 >= MOST * far.len() as f64).then(|| {
-        let lines = which.iter().map(|&i| rows[i].station.line).collect();
-        PartFault::Fault(frozen::one_joint(robot, j, lines))
-    })
-}
+        let which: Vec<usize> = self.far.iter().copied().filter(of_the_row_before).collect();
+        (which.len() >= FEWEST_STILL).then(|| {
+            self.fault(FaultKind::FrozenPoint, "x_mm, y_mm, z_mm", &which, |count, lines| {
+                format!("{count} rows ({lines}) have the point of the row before, though the arm had moved: the instrument stood still")
+            })
+        })
+    }
 
-/// From one row on all is elsewhere, rigidly.
-fn moved(
-    rows: &[PosedRow],
-    registration: &Registration,
-    targets: usize,
-    far: &[usize],
-    limit_m: f64,
-) -> Option<PartFault> {
-    let first = *far.first()?;
-    // The stand may be the first or the second of the two that the registration is of.
-    let (from, to) = if first == 0 { (0, far.last()? + 1) } else { (first, rows.len()) };
-    let inside = || (from..to).filter(|&i| matches!(rows[i].station.reading, Reading::Point { .. }));
-    let count = inside().count();
-    if count < FEWEST_OF_STAND || (far.len() as f64) < 0.9 * count as f64 {
-        return None;
+    /// One joint's column with the value of the row before, where other angles of that joint alone put the points.
+    fn frozen_joint(&self) -> Option<PartFault> {
+        let Self { robot, rows, registration, .. } = *self;
+        let chain = SerialChain::nominal(robot);
+        let explained = |j: usize| {
+            let which = self.near_as(|i| {
+                let before = &rows[i.checked_sub(1)?].station;
+                let stands_still = before.q_rad[j].to_bits() == rows[i].station.q_rad[j].to_bits();
+                stands_still.then(|| frozen::refitted(robot, &chain, registration, &rows[i].station, j).off_m)
+            });
+            (which, j)
+        };
+        let (which, j) = self.best((0..robot.joints.len()).map(explained))?;
+        Some(PartFault::Fault(frozen::one_joint(robot, j, self.lines(&which))))
     }
-    let stations: Vec<Station> = inside().map(|i| rows[i].station.clone()).collect();
-    let poses: Vec<Isometry3<f64>> = inside().map(|i| rows[i].pose).collect();
-    let tools = registration.tools_m.get(..targets)?;
-    let second = register_with(&stations, &poses, tools, FreeParameters::Base).ok()?;
-    if second.median_m > 0.5 * limit_m {
-        return None;
+
+    /// From one row on all is elsewhere, rigidly.
+    fn moved(&self, targets: usize) -> Option<PartFault> {
+        let Self { rows, registration, far, .. } = self;
+        let first = *far.first()?;
+        // The stand may be the first or the second of the two that the registration is of.
+        let (from, to) = if first == 0 { (0, far.last()? + 1) } else { (first, rows.len()) };
+        let inside = || (from..to).filter(|&i| matches!(rows[i].station.reading, Reading::Point { .. }));
+        let count = inside().count();
+        if count < FEWEST_OF_STAND || (far.len() as f64) < 0.9 * count as f64 {
+            return None;
+        }
+        let stations: Vec<Station> = inside().map(|i| rows[i].station.clone()).collect();
+        let poses: Vec<Isometry3<f64>> = inside().map(|i| rows[i].pose).collect();
+        let tools = registration.tools_m.get(..targets)?;
+        let second = register_with(&stations, &poses, tools, FreeParameters::Base).ok()?;
+        if second.median_m > 0.5 * self.limit_m {
+            return None;
+        }
+        let there = registration.instrument_from_base * second.instrument_from_base.inverse();
+        Some(match first {
+            0 => PartFault::Moved { from: to, first_from_second: there.inverse() },
+            _ => PartFault::Moved { from, first_from_second: there },
+        })
     }
-    let there = registration.instrument_from_base * second.instrument_from_base.inverse();
-    Some(match first {
-        0 => PartFault::Moved { from: to, first_from_second: there.inverse() },
-        _ => PartFault::Moved { from, first_from_second: there },
-    })
 }
 
 /// By how much the instrument has moved, in words.
