@@ -4,7 +4,7 @@ use super::compensation::{Compensation, PAPER_ROBOT};
 use super::named::model_of_another_robot;
 use rapid_program::program::{Program, is_of_task};
 use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, is_or_are};
 use robot_model::robot::Robot;
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
@@ -57,7 +57,7 @@ fn already_compensated(program: &Program) -> Vec<Diagnostic> {
         let text = format!(
             "{} {} compensated, and what moves the arm in {} is not: a run with --in-place may have been stopped between them",
             names(&made),
-            if found.len() == 1 { "is" } else { "are" },
+            is_or_are(found.len()),
             names(&originals)
         );
         found.push(Diagnostic::error("refuse::half-compensated", text).help(

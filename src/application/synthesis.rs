@@ -137,21 +137,12 @@ impl ChosenEffects {
             _ => QuestionKind::Two,
         };
         Ok(Recipe {
-            name,
-            kind,
-            effects,
-            n: self.n,
             repeats: self.n / 6,
             sigma_mm: self.sigma_mm,
             stated_sigma_mm: Some(self.sigma_mm),
             spread: self.spread,
             recorded: Recorded { temperature: true, ..Recorded::NOTED },
-            slowness: 0.0,
-            outliers: 0.0,
-            geometry: 0.0,
-            payloads_kg: [0.0, 3.0],
-            small: Vec::new(),
-            gaps: None,
+            ..Recipe::plain(name, kind, effects, self.n)
         })
     }
 }

@@ -6,7 +6,7 @@ use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
 use metrology::measure::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
-use rapid_syntax::diagnostic::{counted, plural};
+use rapid_syntax::diagnostic::{counted, first_few, plural};
 use std::path::{Path, PathBuf};
 
 /// Lines that a message lists at most.
@@ -152,17 +152,15 @@ fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagno
 
 fn unmatched(joined: &Joined, points: &Path, joints: &Path) -> Vec<Diagnostic> {
     let one = |lines: &[u64], path: &Path, what: &str| {
-        let shown: Vec<String> = lines.iter().take(LISTED).map(u64::to_string).collect();
-        let more = if lines.len() > LISTED { ", ..." } else { "" };
         (!lines.is_empty()).then(|| {
             Diagnostic::warning(
                 "measure::unmatched",
                 format!(
-                    "{}: no {what} for {} ({} {}{more})",
+                    "{}: no {what} for {} ({} {})",
                     path.display(),
                     counted(lines.len(), "row"),
                     plural(lines.len(), "line"),
-                    shown.join(", ")
+                    first_few(lines, LISTED)
                 ),
             )
             .help("they are left out; check --match")

@@ -26,7 +26,7 @@ pub struct Harmonics {
 }
 
 impl Harmonics {
-    /// A pure sine.
+    /// Those of a line that is a sine and nothing else.
     pub const NONE: Self = Self { second: Harmonic::NONE, third: Harmonic::NONE };
 
     /// Whether the line is a pure sine.

@@ -48,3 +48,33 @@ pub struct Recipe {
     /// Rows without a number in one column; `None`: every cell is filled.
     pub gaps: Option<Gaps>,
 }
+
+impl Recipe {
+    /// `n` noted rows all over the arm's space with `effects`, none of which comes back; white noise of 0.02 mm that is stated, perfect
+    /// geometry, two payloads, and nothing that is wrong.
+    #[must_use]
+    pub fn plain(
+        name: impl Into<String>,
+        kind: QuestionKind,
+        effects: Vec<RequestedEffect>,
+        n: usize,
+    ) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+            effects,
+            small: Vec::new(),
+            n,
+            repeats: 0,
+            sigma_mm: 0.02,
+            stated_sigma_mm: Some(0.02),
+            spread: Spread::Wide,
+            recorded: Recorded::NOTED,
+            slowness: 0.0,
+            outliers: 0.0,
+            geometry: 0.0,
+            payloads_kg: [0.0, 3.0],
+            gaps: None,
+        }
+    }
+}

@@ -7,7 +7,7 @@ mod lines;
 mod words;
 
 pub use lines::LineIndex;
-pub use words::{counted, plural};
+pub use words::{counted, first_few, is_or_are, plural};
 
 use std::fmt;
 

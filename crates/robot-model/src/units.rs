@@ -59,7 +59,7 @@ pub fn kg_from_g(g: f64) -> f64 {
     g / 1000.0
 }
 
-/// Grams from kilograms.
+/// Grams of a mass in kilograms, as a thousand make one.
 #[inline]
 #[must_use]
 pub fn g_from_kg(kg: f64) -> f64 {
@@ -101,7 +101,7 @@ pub fn m_from_inch(inch: f64) -> f64 {
     m_from_mm(inch * 25.4)
 }
 
-/// Inches from metres.
+/// Inches of a length in metres: an inch is 25.4 mm.
 #[inline]
 #[must_use]
 pub fn inch_from_m(m: f64) -> f64 {

@@ -1,7 +1,7 @@
 use super::*;
 use crate::gaps::Gaps;
 use crate::harmonics::Harmonics;
-use crate::poses::{Recorded, Spread};
+use crate::poses::Recorded;
 use crate::registration::rms_after_registration_m;
 use crate::row_fault::RowFault;
 use crate::truth::QuestionKind;
@@ -9,21 +9,9 @@ use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
 
 fn recipe(effect: Effect, rho: f64) -> Recipe {
     Recipe {
-        name: "one".into(),
-        kind: QuestionKind::One,
-        effects: vec![RequestedEffect { effect, rho }],
-        n: 60,
         repeats: 10,
-        sigma_mm: 0.02,
-        stated_sigma_mm: Some(0.02),
-        spread: Spread::Wide,
         recorded: Recorded { temperature: true, orientation: true, ..Recorded::NOTED },
-        slowness: 0.0,
-        outliers: 0.0,
-        geometry: 0.0,
-        payloads_kg: [0.0, 3.0],
-        small: Vec::new(),
-        gaps: None,
+        ..Recipe::plain("one", QuestionKind::One, vec![RequestedEffect { effect, rho }], 60)
     }
 }
 

@@ -55,7 +55,7 @@ pub(super) struct AliasedLine {
 /// The first line among `causes` that stands in one place with its aliases.
 #[must_use]
 pub(super) fn aliased_line(dataset: &Dataset, causes: &[Cause]) -> Option<AliasedLine> {
-    let line = |c: &Cause| is_of_gear(c.effect).then_some(()).and(c.joint.zip(c.n));
+    let line = |c: &Cause| c.joint.zip(c.n).filter(|_| is_of_gear(c.effect));
     causes.iter().find_map(|cause| {
         let (joint, n) = line(cause)?;
         let others = causes.iter().filter(|other| other.slot == cause.slot).filter_map(line);

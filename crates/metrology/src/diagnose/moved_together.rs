@@ -1,6 +1,6 @@
 //! Stations measured one after the other that are off as one motion of the base, the target or a joint would put them: no false readings.
 
-use super::dataset::{Observation, Twist, scaled};
+use super::dataset::{Observation, Twist};
 use super::linearise::{Linearised, shift_m};
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -53,7 +53,7 @@ fn is_one_motion(linear: &Linearised, residuals: &[Twist], run: &[usize]) -> boo
     let flange = |o: &Observation| {
         o.flange.column_iter().map(|a| Twist([a.x, a.y, a.z, 0.0, 0.0, 0.0])).collect::<Vec<Twist>>()
     };
-    let joint = |j: usize| move |o: &Observation| vec![scaled(o.jacobian_column(j), 1.0)];
+    let joint = |j: usize| move |o: &Observation| vec![o.jacobian_column(j)];
     let whole: f64 = run.iter().map(|&i| shift_m(&residuals[i]).powi(2)).sum();
     let left = |motion: &dyn Fn(&Observation) -> Vec<Twist>| {
         let twists: Vec<Vec<Twist>> = run.iter().map(|&i| motion(&dataset.observations[i])).collect();

@@ -44,7 +44,7 @@ pub(super) enum NoModel {
         /// How many times its usual size it came out at.
         times: f64,
     },
-    /// Two terms that these poses cannot tell from each other.
+    /// A term whose size is known without any doubt, as only that of one of two equal columns is.
     #[error("{term}: its size is known to the last digit, which no measurement does")]
     NoSigma {
         /// The term in words.
@@ -141,7 +141,7 @@ fn times_usual(dataset: &Dataset, candidate: &Candidate, values: &[f64]) -> f64 
 /// less than was there before: 3-D rms, metres.
 ///
 /// # Errors
-/// What it leaves.
+/// [`NoModel::Misses`], where it leaves more.
 pub(super) fn holds(
     left_m: f64,
     before_m: f64,

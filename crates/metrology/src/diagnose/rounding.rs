@@ -7,6 +7,7 @@ use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use crate::measure::{Fault, FaultKind, Measurements};
 use nalgebra::{Matrix3, Vector3};
+use rapid_syntax::diagnostic::is_or_are;
 use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,7 +94,7 @@ fn rounded_joints(grid: &Grid, robot: &SerialArm, all_joints: bool, scatter_mm: 
     let columns = grid.columns(robot);
     let rounded = match all_joints {
         true => "the joints are".to_owned(),
-        false => format!("{columns} alone {}", if grid.joints.len() == 1 { "is" } else { "are" }),
+        false => format!("{columns} alone {}", is_or_are(grid.joints.len())),
     };
     Fault::of_all(
         FaultKind::RoundedJoints,

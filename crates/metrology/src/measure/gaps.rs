@@ -3,12 +3,12 @@
 use super::column_names::QUATERNION;
 use super::row_cells::ColumnIndex;
 use super::{Channels, MeasurementRow, Reading};
-use rapid_syntax::diagnostic::{Diagnostic, counted, plural};
+use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, is_or_are, plural};
 use robot_model::robot::Joints;
 use std::collections::BTreeMap;
 
 /// Lines that a warning lists at most.
-const MOST_LINES: usize = 8;
+pub(super) const MOST_LINES: usize = 8;
 /// With more than this share of its cells empty a column counts as absent.
 const MOSTLY_EMPTY: f64 = 0.5;
 
@@ -71,7 +71,7 @@ impl Quantity<'_> {
         let is_empty =
             |name: &&str| empty.get(name).is_some_and(|lines| without.iter().any(|l| lines.contains(l)));
         let named: Vec<&str> = self.names.iter().copied().filter(is_empty).collect();
-        let what = format!("{} {} empty or no number", named.join(", "), plural_is(named.len()));
+        let what = format!("{} {} empty or no number", named.join(", "), is_or_are(named.len()));
         let is_absent = without.len() as f64 > MOSTLY_EMPTY * needed as f64;
         warnings.push(if is_absent {
             let columns = if self.names.len() > 1 { self.names.join(", ") } else { "the column".to_owned() };
@@ -93,15 +93,10 @@ impl Quantity<'_> {
     }
 }
 
-fn plural_is(columns: usize) -> &'static str {
-    if columns > 1 { "are" } else { "is" }
-}
-
 /// Rows as a count, with the first few of their lines.
 pub(super) fn at_lines(lines: &[u64]) -> String {
-    let shown: Vec<String> = lines.iter().take(MOST_LINES).map(u64::to_string).collect();
-    let more = if lines.len() > MOST_LINES { ", ..." } else { "" };
-    format!("{}: {} {}{more}", counted(lines.len(), "row"), plural(lines.len(), "line"), shown.join(", "))
+    let shown = first_few(lines, MOST_LINES);
+    format!("{}: {} {shown}", counted(lines.len(), "row"), plural(lines.len(), "line"))
 }
 
 /// The warning of rows without a reading in a column that has to be there.

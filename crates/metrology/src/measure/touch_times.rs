@@ -1,14 +1,13 @@
 //! What speaks against the times of touches: one that does not fit among its neighbours in the file, a pause beyond all proportion.
 
 use super::MeasureError;
-use rapid_syntax::diagnostic::{Diagnostic, counted};
+use super::gaps::MOST_LINES;
+use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, is_or_are};
 use robot_model::deform::TIMES_MIN;
 use std::collections::BTreeSet;
 
 /// Share of rows out of order from which on it is the order of the rows that is doubted, not single cells.
 const MANY: f64 = 0.1;
-/// Lines that are named at most.
-const MOST_LINES: usize = 8;
 /// A pause so many times as long as all other time together is looked at by a person.
 const BEYOND_PROPORTION: f64 = 5.0;
 
@@ -60,13 +59,12 @@ fn out_of_order(rows: &[StampedRow]) -> Option<Diagnostic> {
         let help = "they are taken in the order of t_min; where the rows are in order and the stamps are not, correct them";
         return Some(Diagnostic::warning("measure::time-order", text).help(help));
     }
-    let named: Vec<&str> = odd.iter().take(MOST_LINES).map(|row| row.text.as_str()).collect();
+    let named: Vec<&str> = odd.iter().map(|row| row.text.as_str()).collect();
     let text = format!(
-        "column t_min: {} {} out of order: {}{}",
+        "column t_min: {} {} out of order: {}",
         counted(odd.len(), "row"),
-        if odd.len() == 1 { "is" } else { "are" },
-        named.join(", "),
-        if odd.len() > MOST_LINES { ", ..." } else { "" }
+        is_or_are(odd.len()),
+        first_few(&named, MOST_LINES)
     );
     let help = "correct them; they are taken in the order of t_min as it is written";
     Some(Diagnostic::warning("measure::time-step-back", text).help(help))

@@ -3,7 +3,7 @@
 use super::ids::DatumId;
 use super::index::{Datum, DatumKind, Index};
 use super::names::as_text;
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, is_or_are};
 use rapid_syntax::tree::DataKind;
 
 /// The code of what another task changes.
@@ -47,7 +47,7 @@ pub(super) fn not_given(index: &Index<'_>, tasks: &[String]) -> Vec<Diagnostic> 
     let first = index.data.numbered().find(of_motion).filter(|_| !tasks.is_empty());
     let of_tasks = first.map(|(id, datum)| {
         let name = as_text(index.text(datum.ctx.file, datum.name_range));
-        let verb = if tasks.len() == 1 { "is" } else { "are" };
+        let verb = is_or_are(tasks.len());
         let text = format!(
             "{} {verb} of the same controller and {verb} not given: a PERS such as {name} is one datum for all tasks, and may change \
              at any time",

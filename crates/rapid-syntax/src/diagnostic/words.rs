@@ -1,4 +1,4 @@
-//! Numbers with their nouns.
+//! Numbers with their nouns, and lists that end in time.
 
 /// The noun as so many of it are called: "motion", "motions".
 #[must_use]
@@ -16,9 +16,29 @@ pub fn counted(n: usize, noun: &str) -> String {
     format!("{n} {}", plural(n, noun))
 }
 
+/// The verb of so many.
+#[must_use]
+pub fn is_or_are(n: usize) -> &'static str {
+    if n == 1 { "is" } else { "are" }
+}
+
+/// The first `most` of `items` with commas between them: "3, 5, ..." where there are more.
+#[must_use]
+pub fn first_few(items: &[impl std::fmt::Display], most: usize) -> String {
+    let shown: Vec<String> = items.iter().take(most).map(ToString::to_string).collect();
+    shown.join(", ") + if items.len() > most { ", ..." } else { "" }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_list_ends_after_as_many_as_are_wanted() {
+        assert_eq!([1, 2, 3].map(|most| first_few(&[3, 5], most)), ["3, ...", "3, 5", "3, 5"]);
+        assert_eq!(first_few(&["a"; 0], 2), "");
+        assert_eq!([0, 1, 2].map(is_or_are), ["are", "is", "are"]);
+    }
 
     #[test]
     fn one_is_not_many() {

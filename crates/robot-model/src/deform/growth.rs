@@ -1,13 +1,14 @@
 //! Growth laws: which share of the settled deformation is there after how many minutes of warm-up.
 
+use crate::units::YEAR_MIN;
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// Time constants and pauses that a robot can have, minutes: from half a second to a year. Beyond them the numbers of an emitted
+/// Time constants and pauses that a robot can have, minutes: from 0.6 seconds to a year. Beyond them the numbers of an emitted
 /// clock no longer fit a line of RAPID.
-pub const TIMES_MIN: RangeInclusive<f64> = 0.01..=525_600.0;
+pub const TIMES_MIN: RangeInclusive<f64> = 0.01..=YEAR_MIN;
 
 /// How a deformation grows from 0 (cold) to 1 (settled) with warm-up time.
 #[derive(Clone, Copy, Debug, PartialEq)]

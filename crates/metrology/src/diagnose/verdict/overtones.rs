@@ -8,8 +8,8 @@ use crate::diagnose::model::FittedModel;
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
 use robot_model::deform::EffectKind;
 
-/// Largest size of a double frequency that is the gear's own, over the line's: 10 to 20 % as measured on strain-wave gears (Tuttle and
-/// Seering 1996).
+/// Largest size of a double frequency that is the gear's own, over the line's: the upper end of what is usual, see
+/// `OVERTONE` in `effects/gear_harmonic.rs`.
 const LARGEST: f64 = 0.2;
 
 /// Places in `chosen` of lines at twice the periods of another line of the same gear, of a fifth of its size or less.
@@ -18,9 +18,8 @@ pub(super) fn overtones(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec
     let FittedModel { model, workspace, .. } = fitted;
     let line = |one: &ChosenCause| {
         let candidate = &workspace.library.candidates[one.candidate];
-        (candidate.kind == EffectKind::GearMesh)
-            .then_some(())
-            .and(candidate.variant.joint.zip(candidate.variant.n))
+        let joint_and_n = candidate.variant.joint.zip(candidate.variant.n);
+        joint_and_n.filter(|_| candidate.kind == EffectKind::GearMesh)
     };
     let lines: Vec<_> = chosen.iter().map(line).collect();
     let doubles = |i: usize, k: usize| {

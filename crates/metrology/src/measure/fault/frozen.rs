@@ -7,8 +7,7 @@ use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, SerialArm};
 use std::collections::BTreeMap;
 
-/// Points at the same joints further apart than this, and from each other, are no repeats, metres: noise, play and what a pose repeats by are
-/// less.
+/// Points at the same joints further from each other than this are no repeats, metres: noise, play and what a pose repeats by are less.
 const APART_M: f64 = 2e-3;
 /// So many of them in a row are no single knock.
 const FEWEST: usize = 3;
@@ -18,6 +17,8 @@ const STARTS: usize = 36;
 const NARROWINGS: usize = 36;
 /// What a joint without a range is tried over: half a turn, or so many metres, to either side.
 const FREE: f64 = std::f64::consts::PI;
+/// Rounds of registration and of the joint's angles in turn.
+const ROUNDS: usize = 40;
 
 /// Rows after one another in which all joints are the same to the last digit though the points lie apart.
 pub(super) fn all_joints(rows: &[&MeasurementRow], robot: &SerialArm) -> Option<Fault> {
@@ -82,9 +83,6 @@ pub(super) fn refitted(
     let q_rad = 0.5 * (low + high);
     Refitted { q_rad, off_m: off_m(q_rad) }
 }
-
-/// Rounds of registration and of the joint's angles in turn.
-const ROUNDS: usize = 40;
 
 /// `stations` with joint `j` of each where it must have stood, base and target fitted with it in turn by `register`; `None` where that fits nothing.
 pub(super) fn with_free_joint(

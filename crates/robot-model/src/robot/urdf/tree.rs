@@ -5,6 +5,7 @@
 use super::ENDLESS_M;
 use crate::robot::{Joint, JointKind, Link, RobotError};
 use nalgebra::{Isometry3, Point3, Translation3, Unit, UnitQuaternion, Vector3};
+use rapid_syntax::diagnostic::first_few;
 use roxmltree::Node;
 use std::collections::BTreeMap;
 
@@ -87,10 +88,7 @@ impl<'d> Tree<'d> {
             .copied()
             .filter(|link| self.by_child.contains_key(link) && !self.children.contains_key(link))
             .collect();
-        let named = || {
-            let more = if ends.len() > MOST_NAMED { ", ..." } else { "" };
-            format!("{}{more}", ends.get(..MOST_NAMED).unwrap_or(&ends).join(", "))
-        };
+        let named = || first_few(&ends, MOST_NAMED);
         if let Some(name) = tip {
             let problem = || format!("there is no link `{name}`; its ends are {}", named());
             return known(name).ok_or_else(|| wrong(&self.root, problem()));
