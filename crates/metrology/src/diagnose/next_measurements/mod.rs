@@ -47,12 +47,15 @@ pub(super) fn next_measurements(
     options: &DiagnosisOptions,
 ) -> NextMeasurements {
     let ambiguous = judgement.verdict == Verdict::Ambiguous;
-    // Where no effect leaves a signal there is none to measure for.
     let mut slots: Vec<&OpenSlot> =
         judgement.open.iter().filter(|slot| !slot.alternatives.is_empty()).collect();
     slots.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
     let open = slots.iter().filter(|slot| ambiguous && slot.uncertainty() > OPEN_NATS).count();
     slots.truncate(open.max(1));
+    if slots.is_empty() {
+        // Where no effect leaves a signal there is none to measure for.
+        return NextMeasurements::default();
+    }
     let Some(planned) = plan(robot, fitted, &slots, ambiguous, options) else {
         return NextMeasurements::default();
     };
