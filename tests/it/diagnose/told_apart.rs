@@ -1,7 +1,7 @@
 //! What a file cannot tell apart is said as a choice; what belongs to one cause is one.
 
 use super::{anywhere_deg, diagnose, file, noise, verdict};
-use nalgebra::Point3;
+use nalgebra::{Point3, Rotation3, Vector3};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use serde_json::Value;
@@ -141,4 +141,77 @@ fn a_target_that_slipped_near_the_end_is_a_step() {
     assert_eq!(found["false_lines"], Value::Array(Vec::new()), "{text} {found:#}");
     let first = &found["causes"][0];
     assert_eq!((&first["effect"], &first["from_line"]), (&"tool_step".into(), &115.into()), "{found:#}");
+}
+
+/// Joint 1 with ten clear lines and nothing else: no slot is open, so there is nothing to measure for, and the diagnosis says so.
+#[test]
+fn a_spectrum_of_clear_gear_lines_leaves_no_question_to_measure_for() {
+    let chain = chain();
+    let orders = [5.0, 9.0, 14.0, 22.0, 31.0, 43.0, 58.0, 71.0, 87.0, 104.0];
+    let csv = file(300, |k| {
+        let q_deg = anywhere_deg(k);
+        let q_rad = q_deg.map(f64::to_radians);
+        let turn_rad: f64 = orders.iter().map(|n| 2e-4 * (n * q_rad[0] + 0.1 * n * n).sin()).sum();
+        let hand_m = turned(&chain, q_rad, 0, turn_rad);
+        (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.03 * noise(3 * k + axis)))
+    });
+    let (code, text, json) = diagnose(csv.as_bytes(), &["--sigma-mm", "0.018"]);
+    let found = json.unwrap();
+    assert_eq!((code, verdict(&Some(found.clone()))), (0, "several"), "{text}");
+    let mut named: Vec<u64> = periods(&found).into_iter().map(|(_, n)| n).collect();
+    named.sort_unstable();
+    assert_eq!(named, orders.map(|n| n as u64), "{text}");
+    assert_eq!(found["next_measurements"].as_array().map(Vec::len), Some(0), "{text}");
+}
+
+/// Where the hand (metres) is when the IRB 140's forearm, from joint 3 to the wrist, bends as an even cantilever of `give` rad/(N.m)
+/// under what hangs at the wrist: links 5 and 6 and a payload in the flange's middle.
+fn forearm_bent(chain: &Chain, q_rad: [f64; 6], payload_kg: f64, give: f64) -> Point3<f64> {
+    let about = |axis: Vector3<f64>, rad: f64| Rotation3::new(axis * rad);
+    let forearm = about(Vector3::z(), q_rad[0]) * about(Vector3::y(), q_rad[1] + q_rad[2]);
+    let elbow_m = about(Vector3::z(), q_rad[0])
+        * (Vector3::new(0.07, 0.0, 0.352) + about(Vector3::y(), q_rad[1]) * Vector3::new(0.0, 0.0, 0.36));
+    let along_m = forearm * Vector3::new(0.38, 0.0, 0.0);
+    let wrist_m = elbow_m + along_m;
+    let hand = forearm * about(Vector3::x(), q_rad[3]) * about(Vector3::y(), q_rad[4]) * Vector3::x();
+    let down_n = |kg: f64| Vector3::new(0.0, 0.0, -9.80665 * kg);
+    let moment_n_m = hand.cross(&down_n(2.5 * 0.015 + 1.0 * 0.05 + payload_kg * 0.065));
+    let unit = along_m.normalize();
+    let moment_n_m = moment_n_m - unit * unit.dot(&moment_n_m);
+    let lever_n_m = along_m.cross(&down_n(2.5 + 1.0 + payload_kg));
+    let slope_rad = give * (moment_n_m + lever_n_m / 2.0);
+    let deflection_m = give * (moment_n_m / 2.0 + lever_n_m / 3.0).cross(&along_m);
+    let at_m = chain.forward(&q_rad) * Point3::new(0.064, 0.035, 0.035);
+    at_m + slope_rad.cross(&(at_m.coords - wrist_m)) + deflection_m
+}
+
+/// The payload hangs 8 cm from the target, which is where a file that does not say puts it: with its weight there a bent forearm was a
+/// soft joint 3 and a payload of another mass.
+#[test]
+fn a_link_that_bends_is_told_wherever_its_payload_hangs() {
+    let chain = chain();
+    let payload_kg = |k: usize| if k.is_multiple_of(3) { 5.0 } else { 0.0 };
+    let csv = file(300, |k| {
+        let q_deg = narrow_deg(k);
+        let hand_m = forearm_bent(&chain, q_deg.map(f64::to_radians), payload_kg(k), 4e-5);
+        (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.017 * noise(3 * k + axis)))
+    });
+    let with_payload = |(k, line): (usize, &str)| match k {
+        0 => format!("{line},payload_kg\n"),
+        _ => format!("{line},{}\n", payload_kg(k - 1)),
+    };
+    let csv: String = csv.lines().enumerate().map(with_payload).collect();
+    let (code, text, json) = diagnose(csv.as_bytes(), &["--sigma-mm", "0.01", "--tool", "64,35,35"]);
+    assert_eq!(code, 0, "{text}");
+    let causes = json.unwrap()["causes"].clone();
+    let likely = causes.as_array().unwrap().iter().filter(|c| c["posterior"].as_f64().unwrap() > 0.5);
+    let likely: Vec<&str> = likely.map(|c| c["effect"].as_str().unwrap()).collect();
+    assert_eq!(likely, ["link_bending"], "{text}");
+}
+
+/// Joints of row `k` about one posture, degrees.
+fn narrow_deg(k: usize) -> [f64; 6] {
+    let middle_deg = [-38.0, 20.0, -25.0, -50.0, -15.0, -70.0];
+    let share = |j: usize| ((k + 1) as f64 * 0.618_034_f64.powi(j as i32 + 1)).fract();
+    std::array::from_fn(|j| middle_deg[j] + [15.0, 20.0, 20.0, 30.0, 40.0, 40.0][j] * (2.0 * share(j) - 1.0))
 }

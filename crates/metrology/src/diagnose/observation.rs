@@ -290,6 +290,7 @@ fn base_loads(
     Loads {
         base_moment_n_m: all.base_moment_n_m,
         link_base_moment_n_m: all.link_base_moment_n_m,
+        unit_lever_moment_n: all.unit_lever_moment_n,
         ..Loads::default()
     }
 }

@@ -85,14 +85,24 @@ fn by_link(values: Vec<Estimate>, plain: usize, first: usize, all: usize) -> Vec
 
 /// Where a candidate's three parameters stand that move the payload's centre.
 fn centre_at(candidate: &Candidate, joints: usize) -> Option<std::ops::Range<usize>> {
+    let EffectVariant { joint, refined, .. } = candidate.variant;
     let n = candidate.prior_sigma.len();
-    let there = match candidate.kind {
-        EffectKind::JointCompliance => {
-            n > 1 + joints - candidate.variant.joint?.index() + if candidate.variant.refined { 2 } else { 0 }
-        }
-        kind => kind == EffectKind::PayloadMass,
+    let before = match candidate.kind {
+        EffectKind::JointCompliance => 1 + joints - joint?.index() + if refined { 2 } else { 0 },
+        EffectKind::LinkBending => 1 + joints - joint?.index(),
+        EffectKind::BaseTilt => 2 + joints,
+        EffectKind::PayloadMass => n - 3,
+        _ => return None,
     };
-    there.then(|| n - 3..n)
+    (n > before).then(|| n - 3..n)
+}
+
+/// The size, over its prior's, of the give that a payload's centre acts on: of a base both of its springs' mean.
+fn give(candidate: &Candidate, solved: &[f64]) -> f64 {
+    match candidate.kind {
+        EffectKind::BaseTilt => 0.5 * (solved[0] + solved[1]),
+        _ => solved[0],
+    }
 }
 
 /// The payload's centre off the measured point, flange frame, on which all causes agree best; their
@@ -104,7 +114,7 @@ pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f
     let (mut sum, mut weight) = (Vector3::zeros(), 0.0);
     for (candidate, range) in &at {
         if let Some(centre) = centre_at(candidate, joints) {
-            let size = solved[range.start];
+            let size = give(candidate, &solved.as_slice()[range.clone()]);
             for (to, k) in sum.iter_mut().zip(centre) {
                 *to += size * solved[range.start + k] * candidate.prior_sigma[k] / candidate.prior_sigma[0];
             }
@@ -114,7 +124,7 @@ pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f
     let off_m = if weight > 0.0 { sum / weight } else { sum };
     let off_m = off_m.cap_magnitude(FURTHEST_M);
     for (candidate, range) in &at {
-        let size = solved[range.start] * candidate.prior_sigma[0];
+        let size = give(candidate, &solved.as_slice()[range.clone()]) * candidate.prior_sigma[0];
         for (k, off) in centre_at(candidate, joints).into_iter().flatten().zip(off_m.iter()) {
             solved[range.start + k] = size * off / candidate.prior_sigma[k];
         }
@@ -164,12 +174,13 @@ fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>)
 }
 
 /// A candidate's parameters, in the order of its motions, as a term.
-fn term(dataset: &Dataset, candidate: &Candidate, values: Vec<Estimate>) -> Option<Term> {
+fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> Option<Term> {
     let kind = candidate.kind;
     let variant = &candidate.variant;
+    // Where the payload's centre lies is no part of the robot.
+    values.truncate(centre_at(candidate, dataset.joints()).map_or(values.len(), |centre| centre.start));
     let payload_scaling = variant.payload_scaling;
     let values = match kind {
-        // Where the payload's centre lies is no part of the robot.
         EffectKind::JointCompliance => compliance(dataset, variant, &values)?,
         EffectKind::LinkBending => {
             let mut all = by_link(values, 2, variant.joint?.index() + 2, 10);

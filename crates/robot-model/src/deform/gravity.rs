@@ -38,7 +38,9 @@ pub struct Loads {
     pub payload_torque_n_m: [f64; MOST_JOINTS],
     /// What one kilogram at the payload's place would add on each joint, N.m.
     pub unit_torque_n_m: [f64; MOST_JOINTS],
-    /// What the same kilogram adds on joint j per metre further along the flange's axis k: `levers[j][k]`, N.
+    /// Moment that the same kilogram adds about any point per metre further along the flange's axis k, base axes, N.
+    pub unit_lever_moment_n: [Vector3<f64>; 3],
+    /// Its part on joint j: `levers[j][k]`, N.
     pub unit_lever_n: [[f64; 3]; MOST_JOINTS],
     /// Load beyond each joint, about that joint's origin: of all links and the payload.
     pub beyond: [Wrench; MOST_JOINTS],
@@ -164,13 +166,12 @@ pub fn loads_at(
     if payload_kg > 0.0 {
         add(joints - 1, payload_kg, point_m, true);
     }
+    loads.unit_lever_moment_n =
+        std::array::from_fn(|k| (flange.rotation * Vector3::ith(k, 1.0)).cross(&down));
     for (j, frame) in frames.iter().enumerate().take(joints) {
         let moment = (point_m - frame.translation.vector).cross(&down);
         loads.unit_torque_n_m[j] = felt(j, &moment, &down);
-        for (k, lever) in loads.unit_lever_n[j].iter_mut().enumerate() {
-            let further: Vector3<f64> = flange.rotation * Vector3::ith(k, 1.0);
-            *lever = felt(j, &further.cross(&down), &Vector3::zeros());
-        }
+        loads.unit_lever_n[j] = loads.unit_lever_moment_n.map(|moment| felt(j, &moment, &Vector3::zeros()));
     }
     loads
 }

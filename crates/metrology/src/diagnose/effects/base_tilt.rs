@@ -1,7 +1,7 @@
 //! The stand gives: the whole robot tilts under its own overturning moment.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{MASS_ERROR, sag_per_load};
+use super::rigid::{LEVER_M, MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::scaled;
 use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
 use crate::diagnose::size_unit::SizeUnit;
@@ -37,6 +37,9 @@ impl Effect for BaseTilt {
         let usual = sag_per_load(TILT_RAD, largest_n_m);
         let mut sizes = vec![usual; 2];
         sizes.extend(std::iter::repeat_n(MASS_ERROR * usual, dataset.joints()));
+        if dataset.largest_payload_kg > 0.0 {
+            sizes.extend([LEVER_M * usual; 3]);
+        }
         vec![Candidate {
             sign_constrained: true,
             n_reported: 2,
@@ -52,9 +55,14 @@ impl Effect for BaseTilt {
             ]
         };
         out.extend(about(&observation.loads.base_moment_n_m));
-        for moment in &observation.loads.link_base_moment_n_m[..observation.joints()] {
+        let both = |moment: &Vector3<f64>| {
             let [x, y] = about(moment);
-            out.push(Twist(std::array::from_fn(|i| x[i] + y[i])));
+            Twist(std::array::from_fn(|i| x[i] + y[i]))
+        };
+        out.extend(observation.loads.link_base_moment_n_m[..observation.joints()].iter().map(both));
+        if at.dataset.largest_payload_kg > 0.0 {
+            let payload_kg = observation.payload_kg.unwrap_or(0.0);
+            out.extend(observation.loads.unit_lever_moment_n.map(|moment_n| both(&(moment_n * payload_kg))));
         }
     }
 }

@@ -1,15 +1,16 @@
 //! A link bends under what hangs beyond it.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{MASS_ERROR, sag_per_load};
+use super::rigid::{LEVER_M, MASS_ERROR, sag_per_load};
 use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
-use robot_model::deform::gravity::BeamDeflection;
+use robot_model::deform::gravity::{BeamDeflection, Wrench};
 use robot_model::robot::Axis;
 
 /// The frame after link i turns and sinks as the end of a cantilever under end moment and end force; it may give
-/// more at one end than at the other, or bend by the end moment alone, and each link's share of the load may be wrong.
+/// more at one end than at the other, or bend by the end moment alone; each link's share of the load may be wrong, and the
+/// payload's centre elsewhere.
 pub(super) struct LinkBending;
 
 /// How far a link's end usually turns under the largest load of the measurement, radians: a third of a joint's sag.
@@ -54,6 +55,9 @@ impl Effect for LinkBending {
                 let prior_sigma = sag_per_load(BEND_RAD, largest_n_m);
                 let mut sizes = vec![prior_sigma, UNEVEN * prior_sigma];
                 sizes.extend(std::iter::repeat_n(MASS_ERROR * prior_sigma, joints - 1 - i));
+                if dataset.largest_payload_kg > 0.0 {
+                    sizes.extend([LEVER_M * prior_sigma; 3]);
+                }
                 [(false, 1.0 - BY_MOMENT), (true, BY_MOMENT)].map(|(refined, weight)| Candidate {
                     sign_constrained: true,
                     n_reported: 1,
@@ -85,6 +89,14 @@ impl Effect for LinkBending {
         for link in &observation.loads.link_beyond[i + 1][i + 1..observation.joints()] {
             let [even, ..] = link.bend(&from_m, &to_m);
             out.push(moved(&even));
+        }
+        if at.dataset.largest_payload_kg > 0.0 {
+            let payload_kg = observation.payload_kg.unwrap_or(0.0);
+            out.extend(observation.loads.unit_lever_moment_n.map(|moment_n| {
+                let further = Wrench { moment_n_m: moment_n * payload_kg, weight_n: 0.0 };
+                let [even, ..] = further.bend(&from_m, &to_m);
+                moved(&even)
+            }));
         }
     }
 }
