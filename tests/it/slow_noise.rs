@@ -15,12 +15,11 @@ const SIGMA_MM: f64 = 0.02;
 
 /// A hundred noted rows with `effects`, their noise as much like the row's before as `slowness` says.
 fn rows(effects: Vec<(Effect, f64)>, slowness: f64, seed: u64) -> String {
-    let recipe = Recipe {
-        sigma_mm: SIGMA_MM,
-        stated_sigma_mm: None,
-        slowness,
-        ..crate::recipe::planted(effects, 100)
-    };
+    rows_of(Recipe { slowness, ..crate::recipe::planted(effects, 100) }, seed)
+}
+
+fn rows_of(recipe: Recipe, seed: u64) -> String {
+    let recipe = Recipe { sigma_mm: SIGMA_MM, stated_sigma_mm: None, ..recipe };
     let robot = Robot::built_in("irb140").unwrap();
     data_set(&(&robot).into(), "irb140", &recipe, &mut Rng::new(seed, 0)).unwrap().csv
 }
@@ -87,6 +86,30 @@ fn a_cause_in_slow_noise_that_nobody_stated_is_named() {
             .collect();
         assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
         assert_eq!(causes, [("gear_eccentricity", 3)]);
+    }
+}
+
+/// Noise that is slow over three hundred rows has shorter waves than fourteen half periods: what was left of them were steps of the
+/// base to and fro.
+#[test]
+fn a_cause_in_many_rows_of_slow_noise_is_named() {
+    for seed in [1, 2, 3] {
+        let coupling = Effect::JointCoupling { joint: 5, joint_b: 6 };
+        let recipe = Recipe { slowness: 0.94, ..crate::recipe::planted(vec![(coupling, 1.5)], 300) };
+        let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.02"]);
+        let causes = answer["causes"].as_array().unwrap();
+        assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
+        assert_eq!((&causes[0]["effect"], causes.len()), (&Value::from("joint_coupling"), 1));
+    }
+}
+
+/// Errors of all frames, several times the noise, in slow noise of which nobody says how much it is: it is no structure that vetoes them.
+#[test]
+fn geometry_in_slow_noise_that_nobody_stated_is_geometry() {
+    for seed in [1, 2, 3] {
+        let recipe = Recipe { slowness: 0.85, geometry: 0.4, ..crate::recipe::planted(Vec::new(), 100) };
+        let answer = diagnose(&rows_of(recipe, seed), &[]);
+        assert_eq!(answer["verdict"], "geometry", "{}", answer["reason"]);
     }
 }
 

@@ -17,7 +17,7 @@ const TAUS: [f64; 2] = [0.03, 0.12];
 /// Sizes that are tried, in sigmas of the noise that is not slow.
 const SIZES: [f64; 7] = [0.35, 0.5, 0.71, 1.0, 1.41, 2.0, 2.83];
 /// Half periods over the measurement, at most; and stations for each.
-const MOST_WAVES: usize = 14;
+const MOST_WAVES: usize = 40;
 const STATIONS_PER_WAVE: usize = 6;
 /// In a larger set a measurement of days visits one region of the arm after the other: what is slow there is mostly the arm.
 const MOST_STATIONS: usize = 2000;

@@ -210,13 +210,13 @@ mod tests {
     use std::f64::consts::PI;
 
     /// Of an autoregressive process of unit variance the share at frequencies under f per row is 2/pi atan(tan(pi f) (1 + r) / (1 - r))
-    /// (integral of its spectrum); 14 half periods, or one for six rows, are slow. Stated 5 % of sigma too low, or right: noise. As
+    /// (integral of its spectrum); 40 half periods, or one for six rows, are slow. Stated 5 % of sigma too low, or right: noise. As
     /// much on top of white noise as stated: none.
     #[test]
     fn noise_that_is_slow_as_a_whole_does_not_come_on_top_of_what_is_stated() {
         for rows in [30.0_f64, 60.0, 100.0, 300.0] {
             for r in [0.6, 0.75, 0.9, 0.95] {
-                let f = 0.5 * (rows / 6.0).floor().min(14.0) / rows;
+                let f = 0.5 * (rows / 6.0).floor().min(40.0) / rows;
                 let slow = 2.0 / PI * ((PI * f).tan() * (1.0 + r) / (1.0 - r)).atan();
                 for total in [1.0, 1.1] {
                     assert!(!comes_on_top(total * (1.0 - slow), total), "{rows} {r}");

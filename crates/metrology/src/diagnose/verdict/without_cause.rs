@@ -4,13 +4,18 @@ use super::cause_group::{OpenSlot, SlotScan, cause_groups};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
 use super::noise::{SLOW_NOISE, Scatter, Slowness, slow_noise, slowness};
-use super::size::cause;
+use super::size::{cause, rms};
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
 use super::wording::structure_reason;
 use crate::diagnose::gp_alternative::GpAlternative;
+use crate::diagnose::linearise::shift_m;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::{Location, Verdict};
 use crate::diagnose::search::ALARM_NATS;
+
+/// Scatter that nobody stated is noise with slow parts as far as these are no more than so many times what is not slow: of noise that is
+/// the row's before to a share of .6 to .95, a fifth and more is quick.
+const MOSTLY_SLOW: f64 = 2.0;
 
 /// Judges what is left where the search chose nothing.
 pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {
@@ -36,26 +41,43 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
     if slow {
         SLOW_NOISE.clone_into(&mut judgement.reason);
     }
-    if let (Slowness::Structure { .. }, None) = (slowness, found) {
+    // Slow noise that is fitted beside it is no part of what geometry gains; slow noise that is not could be all of it.
+    let geometry = rest.geometry_gain_nats > ALARM_NATS && (!slow || fitted.model.slow.is_some());
+    let found = found.filter(|_| !slow);
+    let timed = fitted.linear.dataset.time_min.is_some();
+    if found.is_none() && is_structure(fitted, slowness, geometry) {
         judgement.verdict = Verdict::UnexplainedStructure;
         judgement.location = over_time(fitted, &[]);
-        judgement.reason = structure_reason(GpAlternative::Time, fitted.linear.dataset.time_min.is_some());
-    } else if let Some(LikeliestStructure { gp_alternative, .. }) = found.filter(|_| !slow) {
+        judgement.reason = structure_reason(GpAlternative::Time, timed);
+    } else if let Some(LikeliestStructure { gp_alternative, .. }) = found {
         judgement.verdict = Verdict::UnexplainedStructure;
         judgement.location = location_of_gp(fitted, &[], gp_alternative);
-        judgement.reason = structure_reason(
-            fitted.workspace.library.gp_alternatives[gp_alternative].gp_alternative,
-            fitted.linear.dataset.time_min.is_some(),
-        );
+        let likeliest = fitted.workspace.library.gp_alternatives[gp_alternative].gp_alternative;
+        judgement.reason = structure_reason(likeliest, timed);
     } else if scatter.chi.is_some() || scatter.along.is_some() {
         judgement.verdict = Verdict::UnexplainedScatter;
         judgement.location.joint = scatter.along.map(|a| a.joint);
         judgement.reason = scatter.reason(&fitted.linear.dataset);
-    } else if rest.geometry_gain_nats > ALARM_NATS && (!slow || fitted.model.slow.is_some()) {
-        // Slow noise that is fitted beside it is no part of what geometry gains; slow noise that is not could be all of it.
+    } else if geometry {
         judgement.verdict = Verdict::Geometry;
         "small errors of all joints' geometry take the gap; none stands out"
             .clone_into(&mut judgement.reason);
     }
     judgement
+}
+
+/// Whether what is slow is structure over time: not where `geometry` takes more than it, and nothing says that it is no noise.
+fn is_structure(fitted: &FittedModel<'_>, slowness: Slowness, geometry: bool) -> bool {
+    let Slowness::Structure { rms_m, noise_known } = slowness else { return false };
+    let FittedModel { model, linear, .. } = fitted;
+    let kept: Vec<f64> = linear
+        .nominal
+        .iter()
+        .zip(&model.outliers)
+        .filter(|(_, out)| !**out)
+        .map(|(twist, _)| shift_m(twist))
+        .collect();
+    let of_geometry_m = (rms(&kept).powi(2) - 3.0 * model.noise_m().powi(2)).max(0.0).sqrt();
+    let mostly_slow = model.slow.is_some_and(|slow| slow.size > MOSTLY_SLOW);
+    !geometry || noise_known || mostly_slow || rms_m > of_geometry_m
 }
