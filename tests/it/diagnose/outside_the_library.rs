@@ -102,3 +102,49 @@ fn a_load_that_comes_and_goes_unrecorded_is_told_as_that() {
     });
     assert!(reason.contains("a load that comes and goes"), "{reason}");
 }
+
+/// Joints of row `k`, degrees, each row's without any relation to the row's before.
+fn jumbled_deg(k: usize) -> [f64; 6] {
+    let most_deg = [150.0, 50.0, 50.0, 160.0, 100.0, 160.0];
+    std::array::from_fn(|j| most_deg[j] * noise(50_000 + 7 * k + j))
+}
+
+/// `n` rows of the hand with joint `joint`, from 0, turned by `turn_rad` more at row k; noise of `sigma_mm`, as stated.
+fn turning(n: usize, joint: usize, turn_rad: impl Fn(f64) -> f64, sigma_mm: f64) -> Value {
+    let chain = Chain::nominal(&Robot::built_in("irb140").unwrap());
+    let csv = file(n, |k| {
+        let q_deg = jumbled_deg(k);
+        let mut q_rad = q_deg.map(f64::to_radians);
+        q_rad[joint] += turn_rad(k as f64);
+        let hand_m = chain.forward(&q_rad) * Point3::new(0.04, 0.03, 0.09);
+        // Three numbers from -1 to 1 have a variance of one.
+        let noise = |axis: usize| sigma_mm * (0..3).map(|i| noise(12 * k + 4 * axis + i)).sum::<f64>();
+        (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + noise(axis)))
+    });
+    let (_, answer, json) = diagnose(csv.as_bytes(), &["--sigma-mm", &sigma_mm.to_string()]);
+    json.unwrap_or_else(|| panic!("{answer}"))
+}
+
+/// A joint that wanders over time by a few of its own widths of noise, up and down a dozen times: steps of its zero follow it, and what
+/// they leave of it is no scatter.
+#[test]
+fn a_joint_that_wanders_is_structure_over_time_and_no_scatter() {
+    let wander = |k: f64| {
+        let t = k / 300.0 * std::f64::consts::TAU;
+        let waves = [(1.0, 3.0, 0.0), (0.7, 7.3, 1.0), (0.6, 11.7, 2.0), (0.5, 17.1, 0.0)];
+        8e-5 * waves.iter().map(|(size, n, phase)| size * (n * t + phase).sin()).sum::<f64>()
+    };
+    let answer = turning(300, 0, wander, 0.012);
+    assert_eq!(answer["verdict"], "unexplained_structure", "{}", answer["reason"]);
+}
+
+/// A joint's zero that drifts by as much as the noise shows: a drift, a jump, or the same joint's turn over time somehow. One cause
+/// is held against that shape once, with all the moments at which it may have jumped, and not by the likeliest of them alone.
+#[test]
+fn a_drift_as_small_as_the_noise_is_a_choice_and_no_structure() {
+    let answer = turning(100, 3, |k| 3e-4 * (1.0 - (-k / 25.0).exp()), 0.034);
+    assert_eq!(answer["verdict"], "ambiguous", "{}", answer["reason"]);
+    let causes = answer["causes"].as_array().unwrap();
+    let named = |effect: &str| causes.iter().any(|c| c["effect"] == effect && c["joint"] == 4);
+    assert!(named("thermal_joint_drift") && named("joint_step"), "{causes:?}");
+}

@@ -62,8 +62,8 @@ pub(super) fn with_causes(
     let outcome = structure
         .outcome(fitted, &of_causes)
         .or_else(|| slow_structure(fitted, chosen, slowness, &structure, &moved_m))
-        .or_else(|| comparable_scatter(fitted, scatter, slowness, &structure, &of_causes))
         .or_else(|| switched(fitted, chosen))
+        .or_else(|| comparable_scatter(fitted, scatter, slowness, &structure, &of_causes))
         .or_else(|| wandering(fitted, slowness, &causes));
     let Decision { verdict, reason, location } = outcome.unwrap_or_else(|| {
         let (verdict, reason) = if causes.is_empty() {
@@ -244,8 +244,9 @@ impl StructureBeside {
         let left_rms_m = left.map_or(0.0, |left| spread * left_over_m(rest, left.gp_alternative));
         let odds = odds_over_causes(fitted, chosen);
         let together = chosen.len() > 1 && odds > 0.0;
-        // Structure alone that is likelier than the causes with structure beside them.
-        let all = odds > likeliest.map_or(0.0, |s| structure_odds(s.gain_nats).max(0.0));
+        // Structure alone that is likelier than the causes with structure beside them; one cause was held against it in its own place,
+        // with all that it could be.
+        let all = chosen.len() > 1 && odds > likeliest.map_or(0.0, |s| structure_odds(s.gain_nats).max(0.0));
         let shape = shape_of_lines(fitted, chosen).or(varying_cause(workspace, rest));
         // Structure that stays small beside the causes does not make them wrong.
         let beside = left.is_some() && left_rms_m < NEGLIGIBLE_STRUCTURE_RATIO * cause_rms_m;
