@@ -189,16 +189,11 @@ fn fixed_points_touched_again_need_no_tracker() {
     }
     assert!(n.iter().all(|n| *n >= 12), "{n:?}");
     let found = answer(&csv);
-    // All touches are within half a metre of each other: under much the same moments link 1's bending is of nearly the same shape,
-    // which no robot file knows better than to a tenth. Nothing else may stand beside the gear.
+    // All touches are within half a metre of each other: under much the same moments link 1's bending is of nearly the same shape.
+    // With the payload's centre free in both it is not likely enough to be named.
     let named: Vec<_> = found.causes.iter().map(|c| (c.effect.name(), c.joint)).collect();
-    assert_eq!(
-        named,
-        [("joint_compliance", Axis::numbered(2)), ("link_bending", Axis::numbered(1))],
-        "{}",
-        found.reason
-    );
-    assert_eq!(found.verdict, Verdict::Ambiguous, "{}", found.reason);
+    assert_eq!(named, [("joint_compliance", Axis::numbered(2))], "{}", found.reason);
+    assert_eq!(found.verdict, Verdict::Explained, "{}", found.reason);
     assert!(found.causes[0].posterior > 0.9, "{:?}", found.causes);
 }
 

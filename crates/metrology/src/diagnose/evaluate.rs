@@ -8,7 +8,7 @@ use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effe
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
 use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
-use super::heldout::{self, Folds};
+use super::heldout;
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
 use super::linear_fit::solve;
@@ -92,14 +92,18 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     if let Some(fault) = fault.or_else(|| too_many_false(measured, &fitted)) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
-    let judgement = judge(&mut fitted);
+    let mut judgement = judge(&mut fitted);
     if let Some(fault) = noise_beyond_stated(measured, &fitted, &judgement) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
-    let identification =
-        wants_model.then(|| Identification::of(prepared, &problem, &fitted, &judgement.causes));
     fitted.workspace.library.gp_alternatives.clear();
-    let mut diagnosis = consequences(prepared, &folds, &mut fitted, judgement);
+    let shrink = heldout::shrink(&mut fitted, &folds);
+    let not_carried = judgement.hold_against(&shrink);
+    let identification = wants_model.then(|| match not_carried {
+        Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),
+        None => Identification::of(prepared, &problem, &fitted, &judgement.causes),
+    });
+    let mut diagnosis = consequences(prepared, shrink, &mut fitted, judgement);
     diagnosis.untestable_detail = visible.untestable;
     diagnosis.untestable_detail.extend(hidden_scale(&diagnosis, &fitted));
     diagnosis.untestable = diagnosis.untestable_detail.iter().map(|d| d.effect).collect();
@@ -114,16 +118,15 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     Evaluation { diagnosis, identified: identification.found.ok() }
 }
 
-/// What follows from a judged model: how far it carries, what to measure next, what could have been seen, row by row.
+/// What follows from a judged model that carries as far as `shrink` says: what to measure next, what could have been seen, row by row.
 fn consequences(
     prepared: &Prepared<'_>,
-    folds: &Folds,
+    shrink: ErrorReduction,
     fitted: &mut FittedModel<'_>,
     judgement: Judgement,
 ) -> Findings {
     let Prepared { measured, options, .. } = *prepared;
     let geometry_tolerances = fitted.model.peak.geometry_ratio * fitted.model.peak.sigma_m;
-    let shrink = heldout::shrink(fitted, folds);
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
     let zeros_alone = (geometry_tolerances > BEYOND).then(|| zeros(fitted)).flatten();
     let next = next_measurements(measured.robot, fitted, &judgement, options);
@@ -208,6 +211,11 @@ impl Identification {
         }
         let fitted = best_model(&SearchProblem { candidates: &candidates, ..*problem });
         Self { found: identify(measured, &fitted, options), left_out }
+    }
+
+    /// None, for `why`.
+    fn none(why: NoModel) -> Self {
+        Self { found: Err(why), left_out: Vec::new() }
     }
 
     /// Why there is none, for people.

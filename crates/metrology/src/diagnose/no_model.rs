@@ -44,6 +44,16 @@ pub(super) enum NoModel {
         /// How many times its usual size it came out at.
         times: f64,
     },
+    /// What takes the gap at the poses measured leaves it at others.
+    #[error(
+        "at poses held out it leaves {after_mm:.3} mm of {before_mm:.3} mm: it follows the poses measured, not the arm"
+    )]
+    NotCarried {
+        /// 3-D rms there without the model, mm.
+        before_mm: f64,
+        /// With it, mm.
+        after_mm: f64,
+    },
     /// A term whose size is known without any doubt, as only that of one of two equal columns is.
     #[error("{term}: its size is known to the last digit, which no measurement does")]
     NoSigma {

@@ -11,10 +11,6 @@ use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::Verdict;
 use crate::diagnose::search::ALARM_NATS;
 
-/// A candidate's probability is one among the library's effects; where the verdict is that none of them explains the data, it
-/// is halved: even odds at best that the verdict is wrong and the candidate right.
-const AS_A_CANDIDATE: f64 = 0.5;
-
 /// Judges the best model of the data.
 #[must_use]
 pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
@@ -33,9 +29,7 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
     judgement.reduced_chi_square = chi.map(|chi| chi.value);
     at_most_one(&mut judgement.causes);
     if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
-        for candidate in &mut judgement.causes {
-            candidate.posterior *= AS_A_CANDIDATE;
-        }
+        judgement.are_candidates();
     }
     judgement
 }

@@ -2,6 +2,7 @@
 //!
 //! Knows the model as it was fitted, and neither files nor how rows were read.
 
+mod carries;
 mod cause_group;
 mod cycles;
 mod judge;

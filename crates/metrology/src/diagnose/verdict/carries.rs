@@ -1,0 +1,55 @@
+//! What was found at the poses measured, held against poses that were held out: what does not carry to them is no cause.
+
+use super::judgement::Judgement;
+use crate::diagnose::outcome::{ErrorReduction, Verdict};
+
+/// Less than this share of the gap, in squares, is what a weak effect takes: whether it carries drowns in the noise.
+const MUCH: f64 = 0.5;
+/// So much of what is taken at the poses measured has to be taken at others too.
+const CARRIED: f64 = 0.25;
+
+/// Whether a model that takes most of the gap at its own poses takes next to nothing of it at poses held out.
+fn does_not_carry(shrink: &ErrorReduction) -> Option<[f64; 2]> {
+    let (before, after, left) = (shrink.before_rms_mm?, shrink.after_rms_mm?, shrink.floor_rms_mm?);
+    let [gap, here, there] = [before.powi(2), before.powi(2) - left.powi(2), before.powi(2) - after.powi(2)];
+    (here > MUCH * gap && there < CARRIED * here).then_some([before, after])
+}
+
+impl Judgement {
+    /// Takes the verdict back where causes that explain the gap at the poses measured leave it as it is at poses held out: a shape that no
+    /// effect has is taken by any dozen of gear lines, pose by pose. The gap there without and with them, 3-D rms, mm.
+    pub(crate) fn hold_against(&mut self, shrink: &ErrorReduction) -> Option<[f64; 2]> {
+        let names = matches!(self.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+        let [before_mm, after_mm] = does_not_carry(shrink).filter(|_| names)?;
+        self.verdict = Verdict::UnexplainedStructure;
+        self.reason = format!(
+            "what takes the gap at the poses measured does not at poses held out ({before_mm:.3} mm without it, {after_mm:.3} mm with it): the gap \
+             has a structure that no effect of the library takes"
+        );
+        self.are_candidates();
+        Some([before_mm, after_mm])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Before, after and noise: all of 0.1 mm but the noise, none, and an effect below the noise.
+    #[test]
+    fn what_is_taken_has_to_be_taken_elsewhere_too() {
+        let of = |[before, after, left]: [f64; 3]| {
+            let [before_rms_mm, after_rms_mm, floor_rms_mm] = [before, after, left].map(Some);
+            does_not_carry(&ErrorReduction {
+                before_rms_mm,
+                after_rms_mm,
+                floor_rms_mm,
+                ..ErrorReduction::default()
+            })
+        };
+        assert_eq!(of([0.1, 0.03, 0.02]), None);
+        assert_eq!(of([0.1, 0.11, 0.02]), Some([0.1, 0.11]));
+        assert_eq!(of([0.1, 0.1, 0.09]), None);
+        assert_eq!(does_not_carry(&ErrorReduction::default()), None);
+    }
+}
