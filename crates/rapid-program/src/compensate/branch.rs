@@ -134,8 +134,8 @@ pub(super) fn branch_of(
     Ok(branch)
 }
 
-/// The same from the joints of one branch alone, `q_rad`, which is the one that confdata name: where these and the place that the
-/// arm comes from agree, so that [`branch_of`] has nothing to say of the others. `None` where it must be asked.
+/// The same from the joints of one branch alone, `q_rad`, which is the one that confdata name: where [`branch_of`] asks for no other,
+/// as the arm comes along that branch or is told to go to it. `None` where it must be asked.
 pub(super) fn branch_as_written(
     motion: &Motion,
     q_rad: &[f64; 6],
@@ -159,8 +159,11 @@ pub(super) fn branch_as_written(
     }
     match motion.setup.path {
         Path::Linear | Path::Circular => {
-            let along = candidates.along(from.joints().filter(|from| candidates.cfx(from) == conf.cfx)?)?;
-            same(&candidates.as_written()?, &along).then(|| Branch::known(along))
+            // The line stays on the branch, and only on it confdata may be right.
+            let along_it =
+                |q_rad: &&[f64; 6]| candidates.cfx(q_rad) == conf.cfx && !candidates.is_near_wrist(q_rad);
+            from.joints().filter(along_it)?;
+            candidates.of_line(motion.setup.conf_monitored, from).ok()
         }
         Path::Joint | Path::AbsJoint => {
             let branch = candidates.of_joint_move(motion.setup.conf_monitored, from.joints()).ok()?;
@@ -225,10 +228,13 @@ impl Candidates<'_> {
     /// The solution nearest to where the arm comes from on its branch. Close to the wrist singularity the sign of joint 5
     /// is none of the branch.
     pub(super) fn along(&self, from: &[f64; 6]) -> Option<[f64; 6]> {
-        let near_wrist = self.model.closed.posture(from).wrist_rad.abs() < rad_from_deg(WRIST_DEG);
-        let drop = u32::from(near_wrist);
+        let drop = u32::from(self.is_near_wrist(from));
         let here = self.cfx(from) >> drop;
         nearest(self.solutions.iter().filter(|s| s.configuration.cfx >> drop == here), from)
+    }
+
+    fn is_near_wrist(&self, q_rad: &[f64; 6]) -> bool {
+        self.model.closed.posture(q_rad).wrist_rad.abs() < rad_from_deg(WRIST_DEG)
     }
 
     /// The solution with all four numbers of confdata.
@@ -299,21 +305,30 @@ fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
 }
 
 impl Note {
+    /// The code of its warning.
+    pub(super) fn code(self) -> &'static str {
+        match self {
+            Self::Disagrees | Self::Quadrant => "conf::disagrees",
+            Self::BranchChange => "conf::branch-change",
+            Self::HintElsewhere => "hint::line-branch",
+            Self::Unset => "conf::unset",
+            Self::Unchecked => "conf::unchecked",
+        }
+    }
+
     /// The warning of a motion whose target has these confdata.
     pub(super) fn message(self, motion: &Motion, conf: &ConfData) -> Diagnostic {
         let ConfData { cf1, cf4, cf6, cfx } = conf;
         let written = format!("[{cf1},{cf4},{cf6},{cfx}]");
         let (line, held) = (motion.line, motion.setup.conf_monitored != Some(false));
-        let (code, text, help) = match self {
+        let (text, help) = match self {
             Self::Disagrees if held => (
-                "conf::disagrees",
                 format!(
                     "the configuration {written} is not the one a straight line ends in, and the controller is told to check it"
                 ),
                 "the arm was taken to stay on its branch; on the controller this move stops unless ConfL\\Off is in force",
             ),
             Self::Disagrees => (
-                "conf::disagrees",
                 format!(
                     "the configuration {written} is not the one a straight line ends in; under ConfL\\Off the arm stays on its \
                      branch"
@@ -321,33 +336,28 @@ impl Note {
                 "the branch the arm comes along was used; the source's numbers stay as they are",
             ),
             Self::Quadrant => (
-                "conf::disagrees",
                 format!(
                     "no solution has the quadrants of the configuration {written}; the branch that its cfx names was used"
                 ),
                 "the source's numbers stay as they are; a controller that checks them goes to the same branch, or stops there",
             ),
             Self::BranchChange => (
-                "conf::branch-change",
                 format!(
                     "the target cannot be reached on the branch the arm comes along; the configuration {written} was used"
                 ),
                 "a straight line cannot change branch: check that the move runs at all",
             ),
             Self::HintElsewhere => (
-                "hint::line-branch",
                 "the hinted joints are on another branch than the one that a straight line from the motion before ends in"
                     .to_owned(),
                 "the hint was believed; a straight line changes branch only through a singularity: check that the move runs",
             ),
             Self::Unset => (
-                "conf::unset",
                 format!("the configuration {written} looks like one that was never set"),
                 "it was believed, as nothing else says where the arm comes from; export with configurations, or with a joint move \
                  first",
             ),
             Self::Unchecked => (
-                "conf::unchecked",
                 format!(
                     "where the arm comes from is not known, and under ConfL\\Off it stays on its branch whatever the \
                      configuration {written} says"
@@ -355,6 +365,6 @@ impl Note {
                 "the configuration was believed; --start-joints or --home says where the arm stands at the entry",
             ),
         };
-        Diagnostic::warning(code, format!("line {line}: {text}")).help(help).at(span_of(motion))
+        Diagnostic::warning(self.code(), format!("line {line}: {text}")).help(help).at(span_of(motion))
     }
 }

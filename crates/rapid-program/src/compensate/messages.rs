@@ -8,6 +8,7 @@ use crate::schedule::{Chosen, Width};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::units::mm_from_m;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Messages by routine and code.
 #[derive(Clone, Default)]
@@ -17,15 +18,29 @@ impl Messages {
     /// Adds one; of several with the same code in the same routine the first in the file is told, with
     /// their number.
     pub(super) fn add(&mut self, routine: Option<RoutineId>, message: Diagnostic) {
-        let entry = self.0.entry((routine, message.code));
-        entry
-            .and_modify(|(first, more)| {
+        self.add_with(routine, message.code, message.span, || message);
+    }
+
+    /// The same of one with this code and place, which is made where it is the first.
+    pub(super) fn add_with(
+        &mut self,
+        routine: Option<RoutineId>,
+        code: &'static str,
+        span: Option<Span>,
+        message: impl FnOnce() -> Diagnostic,
+    ) {
+        match self.0.entry((routine, code)) {
+            Entry::Vacant(free) => {
+                free.insert((message(), 0));
+            }
+            Entry::Occupied(mut taken) => {
+                let (first, more) = taken.get_mut();
                 *more += 1;
-                if message.span < first.span {
-                    *first = message.clone();
+                if span < first.span {
+                    *first = message();
                 }
-            })
-            .or_insert((message, 0));
+            }
+        }
     }
 
     /// Why a motion stays as it is.

@@ -5,7 +5,7 @@ use super::branch::{Branch, StartPosture, WRIST_DEG, branch_of};
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
 use super::lookahead::{self, Lookahead, PlacedTarget};
-use super::messages::Messages;
+use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::placement::{Placement, skip};
 use super::resolved::Resolved;
@@ -232,7 +232,6 @@ fn place_targets(
     if motion.targets.iter().any(|target| target.values().next().is_none()) {
         return Err(skip("keep::runtime-target", "its target is only known at run time"));
     }
-    let mut report = |message: Diagnostic| messages.add(Some(motion.setup.routine), message);
     for (k, target) in motion.targets.iter().enumerate() {
         // Of an array's elements a hint cannot say which it means.
         let hinted = hinted.get(k).copied().filter(|_| target.value().is_some());
@@ -240,7 +239,8 @@ fn place_targets(
             let branch = match value {
                 TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => {
                     let q_rad = all_axes(&joints)?;
-                    check_joints(motion, &q_rad, hinted, model).unwrap_or_else(&mut report);
+                    check_joints(motion, &q_rad, hinted, model)
+                        .unwrap_or_else(|message| messages.add(Some(motion.setup.routine), message));
                     Branch::known(q_rad)
                 }
                 TargetValue::Rob(pose) => {
@@ -253,7 +253,7 @@ fn place_targets(
                         },
                         ahead,
                     };
-                    placed.branch(&from, hinted, model, &mut report)?
+                    placed.branch(&from, hinted, model, messages)?
                 }
             };
             // Of an array's elements none comes from the one before.
@@ -292,13 +292,14 @@ impl PlacedPose<'_> {
         from: &[StartPosture],
         hinted: Option<Hinted>,
         model: &Model,
-        report: &mut impl FnMut(Diagnostic),
+        messages: &mut Messages,
     ) -> Result<Branch, SkipReason> {
         let Self { motion, conf, base_from_flange, ahead } = self;
+        let routine = Some(motion.setup.routine);
         let by_hint =
             hinted.map(|hinted| hinted_branch((motion, base_from_flange, conf), from, model, hinted));
         let by_hint = by_hint.transpose().unwrap_or_else(|message| {
-            report(message);
+            messages.add(routine, message);
             None
         });
         let branch = match by_hint.or_else(|| ahead.and_then(|ahead| ahead.as_written(motion, from, model))) {
@@ -306,7 +307,7 @@ impl PlacedPose<'_> {
             None => branch_of(motion, base_from_flange, conf, from, model)?,
         };
         if let Some(note) = branch.note {
-            report(note.message(motion, conf));
+            messages.add_with(routine, note.code(), Some(span_of(motion)), || note.message(motion, conf));
         }
         Ok(branch)
     }
