@@ -6,7 +6,7 @@ fn main() -> ExitCode {
     driftpost::command_line::run()
 }
 
-/// Large blocks go back to the system as soon as they are freed: of 128 kB and more where a program is compensated, which asks for ever
+/// Large blocks go back to the system as soon as they are freed: of 256 kB and more where a program is compensated, which asks for ever
 /// other sizes; of 16 MB and more else, so that what a diagnosis asks for again and again stays. What lies free at the heap's end does so too, but
 /// not in pieces that are asked for again at once.
 ///
@@ -16,7 +16,7 @@ fn main() -> ExitCode {
 #[allow(unsafe_code, reason = "mallopt takes two numbers and keeps no pointer; no other thread runs yet")]
 fn give_large_blocks_back() {
     let compensates = std::env::args_os().nth(1).is_some_and(|command| command == "compensate");
-    let (block_kb, end_kb) = if compensates { (128, 4 * 1024) } else { (16 * 1024, 64 * 1024) };
+    let (block_kb, end_kb) = if compensates { (256, 4 * 1024) } else { (16 * 1024, 64 * 1024) };
     // SAFETY: it sets parameters of malloc, before there is a second thread; a value that it refuses changes nothing.
     unsafe {
         libc::mallopt(libc::M_MMAP_THRESHOLD, block_kb * 1024);

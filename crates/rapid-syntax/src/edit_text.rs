@@ -1,9 +1,10 @@
 //! What an edit puts in: most often a few bytes, of which a large program's edits hold hundreds of thousands.
 
 use std::fmt;
+use std::num::NonZeroU8;
 use std::ops::{Deref, DerefMut};
 
-/// How many bytes stand in the edit itself: with them it is as large as it is without.
+/// How many bytes stand in the edit itself: as many as with their number make two words.
 const SHORT: usize = 15;
 
 /// Bytes that are put in; a short text needs no memory of its own.
@@ -11,30 +12,38 @@ const SHORT: usize = 15;
 pub struct EditText(Held);
 
 #[derive(Clone)]
+#[allow(clippy::box_collection, reason = "a vector in its place makes short texts a word larger")]
 enum Held {
-    Short { len: u8, bytes: [u8; SHORT] },
-    Long(Vec<u8>),
+    /// `past` is one more than there are bytes: its nought is what tells a long text.
+    Short {
+        past: NonZeroU8,
+        bytes: [u8; SHORT],
+    },
+    Long(Box<Vec<u8>>),
 }
 
-const _: () = assert!(size_of::<EditText>() == size_of::<Vec<u8>>());
+const _: () = assert!(size_of::<EditText>() == 16);
+
+impl Held {
+    /// How many bytes a short text has.
+    fn count(past: NonZeroU8) -> usize {
+        usize::from(past.get() - 1)
+    }
+}
 
 impl EditText {
     /// Puts `more` behind what is there.
     pub fn extend_from_slice(&mut self, more: &[u8]) {
         match &mut self.0 {
             Held::Long(text) => text.extend_from_slice(more),
-            Held::Short { len, bytes } => {
-                let from = usize::from(*len);
+            Held::Short { past, bytes } => {
+                let from = Held::count(*past);
                 match bytes.get_mut(from..from + more.len()) {
                     Some(free) => {
                         free.copy_from_slice(more);
-                        *len += more.len() as u8;
+                        *past = past.saturating_add(more.len() as u8);
                     }
-                    None => {
-                        let mut text = self.to_vec();
-                        text.extend_from_slice(more);
-                        self.0 = Held::Long(text);
-                    }
+                    None => self.0 = Held::Long(Box::new([&bytes[..from], more].concat())),
                 }
             }
         }
@@ -43,7 +52,7 @@ impl EditText {
 
 impl Default for EditText {
     fn default() -> Self {
-        Self(Held::Short { len: 0, bytes: [0; SHORT] })
+        Self(Held::Short { past: NonZeroU8::MIN, bytes: [0; SHORT] })
     }
 }
 
@@ -57,7 +66,7 @@ impl From<&[u8]> for EditText {
 
 impl From<Vec<u8>> for EditText {
     fn from(text: Vec<u8>) -> Self {
-        if text.len() <= SHORT { Self::from(text.as_slice()) } else { Self(Held::Long(text)) }
+        if text.len() <= SHORT { Self::from(text.as_slice()) } else { Self(Held::Long(Box::new(text))) }
     }
 }
 
@@ -66,7 +75,7 @@ impl Deref for EditText {
 
     fn deref(&self) -> &[u8] {
         match &self.0 {
-            Held::Short { len, bytes } => &bytes[..usize::from(*len)],
+            Held::Short { past, bytes } => &bytes[..Held::count(*past)],
             Held::Long(text) => text,
         }
     }
@@ -75,7 +84,7 @@ impl Deref for EditText {
 impl DerefMut for EditText {
     fn deref_mut(&mut self) -> &mut [u8] {
         match &mut self.0 {
-            Held::Short { len, bytes } => &mut bytes[..usize::from(*len)],
+            Held::Short { past, bytes } => &mut bytes[..Held::count(*past)],
             Held::Long(text) => text,
         }
     }

@@ -11,7 +11,7 @@ use super::resolved::Point;
 use super::warm_joints::{CommandedJoints, CommandedOrSkipped};
 use crate::program::data::{ConfData, JointTarget, RobTarget};
 use crate::program::motion::{Motion, SkipReason, Target, TargetValue};
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::deform::{Conditions, DeformedArms};
 use robot_model::kinematics::{ArmsJoints, Configuration};
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -131,7 +131,11 @@ fn corrected_in_buckets(
     Corrections::InBuckets(match value {
         TargetValue::Joint(_) => joints.iter().map(|&q_rad| Corrected::Joints { q_rad }).collect(),
         TargetValue::Rob(_) | TargetValue::FromJoints(_) => {
-            commanded.iter().map(|there| as_written(there, meant, value)).collect()
+            let written = match value {
+                TargetValue::Rob(target) => target.object_from_tcp.rotation,
+                TargetValue::Joint(_) | TargetValue::FromJoints(_) => meant.rotation,
+            };
+            commanded.iter().map(as_written(&meant.rotation, &written)).collect()
         }
     })
 }
@@ -164,24 +168,26 @@ fn planned_target(
     PlannedTarget { pose, nominal_q_rad: point.q_rad, conditions, corrections }
 }
 
-/// The frame as numbers, the quaternion with the sign of the original's so that successive buckets and
-/// targets do not flip. A circle point keeps the orientation that is written, which the arm does not take there, turned by the
-/// correction.
-fn as_written(object_from_tcp: &Isometry3<f64>, meant: &Isometry3<f64>, value: &TargetValue) -> Corrected {
-    let written = match value {
-        TargetValue::Rob(target) => target.object_from_tcp.rotation,
-        TargetValue::Joint(_) | TargetValue::FromJoints(_) => meant.rotation,
-    };
-    let rotation = match written.angle_to(&meant.rotation) < SAME_RAD {
-        true => object_from_tcp.rotation,
-        false => object_from_tcp.rotation * meant.rotation.inverse() * written,
-    };
-    let q = rotation.quaternion();
-    let sign = if q.dot(written.quaternion()) < 0.0 { -1.0 } else { 1.0 };
-    let t = &object_from_tcp.translation.vector;
-    Corrected::Pose {
-        position_m: [t.x, t.y, t.z],
-        orientation_wxyz: [sign * q.w, sign * q.i, sign * q.j, sign * q.k],
+/// Frames as numbers, the quaternion with the sign of the original's so that successive buckets and
+/// targets do not flip. A circle point keeps the orientation that is `written`, which the arm does not take there, turned by the
+/// correction of the one that is `meant`.
+fn as_written(
+    meant: &UnitQuaternion<f64>,
+    written: &UnitQuaternion<f64>,
+) -> impl Fn(&Isometry3<f64>) -> Corrected {
+    let is_meant = written.angle_to(meant) < SAME_RAD;
+    move |object_from_tcp| {
+        let rotation = match is_meant {
+            true => object_from_tcp.rotation,
+            false => object_from_tcp.rotation * meant.inverse() * written,
+        };
+        let q = rotation.quaternion();
+        let sign = if q.dot(written.quaternion()) < 0.0 { -1.0 } else { 1.0 };
+        let t = &object_from_tcp.translation.vector;
+        Corrected::Pose {
+            position_m: [t.x, t.y, t.z],
+            orientation_wxyz: [sign * q.w, sign * q.i, sign * q.j, sign * q.k],
+        }
     }
 }
 

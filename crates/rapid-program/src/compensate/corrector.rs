@@ -69,8 +69,7 @@ impl Corrector<'_> {
                 tally.add(motion, &made);
                 worst_bucket.push(made.worst_bucket as u32);
                 crossings.extend(made.crossing.map(|crossing| (motion, crossing)));
-                // Copied: what stays lies together, not among what the threads worked with.
-                motions.push(made.planned.clone());
+                motions.push(made.planned);
             }
         }
         follow_paths((program, resolved), self.at.arms(), self.model, &worst_bucket, &mut motions);

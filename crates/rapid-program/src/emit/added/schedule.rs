@@ -41,7 +41,7 @@ impl<'p> Added<'p> {
         planned: &mut impl Iterator<Item = &'p PlannedTarget>,
     ) -> Result<Vec<ArrayRow<'p>>, EmitError> {
         let buckets = context.plan.schedule.buckets.len();
-        let mut rows = Vec::new();
+        let mut rows = Vec::with_capacity(target.values().count());
         for value in target.values() {
             let Some(planned) = planned.next() else {
                 return Err(mismatch(file, "a target is missing"));
