@@ -8,7 +8,7 @@ use argument::TargetKey;
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::aggregate::Singles;
+use super::checksum::Elements;
 use super::choice::ChoiceData;
 use super::context::EmitContext;
 use super::correction::CorrectionData;
@@ -37,7 +37,7 @@ pub(super) enum Declaration<'p> {
 }
 
 impl Declaration<'_> {
-    /// Appends it; gives what it is recognised by. `reader` reads originals.
+    /// Appends it; gives what it is recognised by, which `elements` works out of an array.
     ///
     /// # Errors
     /// Those of its parts.
@@ -45,10 +45,10 @@ impl Declaration<'_> {
         &self,
         out: &mut Vec<u8>,
         style: &LayoutStyle,
-        reader: &mut Singles,
+        elements: &mut Elements,
     ) -> Result<Vec<u8>, EmitError> {
         match self {
-            Self::Array(array) => array.write(out, style, reader),
+            Self::Array(array) => array.write(out, style, elements),
             Self::Correction(data) => Ok(data.write(out, style)),
             Self::Choice(data) => Ok(data.write(out, style)),
             Self::RowHash(name, hash) => Ok(hash.write(name, out, style)),

@@ -6,8 +6,9 @@ use super::insertion::white;
 /// Reads targets one after another. Neighbours mostly end alike, in configuration and external axes: what was read once is compared.
 #[derive(Debug, Default)]
 pub(super) struct ArrayReader<'b> {
-    /// Of the element at hand.
+    /// Of the element at hand; where it ends with `tail`, those before that.
     values: Vec<f32>,
+    ends_alike: bool,
     /// Where the last one's configuration, or a jointtarget's external axes, began: what stood there, and the numbers in it.
     tail: &'b [u8],
     of_tail: Vec<f32>,
@@ -18,8 +19,12 @@ pub(super) struct ArrayReader<'b> {
 
 impl<'b> ArrayReader<'b> {
     /// Calls `visit` with where each element of a one-dimensional array's `text` stands and its numbers, in single precision, in
-    /// order; `None` where something else stands there.
-    pub(super) fn each(&mut self, text: &'b [u8], mut visit: impl FnMut(usize, usize, &[f32])) -> Option<()> {
+    /// order: its own, and those that neighbours end with as well. `None` where something else stands there.
+    pub(super) fn each(
+        &mut self,
+        text: &'b [u8],
+        mut visit: impl FnMut(usize, usize, &[f32], &[f32]),
+    ) -> Option<()> {
         let mut at = past_white(text, 0);
         if text.get(at) != Some(&b'[') {
             return None;
@@ -27,7 +32,7 @@ impl<'b> ArrayReader<'b> {
         loop {
             at = past_white(text, at + 1);
             let length = self.element(text.get(at..)?)?;
-            visit(at, at + length, &self.values);
+            visit(at, at + length, &self.values, if self.ends_alike { &self.of_tail } else { &[] });
             at = past_white(text, at + length);
             match text.get(at)? {
                 b',' => {}
@@ -61,7 +66,7 @@ impl<'b> ArrayReader<'b> {
                     let count = self.values.len();
                     let is_tail = count == self.front && open == self.open && !self.tail.is_empty();
                     if is_tail && text[at..].starts_with(self.tail) {
-                        self.values.extend_from_slice(&self.of_tail);
+                        self.ends_alike = true;
                         return Some(at + self.tail.len());
                     }
                     if let Some(begin) = count.checked_sub(6).and_then(|k| begins.get_mut(k)) {
@@ -77,10 +82,12 @@ impl<'b> ArrayReader<'b> {
         }
         let length = at + 1;
         let front = if self.values.len() == 12 { 6 } else { 7 };
+        self.ends_alike = false;
         if let Some((from, open)) = begins[front - 6] {
             (self.tail, self.front, self.open) = (&text[from..length], front, open);
             self.of_tail.clear();
-            self.of_tail.extend_from_slice(&self.values[front..]);
+            self.of_tail.extend(self.values.drain(front..));
+            self.ends_alike = true;
         }
         Some(length)
     }
@@ -101,7 +108,7 @@ mod tests {
     /// What it reads, element by element; `None` where it gives up.
     fn read<'b>(reader: &mut ArrayReader<'b>, text: &'b [u8]) -> Option<Vec<(&'b [u8], Vec<f32>)>> {
         let mut all = Vec::new();
-        reader.each(text, |from, to, values| all.push((&text[from..to], values.to_vec())))?;
+        reader.each(text, |from, to, own, tail| all.push((&text[from..to], [own, tail].concat())))?;
         Some(all)
     }
 

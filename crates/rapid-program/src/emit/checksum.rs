@@ -14,8 +14,14 @@ const SIX_BITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwx
 
 const PRIME: u64 = 0x0000_0100_0000_01b3;
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Fnv(u64);
+
+impl Default for Fnv {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 impl Fnv {
     fn new() -> Self {
@@ -88,23 +94,31 @@ pub(super) fn of_no_numbers() -> [u8; 3] {
     Fnv::new().checksum()
 }
 
-/// Checksums of an array's elements: three characters for all, then two for each.
+/// Checksums of arrays' elements, of one array after another: three characters for all, then two for each.
+#[derive(Debug, Default)]
 pub(super) struct Elements {
     all: Fnv,
     each: Vec<u8>,
+    reader: Singles,
+    tail: Tail,
 }
 
 impl Elements {
-    /// Those of no element yet; so many will come.
-    #[must_use]
-    pub(super) fn new(count: usize) -> Self {
-        Self { all: Fnv::new(), each: Vec::with_capacity(2 * count) }
+    /// Begins with the next array.
+    pub(super) fn begin(&mut self) {
+        self.all = Fnv::new();
+        self.each.clear();
     }
 
-    /// Takes in the next element's text, which `reader` reads.
-    pub(super) fn add(&mut self, element: &[u8], reader: &mut Singles) {
+    /// The numbers of a text that elements have in common, in single precision; `None` where one cannot be read.
+    pub(super) fn numbers(&mut self, text: &[u8]) -> Option<Vec<f32>> {
+        Some(self.reader.of(text)?.collect())
+    }
+
+    /// Takes in the next element's text.
+    pub(super) fn add(&mut self, element: &[u8]) {
         let mut own = Fnv::new();
-        if let Some(values) = reader.of(element) {
+        if let Some(values) = self.reader.of(element) {
             values.for_each(|value| {
                 self.all.add_single(value);
                 own.add_single(value);
@@ -113,20 +127,60 @@ impl Elements {
         self.each.extend(own.checksum::<2>());
     }
 
-    /// The same by its numbers.
-    pub(super) fn add_numbers(&mut self, values: impl IntoIterator<Item = f32>) {
-        let mut own = Fnv::new();
-        for value in values {
+    /// The same by its numbers: its own, and those with which it ends as others do.
+    pub(super) fn add_numbers(&mut self, own: &[f32], tail: &[f32]) {
+        let mut hash = Fnv::new();
+        for &value in own {
             self.all.add_single(value);
-            own.add_single(value);
+            hash.add_single(value);
         }
-        self.each.extend(own.checksum::<2>());
+        self.tail.set(tail);
+        self.all = self.tail.behind(self.all);
+        self.each.extend(self.tail.behind(hash).checksum::<2>());
     }
 
     /// Three characters for all, then two for each.
     #[must_use]
     pub(super) fn checksums(&self) -> Vec<u8> {
         [&self.all.checksum::<3>()[..], &self.each].concat()
+    }
+}
+
+/// What numbers with which many elements end do to a hash, worked out once for each lowest byte that it comes with: the exclusive or with a
+/// byte changes no other, so that the rest of the hash is but multiplied.
+#[derive(Debug)]
+struct Tail {
+    values: Vec<f32>,
+    /// The prime to the power of their bytes.
+    power: u64,
+    /// By the lowest byte what a hash of that byte alone becomes.
+    of_byte: [Option<u64>; 256],
+}
+
+impl Default for Tail {
+    fn default() -> Self {
+        Self { values: Vec::new(), power: 1, of_byte: [None; 256] }
+    }
+}
+
+impl Tail {
+    fn set(&mut self, values: &[f32]) {
+        if self.values != values {
+            self.values.clear();
+            self.values.extend_from_slice(values);
+            self.power = PRIME.wrapping_pow(4 * values.len() as u32);
+            self.of_byte = [None; 256];
+        }
+    }
+
+    fn behind(&mut self, hash: Fnv) -> Fnv {
+        let byte = hash.0 & 0xff;
+        let of_byte = *self.of_byte[byte as usize].get_or_insert_with(|| {
+            let mut alone = Fnv(byte);
+            self.values.iter().for_each(|&value| alone.add_single(value));
+            alone.0
+        });
+        Fnv((hash.0 - byte).wrapping_mul(self.power).wrapping_add(of_byte))
     }
 }
 
@@ -197,9 +251,9 @@ mod tests {
         assert_eq!(of_numbers(literal), of_numbers(same));
         assert_ne!(of_numbers(literal), of_numbers(moved));
         let all = |one: &[u8]| {
-            let (mut elements, mut reader) = (Elements::new(2), Singles::default());
-            elements.add(literal, &mut reader);
-            elements.add(one, &mut reader);
+            let mut elements = Elements::default();
+            elements.add(literal);
+            elements.add(one);
             elements.checksums()
         };
         assert_eq!((all(literal), all(same).len()), (all(same), 7));
@@ -214,6 +268,24 @@ mod tests {
             found.add_single(value);
             bytes.add(&(value + 0.0).to_bits().to_le_bytes());
             assert_eq!(found.0, bytes.0, "{value}");
+        }
+    }
+
+    #[test]
+    fn what_elements_end_with_is_hashed_as_if_it_stood_there_alone() {
+        let tails: [&[f32]; 5] =
+            [&[], &[0.0, 0.0, -1.0, 1.0, 9e9, 9e9], &[0.1, -2.5], &[0.1, 2.5], &[-0.0; 7]];
+        let (mut elements, mut plain) = (Elements::default(), Elements::default());
+        for n in 0..600 {
+            let tail = tails[n / 7 % 5];
+            let own = [n as f32 * 0.37, -((n * n % 251) as f32)];
+            let all: Vec<String> = own.iter().chain(tail).map(ToString::to_string).collect();
+            if n % 50 == 0 {
+                [&mut elements, &mut plain].into_iter().for_each(Elements::begin);
+            }
+            elements.add_numbers(&own, tail);
+            plain.add(format!("[{}]", all.join(",")).as_bytes());
+            assert_eq!(elements.checksums(), plain.checksums(), "{n}");
         }
     }
 

@@ -2,8 +2,7 @@
 //! comment block.
 
 use super::added::{Added, Declaration};
-use super::aggregate::Singles;
-use super::checksum;
+use super::checksum::{self, Elements};
 use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
@@ -112,7 +111,7 @@ const TOGETHER: usize = 16;
 struct Piece {
     text: Vec<u8>,
     checksums: Vec<u8>,
-    reader: Singles,
+    elements: Elements,
     /// Why it cannot be written on.
     error: Option<EmitError>,
 }
@@ -123,7 +122,7 @@ impl Piece {
         self.text.clear();
         self.checksums.clear();
         for declaration in declarations {
-            let checksums = declaration.write(&mut self.text, style, &mut self.reader)?;
+            let checksums = declaration.write(&mut self.text, style, &mut self.elements)?;
             self.checksums.extend(checksums);
         }
         Ok(())

@@ -112,8 +112,9 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
             altered: Vec::new(),
         };
         let mut arrays = remover.data()?;
-        let routines = remover.routines()?;
+        let (routines, added_routines) = remover.routines()?;
         touched.extend(remover.motions(&routines, &mut arrays)?);
+        remover.edits.extend(added_routines);
         let code = altered_code(bytes, &lines, &remover.code, &record.code, module.name);
         if record.is_whole {
             altered.append(&mut remover.altered);
@@ -126,7 +127,11 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         source = Some((record.source_sha256, record.source_name));
     }
     let (source_sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
-    edits.sort_by_key(|edit| (edit.range.start, edit.range.end));
+    let place = |edit: &Edit| (edit.range.start, edit.range.end);
+    // Those of arrays alone stand in another order; to sort takes memory when most is in use.
+    if !edits.is_sorted_by_key(place) {
+        edits.sort_by_key(place);
+    }
     altered.sort_by_key(Altered::line);
     Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::aggregate::{Singles, brackets, has_components, is_plain, tail_of, with_commas};
+use super::aggregate::{brackets, has_components, is_plain, tail_of, with_commas};
 use super::checksum::Elements;
 use super::insertion::{LayoutStyle, white};
 use super::number::{write_optional, write_orient, write_pos, write_robjoint};
@@ -98,7 +98,7 @@ impl TargetArray<'_> {
         self.dims == dims && self.rows.len() == rows.len() && self.rows.iter().zip(rows).all(same)
     }
 
-    /// Appends the declaration, one element a line; gives what its elements are recognised by. `reader` reads the originals.
+    /// Appends the declaration, one element a line; gives what its elements are recognised by, which `elements` works out.
     ///
     /// # Errors
     /// [`EmitError::PlanMismatch`] where a robtarget's correction is given as joints or the other way.
@@ -106,12 +106,12 @@ impl TargetArray<'_> {
         &self,
         out: &mut Vec<u8>,
         style: &LayoutStyle,
-        reader: &mut Singles,
+        elements: &mut Elements,
     ) -> Result<Vec<u8>, EmitError> {
         let first = self.rows.first();
         let joint = first.is_some_and(|row| matches!(row.original, TargetValue::Joint(_)));
         let buckets = first.map_or(0, |row| row.corrected.len());
-        let mut elements = Elements::new(self.rows.len() * (buckets + 1));
+        elements.begin();
         out.extend_from_slice(&style.indent);
         out.extend_from_slice(b"LOCAL CONST ");
         out.extend_from_slice(if joint { b"jointtarget " } else { b"robtarget " });
@@ -130,9 +130,9 @@ impl TargetArray<'_> {
             out.extend(b"[".repeat(open + is_nested));
             let from = out.len();
             out.extend_from_slice(first_element);
-            elements.add(out.get(from..).unwrap_or_default(), reader);
+            elements.add(out.get(from..).unwrap_or_default());
             let tail = tail_of(first_element, if joint { 1 } else { 2 });
-            let of_tail: Option<Vec<f32>> = reader.of(tail).map(Iterator::collect);
+            let of_tail = elements.numbers(tail);
             for corrected in corrected.iter() {
                 end_element(out, line, b",", style);
                 line = out.len();
@@ -142,8 +142,8 @@ impl TargetArray<'_> {
                 let (numbers, count) = write_corrected(out, corrected, joint, tail)
                     .map_err(|what| EmitError::PlanMismatch(format!("{}: {what}", self.name)))?;
                 match &of_tail {
-                    Some(of_tail) => elements.add_numbers(numbers[..count].iter().chain(of_tail).copied()),
-                    None => elements.add(out.get(from..).unwrap_or_default(), reader),
+                    Some(of_tail) => elements.add_numbers(&numbers[..count], of_tail),
+                    None => elements.add(out.get(from..).unwrap_or_default()),
                 }
             }
             let end = if last_row { "];" } else { "," };
@@ -285,7 +285,7 @@ mod tests {
         let corrected = [pose(400.125), pose(400.0625)];
         let array = array("tc57", first_element, written, &corrected);
         let mut out = Vec::new();
-        array.write(&mut out, &style(), &mut Singles::default()).unwrap();
+        array.write(&mut out, &style(), &mut Elements::default()).unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),
             "  LOCAL CONST robtarget tc57{3}:=[\r\n\
@@ -322,7 +322,7 @@ mod tests {
         let corrected = [Corrected::Joints { q_rad: [rad_from_deg(45.0); 6] }];
         let joints = array("tc3", first_element, written, &corrected);
         let mut out = Vec::new();
-        joints.write(&mut out, &style(), &mut Singles::default()).unwrap();
+        joints.write(&mut out, &style(), &mut Elements::default()).unwrap();
         assert_eq!(
             String::from_utf8(out).unwrap(),
             "  LOCAL CONST jointtarget tc3{2}:=[\r\n    \
@@ -331,7 +331,7 @@ mod tests {
         );
         let corrected = [pose(1.0)];
         let mixed = array("tc3", Cow::Borrowed(b"[[],[]]"), written, &corrected);
-        assert!(mixed.write(&mut Vec::new(), &style(), &mut Singles::default()).is_err());
+        assert!(mixed.write(&mut Vec::new(), &style(), &mut Elements::default()).is_err());
     }
 
     #[test]
@@ -345,7 +345,7 @@ mod tests {
         let array = array("tc3", first_element, written, &corrected);
         let mut out = Vec::new();
         let deep = LayoutStyle { eol: b"\n", indent: vec![b' '; 16], unit: vec![b' '; 8] };
-        array.write(&mut out, &deep, &mut Singles::default()).unwrap();
+        array.write(&mut out, &deep, &mut Elements::default()).unwrap();
         assert!(out.split(|&b| b == b'\n').all(|line| line.len() <= MAX_LINE));
         let joined: Vec<u8> = out.iter().copied().filter(|&b| !white(b)).collect();
         assert!(String::from_utf8_lossy(&joined).contains(&literal));

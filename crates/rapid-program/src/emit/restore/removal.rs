@@ -3,7 +3,6 @@
 use super::arrays::{Array, NamedArray, Rows, Use};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
-use crate::emit::aggregate::Singles;
 use crate::emit::array_reader::ArrayReader;
 use crate::emit::checksum::{self, Elements};
 use crate::emit::header::Record;
@@ -61,14 +60,14 @@ impl<'w> Remover<'w> {
         self.edits.push(removal(insertion::whole_lines(self.bytes, first.range.cover(last.range))));
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays: Vec<NamedArray<'w>> = Vec::new();
-        let mut reader = ArrayReader::default();
+        let (mut reader, mut elements) = (ArrayReader::default(), Elements::default());
         let mut checksums = self.record.checksums.as_slice();
         for data in ours.iter().skip(self.record.data) {
             let is_target = [b"robtarget".as_slice(), b"jointtarget"]
                 .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
             let init = data.init.as_ref();
             if is_target && !data.dims.is_empty() {
-                let rows = self.rows(data, &mut reader)?;
+                let rows = self.rows(data, &mut reader, &mut elements)?;
                 let (own, rest) =
                     checksums.split_at_checked(rows.checksums.len()).unwrap_or((checksums, &[]));
                 checksums = rest;
@@ -94,14 +93,20 @@ impl<'w> Remover<'w> {
     }
 
     /// The elements of an array, row by row.
-    fn rows(&self, data: &DataDecl, reader: &mut ArrayReader<'w>) -> Result<Rows, RestoreError> {
+    fn rows(
+        &self,
+        data: &DataDecl,
+        reader: &mut ArrayReader<'w>,
+        now: &mut Elements,
+    ) -> Result<Rows, RestoreError> {
         let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
         let dims = data.dims.len();
         if dims == 1 && init.kind == ExprKind::Numbers {
-            let (mut now, mut row) = (Elements::new(32), Vec::with_capacity(32));
+            now.begin();
+            let mut row = Vec::with_capacity(32);
             let at = |at: usize| init.range.start + at as u32;
-            let read = reader.each(init.range.of(self.bytes), |from, to, numbers| {
-                now.add_numbers(numbers.iter().copied());
+            let read = reader.each(init.range.of(self.bytes), |from, to, own, tail| {
+                now.add_numbers(own, tail);
                 row.push(TextRange::new(at(from), at(to)));
             });
             if read.is_some() {
@@ -116,8 +121,8 @@ impl<'w> Remover<'w> {
             .filter(|columns| columns * rows == elements.len() && *columns > 0);
         let columns = columns
             .ok_or_else(|| self.damaged(data.range, "the rows of an array are not as long as each other"))?;
-        let (mut now, mut reader) = (Elements::new(elements.len()), Singles::default());
-        elements.iter().for_each(|element| now.add(element.of(self.bytes), &mut reader));
+        now.begin();
+        elements.iter().for_each(|element| now.add(element.of(self.bytes)));
         let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
         Ok(Rows { ranges, checksums: now.checksums() })
     }
@@ -139,8 +144,8 @@ impl<'w> Remover<'w> {
         }
     }
 
-    /// Takes out the routines; gives the module's own ones.
-    pub(super) fn routines(&mut self) -> Result<Vec<&'w Routine>, RestoreError> {
+    /// The module's own routines, and what takes out those behind them.
+    pub(super) fn routines(&mut self) -> Result<(Vec<&'w Routine>, Option<Edit>), RestoreError> {
         let module: &'w Module = self.module;
         let mut all: Vec<&Routine> = module.routines().collect();
         let Some(from) = all.len().checked_sub(self.record.routines) else {
@@ -151,11 +156,11 @@ impl<'w> Remover<'w> {
             return Err(self.damaged(foreign.range, "a routine was put among or after those that were added"));
         }
         self.code.extend(ours.iter().map(|routine| (routine.name, routine.range)));
-        if let (Some(first), Some(last)) = (ours.first(), ours.last()) {
+        let added = ours.first().zip(ours.last()).map(|(first, last)| {
             let lines = insertion::whole_lines(self.bytes, first.range.cover(last.range));
-            self.edits.push(removal(insertion::with_empty_line_before(self.bytes, lines)));
-        }
-        Ok(all)
+            removal(insertion::with_empty_line_before(self.bytes, lines))
+        });
+        Ok((all, added))
     }
 
     /// Puts back what stood in the motions; gives what was touched up.
