@@ -16,7 +16,7 @@ use super::spectrum;
 use super::terms::{agree_on_centre, terms};
 use super::time_course::TimeCourse;
 use crate::measure::{RegisterError, Registration, Station, Stations, register};
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::{DVector, Isometry3, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, Identified, MeasuredRange, Mounting, Term, ThermalState};
@@ -26,7 +26,7 @@ use std::sync::Arc;
 
 const ROUNDS: usize = 3;
 
-/// The model of what `model` found.
+/// The model of what was found in `fitted`.
 ///
 /// # Errors
 /// [`NoModel`]: what was found makes no model.
@@ -36,11 +36,8 @@ pub(super) fn identify(
     options: &DiagnosisOptions,
 ) -> Result<Identified, NoModel> {
     let MeasuredRobot { robot, measurements, stations } = measured;
-    let DiagnosisOptions { tool_m, sigma_m: stated_m } = *options;
     let FittedModel { linear, model, workspace } = fitted;
     let dataset = &linear.dataset;
-    let measured_range = measured_range(measurements.rows.len(), stations, robot.joints.len());
-    let stations = &by_the_clock(stations, dataset);
     let candidates = workspace.library.candidates;
     let lines = spectrum::spectra(candidates, &model.chosen);
     let in_spectrum = |c: &&ChosenCause| {
@@ -55,71 +52,129 @@ pub(super) fn identify(
         causes: chosen.iter().map(|c| &candidates[c.candidate]).collect(),
         lines,
     };
-    let sigma_m = model.peak.sigma_m;
-    let ratio = model.peak.geometry_ratio;
-    let causes: Vec<f64> = chosen.iter().map(|c| (3.0 * c.size_ratio).powi(-2)).collect();
-    // Without geometry in the model its columns are held at nothing.
-    let geometry = if ratio > 0.0 { ratio.powi(-2) } else { NOTHING };
-    let precisions_at = |size_rad| spectrum::precisions(&columns, geometry, &causes, sigma_m, size_rad);
-    let size_rad = match columns.lines.is_empty() {
-        true => 1.0,
-        false => spectrum::size_rad(&columns, &linear.residuals, &model.outliers, precisions_at),
-    };
-    let precisions = precisions_at(size_rad);
-    let all: Vec<usize> = (0..dataset.observations.len()).collect();
-    let mut normal = columns.sum(&all, &linear.residuals);
-    let mut solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
-    let robot = Arc::new(robot.clone());
-    let mut identified = Identified {
+    let start = Identified {
         robot: robot.name.clone(),
         joint_kinds: robot.kinds(),
-        sigma_m: Some(sigma_m),
-        measured_range,
+        sigma_m: Some(model.peak.sigma_m),
+        measured_range: measured_range(measurements.rows.len(), stations, robot.joints.len()),
         ..Identified::default()
     };
-    let mut centre_m = agree_on_centre(&columns, &mut solution.values);
-    for _ in 0..ROUNDS {
-        identified.terms = terms(&columns, &named, candidates, &solution.values, None);
-        let so_far = Arc::new(identified.clone());
-        let ModelResiduals { residuals, .. } =
-            residuals_of(&robot, stations, &so_far, linear, tool_m, centre_m)?;
-        // Residual plus what the parameters already take, to first order: the prior then pulls on the whole.
-        solution.values.rows_mut(0, columns.registration().end).fill(0.0);
-        normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solution.values;
-        solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
-        centre_m = agree_on_centre(&columns, &mut solution.values);
-    }
-    let sigmas =
-        solution.sigmas().map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
-    identified.terms = terms(&columns, &named, candidates, &solution.values, sigmas.as_deref());
+    let refit = Refit {
+        robot: Arc::new(robot.clone()),
+        stations: by_the_clock(stations, dataset),
+        fitted,
+        columns,
+        named,
+        options,
+    };
+    let causes: Vec<f64> = chosen.iter().map(|c| (3.0 * c.size_ratio).powi(-2)).collect();
+    let RefitModel { mut identified, values, centre_m } = refit.solved(start, &causes)?;
     let whole = Arc::new(identified.clone());
     let ModelResiduals { residuals: left, registration } =
-        residuals_of(&robot, stations, &whole, linear, tool_m, centre_m)?;
-    is_usual(&columns, &solution.values, &named, candidates, &identified)?;
+        refit.residuals_of(&refit.stations, &whole, centre_m)?;
+    is_usual(&refit.columns, &values, &refit.named, candidates, &identified)?;
     let kept = |i: usize| !model.outliers[i];
-    holds(rms_m(&left, kept), rms_m(&linear.nominal, kept), fitted, stated_m)?;
+    holds(rms_m(&left, kept), rms_m(&linear.nominal, kept), fitted, options.sigma_m)?;
     identified.mounting = Some(Mounting {
         instrument_from_base: registration.instrument_from_base,
         tools_m: registration.tools_m,
         payload_m: hangs_at_m(&identified, dataset, linear.registration.payload_m() + centre_m),
     });
     if dataset.time_min.is_none() {
-        if let Some(last_step) = without_clock(&mut identified) {
-            let since = |i: &usize| !model.outliers[*i] && dataset.observations[*i].clock() >= last_step;
-            let since: Vec<usize> = (0..dataset.observations.len()).filter(since).collect();
+        refit.leave_clock(&mut identified, centre_m)?;
+    }
+    identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
+}
+
+/// What is fitted again on the arm as it really moves.
+struct Refit<'a> {
+    robot: Arc<SerialArm>,
+    /// With their places in the file as minutes where they have none.
+    stations: Stations,
+    fitted: &'a FittedModel<'a>,
+    columns: ModelColumns<'a>,
+    /// Lines of spectra that have names.
+    named: Vec<&'a ChosenCause>,
+    options: &'a DiagnosisOptions,
+}
+
+/// A model with the parameters that it was made of.
+struct RefitModel {
+    identified: Identified,
+    /// In prior sigmas.
+    values: DVector<f64>,
+    /// The payload's centre off the measured point, flange frame, metres.
+    centre_m: Vector3<f64>,
+}
+
+impl Refit<'_> {
+    /// The terms of `start`, by Gauss-Newton from nothing, the causes' sizes held by their precisions `causes`.
+    fn solved(&self, start: Identified, causes: &[f64]) -> Result<RefitModel, NoModel> {
+        let FittedModel { linear, model, .. } = self.fitted;
+        let (columns, sigma_m, ratio) = (&self.columns, model.peak.sigma_m, model.peak.geometry_ratio);
+        // Without geometry in the model its columns are held at nothing.
+        let geometry = if ratio > 0.0 { ratio.powi(-2) } else { NOTHING };
+        let precisions_at = |size_rad| spectrum::precisions(columns, geometry, causes, sigma_m, size_rad);
+        let size_rad = match columns.lines.is_empty() {
+            true => 1.0,
+            false => spectrum::size_rad(columns, &linear.residuals, &model.outliers, precisions_at),
+        };
+        let precisions = precisions_at(size_rad);
+        let all: Vec<usize> = (0..linear.dataset.observations.len()).collect();
+        let mut normal = columns.sum(&all, &linear.residuals);
+        let mut solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
+        let mut identified = start;
+        let mut centre_m = agree_on_centre(columns, &mut solution.values);
+        for _ in 0..ROUNDS {
+            identified.terms = self.terms(&solution.values, None);
+            let so_far = Arc::new(identified.clone());
+            let residuals = self.residuals_of(&self.stations, &so_far, centre_m)?.residuals;
+            // Residual plus what the parameters already take, to first order: the prior then pulls on the whole.
+            solution.values.rows_mut(0, columns.registration().end).fill(0.0);
+            normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solution.values;
+            solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
+            centre_m = agree_on_centre(columns, &mut solution.values);
+        }
+        let sigmas =
+            solution.sigmas().map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
+        identified.terms = self.terms(&solution.values, sigmas.as_deref());
+        Ok(RefitModel { identified, values: solution.values, centre_m })
+    }
+
+    fn terms(&self, values: &DVector<f64>, sigmas: Option<&[f64]>) -> Vec<Term> {
+        terms(&self.columns, &self.named, self.fitted.workspace.library.candidates, values, sigmas)
+    }
+
+    fn residuals_of(
+        &self,
+        stations: &Stations,
+        model: &Arc<Identified>,
+        centre_m: Vector3<f64>,
+    ) -> Result<ModelResiduals, RegisterError> {
+        residuals_of(&self.robot, stations, model, self.fitted.linear, self.options.tool_m, centre_m)
+    }
+
+    /// Takes the order of rows, which means nothing to another file, out of a model: what has stepped stays as it stood at the end, and
+    /// there the model has to hold.
+    fn leave_clock(&self, identified: &mut Identified, centre_m: Vector3<f64>) -> Result<(), NoModel> {
+        let FittedModel { linear, model, .. } = self.fitted;
+        if let Some(last_step) = without_clock(identified) {
+            let observations = &linear.dataset.observations;
+            let is_since = |i: &usize| !model.outliers[*i] && observations[*i].clock() >= last_step;
+            let since: Vec<usize> = (0..observations.len()).filter(is_since).collect();
             // Fewer say less than base and target take.
             if since.len() >= FEWEST_SINCE {
-                let kept = since.iter().map(|&i| stations.stations[i].clone()).collect();
-                let stations = Stations { stations: kept, ..stations.clone() };
+                let kept = since.iter().map(|&i| self.stations.stations[i].clone()).collect();
+                let stations = Stations { stations: kept, ..self.stations.clone() };
                 let stepped = Arc::new(identified.clone());
-                let left = residuals_of(&robot, &stations, &stepped, linear, tool_m, centre_m)?.residuals;
+                let left = self.residuals_of(&stations, &stepped, centre_m)?.residuals;
                 let before: Vec<Twist> = since.iter().map(|&i| linear.nominal[i]).collect();
-                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), fitted, stated_m)?;
+                holds(rms_m(&left, |_| true), rms_m(&before, |_| true), self.fitted, self.options.sigma_m)?;
             }
         }
         identified.terms.retain(|term| !is_of_mounting(term));
+        Ok(())
     }
-    identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
 }
 
 /// Where the payload hung that the model's sag was fitted with, flange frame, metres: whoever compares with the model again needs it,
