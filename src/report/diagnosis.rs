@@ -3,7 +3,7 @@
 use super::cause_rows::plainly;
 use super::counted;
 use super::diagnosis_sections::{evidence, false_rows, limits, line, noise};
-use metrology::diagnose::{Cause, Findings, Verdict, describe};
+use metrology::diagnose::{Cause, Findings, MissingChannel, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
 
@@ -124,6 +124,9 @@ fn poses_below(d: &Findings) -> String {
 
 /// What to do with this verdict.
 pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
+    if let Some(channel) = d.missing_channel {
+        return note(channel).to_owned();
+    }
     let poses = poses_below(d);
     let write = match &d.no_model {
         Some(why) => format!("no model can be written: {why}"),
@@ -154,6 +157,21 @@ pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
         }
         _ if poses.is_empty() => "measure more poses, with the columns that are missing (below)".to_owned(),
         _ => poses,
+    }
+}
+
+/// What to note, where one column would tell what the gap follows.
+fn note(channel: MissingChannel) -> &'static str {
+    match channel {
+        MissingChannel::Direction => {
+            "measure again and note from which side each joint came (dir1 to dir6), some poses from both sides"
+        }
+        MissingChannel::Payload => {
+            "note what hung at the tool at each row (payload_kg), here if it is known, or measure again with it"
+        }
+        MissingChannel::Time => {
+            "note when each row was measured (t_min), here if it is known, or measure again with it"
+        }
     }
 }
 

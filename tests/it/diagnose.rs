@@ -3,6 +3,7 @@
 
 mod outside_the_library;
 mod told_apart;
+mod unrecorded;
 
 use assert_cmd::Command;
 use serde_json::Value;

@@ -100,7 +100,11 @@ fn a_load_that_comes_and_goes_unrecorded_is_told_as_that() {
         }
         at(&given_rad)
     });
-    assert!(reason.contains("a load that comes and goes"), "{reason}");
+    assert!(reason.contains("a load that was changed") && reason.contains("payload_kg"), "{reason}");
+    // Line 1 is the header, row 0 line 2.
+    for line in ["32", "57", "82", "94"] {
+        assert!(reason.split(' ').any(|word| word == line), "{line}: {reason}");
+    }
 }
 
 /// Joints of row `k`, degrees, each row's without any relation to the row's before.

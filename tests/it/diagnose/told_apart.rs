@@ -7,7 +7,7 @@ use robot_model::robot::Robot;
 use serde_json::Value;
 
 /// The diagnosis of 120 rows of 0.02 mm noise: `q_deg` of each row, and its hand (metres) by the joints (radians).
-fn answer(
+pub(super) fn answer(
     q_deg: impl Fn(usize) -> [f64; 6],
     hand_m: impl Fn([f64; 6], usize) -> Point3<f64>,
     arguments: &[&str],
@@ -23,12 +23,12 @@ fn answer(
     (code, text, json.unwrap())
 }
 
-fn chain() -> Chain {
+pub(super) fn chain() -> Chain {
     Chain::nominal(&Robot::built_in("irb140").unwrap())
 }
 
 /// The hand with joint `joint`, from 0, turned by `turn_rad` more.
-fn turned(chain: &Chain, mut q_rad: [f64; 6], joint: usize, turn_rad: f64) -> Point3<f64> {
+pub(super) fn turned(chain: &Chain, mut q_rad: [f64; 6], joint: usize, turn_rad: f64) -> Point3<f64> {
     q_rad[joint] += turn_rad;
     chain.forward(&q_rad) * Point3::new(0.04, 0.03, 0.09)
 }

@@ -142,6 +142,7 @@ fn consequences(
         causes: judgement.causes,
         alternatives: judgement.alternatives,
         location: judgement.location,
+        missing_channel: judgement.missing_channel,
         detectable: detectable(fitted),
         false_lines: false_rows.iter().map(|row| row.line).collect(),
         false_rows,

@@ -23,6 +23,7 @@ mod linear_fit;
 mod linearise;
 mod marginal;
 mod measured_robot;
+mod missing_channel;
 mod model;
 mod moved_together;
 mod next_measurements;
@@ -52,6 +53,7 @@ mod zeros;
 pub use compare::{CompareError, MeasurementComparison, MovedPoint, compare_measurements};
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
+pub use missing_channel::MissingChannel;
 pub use options::DiagnosisOptions;
 pub use outcome::{
     Cause, Detectable, ErrorReduction, FalseRow, Findings, HeldOutBlock, JointZero, JointZeros, Location,

@@ -1,6 +1,7 @@
 //! What a diagnosis says, in the units of its files: mm, degrees, minutes. The JSON contract.
 
 use super::effects;
+use super::missing_channel::MissingChannel;
 use super::size_unit::SizeUnit;
 use super::time_course::TimeCourse;
 use crate::measure::{Fault, FaultKind};
@@ -293,6 +294,8 @@ pub struct Findings {
     /// Where the gap lies: joint, time, region.
     #[serde(rename = "where")]
     pub location: Location,
+    /// The column that is not in the file and would tell what the gap follows, where that is known.
+    pub missing_channel: Option<MissingChannel>,
     /// How far the gap shrinks on held-out poses.
     pub shrink: ErrorReduction,
     /// Effects that these data cannot show.
@@ -374,6 +377,7 @@ impl Findings {
             fault: None,
             causes: Vec::new(),
             location: Location::default(),
+            missing_channel: None,
             shrink: ErrorReduction::default(),
             untestable: Vec::new(),
             untestable_detail: Vec::new(),

@@ -5,11 +5,13 @@ use super::judgement::Judgement;
 use super::listing::at_most_one;
 use super::noise::{ReducedChiSquare, Scatter, joint_scatter, reduced_chi_square};
 use super::structure::add_gp_alternatives;
+use super::unrecorded::in_two_states;
 use super::with_causes::with_causes;
 use super::without_cause::without_cause;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::Verdict;
 use crate::diagnose::search::ALARM_NATS;
+use crate::diagnose::time_course::TimeCourse;
 
 /// Judges the best model of the data.
 #[must_use]
@@ -26,10 +28,35 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
     } else {
         with_causes(fitted, &chosen, &rest.ranking, scatter)
     };
+    if is_open(&judgement)
+        && let Some(told) = in_two_states(
+            fitted,
+            &chosen,
+            &rest.ranking,
+            along.map_or(0.0, |along| along.gain_nats),
+            &judgement.location,
+        )
+    {
+        judgement.verdict = told.verdict;
+        judgement.reason = told.reason;
+        judgement.location = told.location;
+        judgement.missing_channel = told.missing_channel;
+    }
     judgement.reduced_chi_square = chi.map(|chi| chi.value);
     at_most_one(&mut judgement.causes);
     if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
         judgement.are_candidates();
     }
     judgement
+}
+
+/// Whether something is not explained that does not follow time.
+fn is_open(judgement: &Judgement) -> bool {
+    match judgement.verdict {
+        Verdict::UnexplainedScatter => true,
+        Verdict::UnexplainedStructure => {
+            !matches!(judgement.location.time, Some(TimeCourse::Drift | TimeCourse::Step))
+        }
+        _ => false,
+    }
 }

@@ -1,11 +1,32 @@
 //! A verdict with what it rests on; knows nothing of how it was reached.
 
 use super::cause_group::OpenSlot;
+use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::outcome::{Cause, Location, Verdict};
 
 /// A candidate's probability is one among the library's effects; where the verdict is that none of them explains the data, it
 /// is halved: even odds at best that the verdict is wrong and the candidate right.
 const AS_A_CANDIDATE: f64 = 0.5;
+
+/// A verdict with its reason, and where the gap then lies.
+pub(super) struct Decision {
+    pub verdict: Verdict,
+    pub reason: String,
+    pub location: Location,
+    /// The column that would tell what the gap follows.
+    pub missing_channel: Option<MissingChannel>,
+}
+
+impl Decision {
+    pub(super) fn structure(reason: String, location: Location) -> Self {
+        Self { verdict: Verdict::UnexplainedStructure, reason, location, missing_channel: None }
+    }
+
+    /// Names the column that would tell what the gap follows.
+    pub(super) fn without(self, missing_channel: Option<MissingChannel>) -> Self {
+        Self { missing_channel, ..self }
+    }
+}
 
 /// The verdict and what it rests on.
 pub(crate) struct Judgement {
@@ -19,6 +40,8 @@ pub(crate) struct Judgement {
     pub alternatives: Vec<Cause>,
     /// Where the gap lies: joint, time, region.
     pub location: Location,
+    /// The column that is not in the file and would tell what the gap follows.
+    pub missing_channel: Option<MissingChannel>,
     /// The slots of the model with the causes that may stand there.
     pub open: Vec<OpenSlot>,
     /// Residual variance over the variance of the repeats.

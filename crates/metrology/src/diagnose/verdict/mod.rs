@@ -5,6 +5,7 @@
 mod carries;
 mod cause_group;
 mod cycles;
+mod hidden_load;
 mod judge;
 mod judgement;
 mod listing;
@@ -12,6 +13,8 @@ mod noise;
 mod overtones;
 mod size;
 mod structure;
+mod two_states;
+mod unrecorded;
 mod with_causes;
 mod without_cause;
 mod wording;

@@ -218,14 +218,24 @@ pub(super) fn odds_over_causes(fitted: &FittedModel<'_>, chosen: &[ChosenCause])
         .filter(|(k, _)| !mere_shape(*k))
         .map(|(k, peak)| peak.log_evidence + log_prior(k) - NULL_PRIOR.ln());
     let structure = log_sum(terms) - ranking.null.log_evidence;
-    let mut causes = 0.0;
-    for one in chosen {
+    structure - causes_log_odds(fitted, &mut nuisance, chosen)
+}
+
+/// ln odds over nothing of `causes`, one after the other, over `nuisance`, which has them in the end.
+pub(super) fn causes_log_odds<'a>(
+    fitted: &FittedModel<'_>,
+    nuisance: &mut NuisanceModel,
+    causes: impl IntoIterator<Item = &'a ChosenCause>,
+) -> f64 {
+    let Workspace { design, library, .. } = &fitted.workspace;
+    let groups = design.all_groups();
+    let mut odds = 0.0;
+    for one in causes {
         let c = one.candidate;
-        causes +=
-            workspace.library.gain(&nuisance, &groups, c) + workspace.library.log_prior[c] - NULL_PRIOR.ln();
-        nuisance.grow(&workspace.design, &groups, &one.columns);
+        odds += library.gain(nuisance, &groups, c) + library.log_prior[c] - NULL_PRIOR.ln();
+        nuisance.grow(design, &groups, &one.columns);
     }
-    structure - causes
+    odds
 }
 
 /// ln odds of structure over nothing from its ln evidence.

@@ -4,7 +4,8 @@ use super::cause_group::{
     CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, line_among_many, scan,
     share_slip,
 };
-use super::judgement::Judgement;
+use super::hidden_load::{HiddenLoad, in_place_of_steps};
+use super::judgement::{Decision, Judgement};
 use super::listing::{listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
 use super::overtones::overtones;
@@ -14,9 +15,10 @@ use super::structure::{
     likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
     structure_odds, varying_cause,
 };
-use super::wording::{describe, in_short, structure_reason, switched_reason};
+use super::wording::{OR_LOAD, describe, in_short, structure_reason, switched_reason};
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
+use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::{Cause, Location, Verdict};
 use crate::diagnose::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
@@ -48,8 +50,12 @@ pub(super) fn with_causes(
     for slot in (0..chosen.len()).filter(|slot| !overtones.contains(slot)) {
         found.add_slot(fitted, chosen, slot);
     }
+    let load = in_place_of_steps(fitted, chosen);
+    if let Some(load) = &load {
+        load.doubt(&mut found.causes);
+        found.has_open_slot |= load.is_in_doubt();
+    }
     let causes = listed(std::mem::take(&mut found.causes));
-    let has_scale = causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
     let alternatives = rejected(std::mem::take(&mut found.alternatives), &causes);
     let moved_m = moved_m(fitted, chosen);
     let of_causes = Location {
@@ -59,42 +65,25 @@ pub(super) fn with_causes(
     };
     let structure = StructureBeside::of(fitted, chosen, rest, &found);
     let slowness = slowness(fitted, chosen);
-    let outcome = structure
-        .outcome(fitted, &of_causes)
+    let outcome = load
+        .as_ref()
+        .and_then(|load| load.outcome(fitted, structure.log_odds))
+        .or_else(|| structure.outcome(fitted, &of_causes))
         .or_else(|| slow_structure(fitted, chosen, slowness, &structure, &moved_m))
         .or_else(|| switched(fitted, chosen))
         .or_else(|| comparable_scatter(fitted, scatter, slowness, &structure, &of_causes))
         .or_else(|| wandering(fitted, slowness, &causes));
-    let Decision { verdict, reason, location } = outcome.unwrap_or_else(|| {
-        let (verdict, reason) = if causes.is_empty() {
-            (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
-        } else if found.clear < found.needed.min(2) || has_scale || found.has_open_slot {
-            (Verdict::Ambiguous, format!("these data leave a choice: {}", in_short(&causes)))
-        } else if found.needed > 1 {
-            (Verdict::Several, format!("{} causes, each needed: {}", found.needed, in_short(&causes)))
-        } else {
-            (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
-        };
-        Decision { verdict, reason, location: of_causes.clone() }
-    });
-    Judgement { verdict, reason, causes, alternatives, location, open: found.open, reduced_chi_square: None }
-}
-
-/// A verdict with its reason, and where the gap then lies.
-struct Decision {
-    verdict: Verdict,
-    reason: String,
-    location: Location,
-}
-
-impl Decision {
-    fn structure(reason: String, location: Location) -> Self {
-        Self { verdict: Verdict::UnexplainedStructure, reason, location }
-    }
-
-    fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Self {
-        let timed = fitted.linear.dataset.time_min.is_some();
-        Self::structure(structure_reason(GpAlternative::Time, timed), over_time(fitted, chosen))
+    let Decision { verdict, reason, location, missing_channel } =
+        outcome.unwrap_or_else(|| found.decision(&causes, load.as_ref(), of_causes));
+    Judgement {
+        verdict,
+        reason,
+        causes,
+        alternatives,
+        location,
+        missing_channel,
+        open: found.open,
+        reduced_chi_square: None,
     }
 }
 
@@ -199,6 +188,22 @@ impl CausesFound {
         lines.len()
     }
 
+    /// The verdict that the causes listed are there, where nothing overrules them.
+    fn decision(&self, causes: &[Cause], load: Option<&HiddenLoad>, location: Location) -> Decision {
+        let has_scale = causes.iter().any(|c| c.effect == EffectKind::InstrumentScale);
+        let (verdict, reason) = if causes.is_empty() {
+            (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
+        } else if self.clear < self.needed.min(2) || has_scale || self.has_open_slot {
+            let or_load = load.filter(|load| load.is_in_doubt()).map_or("", |_| OR_LOAD);
+            (Verdict::Ambiguous, format!("these data leave a choice: {}{or_load}", in_short(causes)))
+        } else if self.needed > 1 {
+            (Verdict::Several, format!("{} causes, each needed: {}", self.needed, in_short(causes)))
+        } else {
+            (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
+        };
+        Decision { verdict, reason, location, missing_channel: None }
+    }
+
     /// Gives even odds to the first cause of `slot` where something has the same shape: play that of a bent spring, and whatever changed
     /// meanwhile that of a warm-up which temperatures alone tell.
     fn doubt(&mut self, slot: usize, play_too: bool, by_temperature: bool) {
@@ -227,6 +232,8 @@ struct StructureBeside {
     /// The structure that is likeliest, in place of causes or beside them.
     gp_alternative: Option<usize>,
     overrules: bool,
+    /// ln odds of structure alone over all causes.
+    log_odds: f64,
 }
 
 impl StructureBeside {
@@ -264,6 +271,7 @@ impl StructureBeside {
         Self {
             cause_rms_m,
             gp_alternative: replacement.or(left.map(|left| left.gp_alternative)),
+            log_odds: odds,
             overrules: alone || left_rms_m > MAX_RESIDUAL_SHARE * cause_rms_m,
         }
     }
@@ -280,14 +288,13 @@ impl StructureBeside {
             let ranking = workspace.library.rank_gp_alternatives(&bare);
             likeliest_structure(workspace, &ranking).map(|s| s.gp_alternative)
         });
+        let timed = linear.dataset.time_min.is_some();
         Some(match gp_alternative {
-            Some(k) => Decision::structure(
-                structure_reason(
-                    workspace.library.gp_alternatives[k].gp_alternative,
-                    linear.dataset.time_min.is_some(),
-                ),
-                location_of_gp(fitted, &[], k),
-            ),
+            Some(k) => {
+                let kind = workspace.library.gp_alternatives[k].gp_alternative;
+                Decision::structure(structure_reason(kind, timed), location_of_gp(fitted, &[], k))
+                    .without(MissingChannel::of(kind, timed))
+            }
             None => Decision::structure(String::new(), of_causes.clone()),
         })
     }
@@ -307,7 +314,7 @@ fn slow_structure(
         false => structure.cause_rms_m.max(rms(moved_m)),
         true => MAX_RESIDUAL_SHARE * structure.cause_rms_m,
     };
-    (rms_m > largest_m).then(|| Decision::over_time(fitted, chosen))
+    (rms_m > largest_m).then(|| wanders(fitted, chosen))
 }
 
 /// Scatter that is not slow, and not small against the causes.
@@ -323,6 +330,7 @@ fn comparable_scatter(
         verdict: Verdict::UnexplainedScatter,
         reason: scatter.reason(&fitted.linear.dataset),
         location: Location { joint: scatter.along.map(|a| a.joint), ..of_causes.clone() },
+        missing_channel: None,
     })
 }
 
@@ -336,14 +344,22 @@ fn switched(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<Decision
         .collect();
     lines.sort_unstable();
     lines.dedup();
-    (lines.len() > MOST_STEPS)
-        .then(|| Decision::structure(switched_reason(&lines, dataset), over_time(fitted, &[])))
+    (lines.len() > MOST_STEPS).then(|| {
+        Decision::structure(switched_reason(&lines, dataset), over_time(fitted, &[]))
+            .without((!dataset.channels.payload).then_some(MissingChannel::Payload))
+    })
 }
 
 /// Slow structure where no cause is left.
 fn wandering(fitted: &FittedModel<'_>, slowness: Slowness, causes: &[Cause]) -> Option<Decision> {
     let is_slow = matches!(slowness, Slowness::Structure { .. });
-    (causes.is_empty() && is_slow).then(|| Decision::over_time(fitted, &[]))
+    (causes.is_empty() && is_slow).then(|| wanders(fitted, &[]))
+}
+
+fn wanders(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Decision {
+    let timed = fitted.linear.dataset.time_min.is_some();
+    Decision::structure(structure_reason(GpAlternative::Time, timed), over_time(fitted, chosen))
+        .without(MissingChannel::of(GpAlternative::Time, timed))
 }
 
 /// Whether a candidate is a spring that hardens or softens in a file without directions of approach: play whose side gravity

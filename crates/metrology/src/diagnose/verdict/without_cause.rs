@@ -9,6 +9,7 @@ use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, 
 use super::wording::structure_reason;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linearise::shift_m;
+use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::{Location, Verdict};
 use crate::diagnose::search::ALARM_NATS;
@@ -31,6 +32,7 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
         causes,
         alternatives: Vec::new(),
         location: Location::default(),
+        missing_channel: None,
         open: vec![OpenSlot::new(None, &cause_groups, 1)],
         reduced_chi_square: None,
     };
@@ -49,11 +51,13 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
         judgement.verdict = Verdict::UnexplainedStructure;
         judgement.location = over_time(fitted, &[]);
         judgement.reason = structure_reason(GpAlternative::Time, timed);
+        judgement.missing_channel = MissingChannel::of(GpAlternative::Time, timed);
     } else if let Some(LikeliestStructure { gp_alternative, .. }) = found {
         judgement.verdict = Verdict::UnexplainedStructure;
         judgement.location = location_of_gp(fitted, &[], gp_alternative);
         let likeliest = fitted.workspace.library.gp_alternatives[gp_alternative].gp_alternative;
         judgement.reason = structure_reason(likeliest, timed);
+        judgement.missing_channel = MissingChannel::of(likeliest, timed);
     } else if scatter.chi.is_some() || scatter.along.is_some() {
         judgement.verdict = Verdict::UnexplainedScatter;
         judgement.location.joint = scatter.along.map(|a| a.joint);

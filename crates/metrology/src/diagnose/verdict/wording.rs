@@ -1,11 +1,13 @@
 //! Verdicts and causes in words.
 
+use super::two_states::{State, TwoStates};
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::outcome::Cause;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, MOST_JOINTS};
+use robot_model::units::{mm_from_m, mrad_from_rad};
 
 /// A cause in words.
 #[must_use]
@@ -102,6 +104,46 @@ pub(super) fn switched_reason(lines: &[u64], dataset: &Dataset) -> String {
         from.join(", ")
     )
 }
+
+/// A load that was changed unrecorded in words; `lines`: those from which on it is another one.
+#[must_use]
+pub(super) fn hidden_load_reason(lines: &[u64], dataset: &Dataset) -> String {
+    let from: Vec<String> = lines.iter().map(u64::to_string).collect();
+    let lines = if from.len() == 1 { "line" } else { "lines" };
+    let payload = match dataset.channels.payload {
+        true => "is the same in all rows of the file",
+        false => "is not in the file",
+    };
+    format!(
+        "the gap changes from {lines} {} on, and follows what the arm gives under a load that was changed: the payload (payload_kg) {payload}",
+        from.join(" and ")
+    )
+}
+
+/// Two states that nothing in the file tells apart in words.
+#[must_use]
+pub(super) fn two_states_reason(states: &TwoStates, dataset: &Dataset) -> String {
+    match states.state {
+        State::Side(joint) => {
+            let gap = match dataset.slides[joint.index()] {
+                true => format!("{:.3} mm", mm_from_m(states.distance)),
+                false => format!("{:.3} mrad", mrad_from_rad(states.distance)),
+            };
+            format!(
+                "joint {joint} stands now on one side and now on the other, {gap} apart, whatever its angle, as a gear with play does: a \
+                 channel is missing: the direction of approach (dir1 to dir6) is not in the file"
+            )
+        }
+        State::Load(joint) => format!(
+            "joint {joint} gives at some rows as under a load that hangs at the tool, and at others not: a channel is missing: the payload \
+             (payload_kg) is not in the file"
+        ),
+    }
+}
+
+/// What may stand in the place of steps.
+pub(super) const OR_LOAD: &str =
+    "; or in the place of the steps a load that was changed, and is not in the file (payload_kg)";
 
 /// Channels that are not in the file and could tell what scatters, as a phrase.
 #[must_use]
