@@ -42,21 +42,23 @@ fn periods(answer: &Value) -> Vec<(u64, u64)> {
         .collect()
 }
 
+/// Joints of row `k`, degrees, joint 2 on a grid of 10 deg.
+fn on_grid_deg(k: usize) -> [f64; 6] {
+    let mut q_deg = anywhere_deg(k);
+    q_deg[1] = 10.0 * (q_deg[1] / 10.0).round();
+    q_deg
+}
+
 /// Joint 2 on a grid of 10 deg, 36 steps a turn: lines of 8, 36 - 8, 36 + 8 and 72 - 8 periods are the same numbers there. At any angles
 /// the line is told, and makes a model.
 #[test]
 fn gear_lines_that_a_grid_of_angles_does_not_tell_apart_are_one_choice_and_no_model() {
     let chain = chain();
     let hand = |q_rad: [f64; 6], _| turned(&chain, q_rad, 1, 2e-4 * (44.0 * q_rad[1]).sin());
-    let on_grid = |k| {
-        let mut q_deg = anywhere_deg(k);
-        q_deg[1] = 10.0 * (q_deg[1] / 10.0).round();
-        q_deg
-    };
     let folder = tempfile::tempdir().unwrap();
     let model = folder.path().join("model.toml");
     let wanted = ["--model-out", model.to_str().unwrap()];
-    let (code, text, answer_on_grid) = answer(on_grid, hand, &wanted);
+    let (code, text, answer_on_grid) = answer(on_grid_deg, hand, &wanted);
     assert_eq!((code, verdict(&Some(answer_on_grid.clone()))), (2, "ambiguous"), "{text}");
     let found = periods(&answer_on_grid);
     for n in [8, 28, 44, 64] {
@@ -82,14 +84,9 @@ fn a_gear_line_that_may_be_any_of_several_does_not_cost_the_model_of_another_cau
         let slipped_m = if k < 60 { 0.0 } else { 5e-4 };
         chain.forward(&q_rad) * Point3::new(0.04 + 0.6 * slipped_m, 0.03, 0.09 - 0.8 * slipped_m)
     };
-    let on_grid = |k| {
-        let mut q_deg = anywhere_deg(k);
-        q_deg[1] = 10.0 * (q_deg[1] / 10.0).round();
-        q_deg
-    };
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("model.toml");
-    let (code, text, found) = answer(on_grid, hand, &["--model-out", path.to_str().unwrap()]);
+    let (code, text, found) = answer(on_grid_deg, hand, &["--model-out", path.to_str().unwrap()]);
     assert_eq!(code, 0, "{text}");
     assert!(text.contains("the model is fitted without the gear of joint 2"), "{text}");
     let codes: Vec<_> = found["warnings"].as_array().unwrap().iter().map(|w| w["code"].as_str()).collect();

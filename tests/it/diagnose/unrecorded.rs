@@ -43,7 +43,7 @@ fn a_load_that_was_changed_unrecorded_is_no_step_of_base_or_joint() {
     assert_eq!(found["missing_channel"], serde_json::Value::Null);
 }
 
-/// The arm gives under its own weight, taken as five kilograms at the hand, and under four more in three blocks: the steps of joint 2
+/// The arm gives under its own weight, taken as five kilograms at the hand, and under four more in rows 35 to 79: the steps of joint 2
 /// that imitate these are none.
 #[test]
 fn a_load_in_blocks_on_an_arm_that_sags_is_told_with_its_lines() {

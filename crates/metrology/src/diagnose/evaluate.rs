@@ -7,25 +7,23 @@ use super::design::{Design, Whitening};
 use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effects};
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
-use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
 use super::heldout;
-use super::identify::{drifts_by_rows, identify, is_by_rows};
+use super::identification::{Identification, misses_stated};
 use super::iterated_search::{SearchProblem, best_model};
 use super::linear_fit::solve;
-use super::linearise::{Linearised, shift_m};
+use super::linearise::Linearised;
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::next_measurements::next_measurements;
-use super::no_model::{NoModel, holds};
+use super::no_model::NoModel;
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
 use super::outcome::{
-    Cause, Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
+    Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
 };
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
-use super::spectrum;
 use super::verdict::{Judgement, judge};
 use super::zeros::zeros;
 use crate::measure::{Fault, FaultKind};
@@ -42,9 +40,6 @@ const INVISIBLE: f64 = 1e-7;
 const FALSE_SHARE: f64 = 0.2;
 /// Distance at which an orientation counts while it is only asked what leaves a signal at all, metres.
 const USUAL_LENGTH_M: f64 = 0.2;
-
-/// Why a drift over rows is in no model.
-const UNTIMED: &str = "what drifts from row to row cannot be carried to another file without times (t_min)";
 
 /// Measurements, registered and linearised.
 pub(super) struct Prepared<'a> {
@@ -101,7 +96,7 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     let not_carried = judgement.hold_against(&shrink);
     let identification = wants_model.then(|| match not_carried {
         Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),
-        None => Identification::of(prepared, &problem, &fitted, &judgement.causes),
+        None => Identification::of(measured, prepared.options, &problem, &fitted, &judgement.causes),
     });
     let mut diagnosis = consequences(prepared, shrink, &mut fitted, judgement);
     diagnosis.untestable_detail = visible.untestable;
@@ -149,103 +144,6 @@ fn consequences(
         residuals: residuals(measured, fitted),
         ..Findings::without_causes(judgement.verdict, judgement.reason)
     }
-}
-
-/// What became of the model that was wanted.
-struct Identification {
-    found: Result<Identified, NoModel>,
-    /// What was found and is not in it.
-    left_out: Vec<LeftOut>,
-}
-
-/// What a model is made without, although it was found.
-struct LeftOut {
-    code: &'static str,
-    /// Why it cannot be in a model.
-    why: String,
-    /// What the model has nothing of.
-    what: String,
-}
-
-impl Identification {
-    /// The model of `fitted`; of a search without them, where something drifts by the order of rows or a gear line is one of several
-    /// that the angles measured do not tell apart (but in a spectrum). Of such a line alone no model is made.
-    fn of(
-        prepared: &Prepared<'_>,
-        problem: &SearchProblem<'_>,
-        fitted: &FittedModel<'_>,
-        causes: &[Cause],
-    ) -> Self {
-        let Prepared { measured, linear, options, .. } = *prepared;
-        let mut left_out = Vec::new();
-        let mut candidates = problem.candidates.to_vec();
-        let spectra = spectrum::spectra(problem.candidates, &fitted.model.chosen);
-        // In a spectrum all lines of the gear stand side by side, of one size: what is the same at the angles measured is shared out.
-        let aliased = aliased_line(&linear.dataset, causes)
-            .filter(|line| !spectra.iter().any(|of| of.joint == line.joint));
-        if let Some(AliasedLine { joint, periods, slot }) = aliased {
-            let periods = periods.iter().map(u32::to_string).collect::<Vec<String>>().join(" and ");
-            let why = NoModel::Aliases { joint, periods };
-            if causes.iter().all(|cause| cause.slot == slot) {
-                return Self { found: Err(why), left_out };
-            }
-            let what = format!("the gear of joint {joint}");
-            left_out.push(LeftOut { code: "diagnose::aliased-line", why: why.to_string(), what });
-            // Of all others nothing new is looked for: something else would be found in the place of that gear.
-            let others = fitted.model.chosen.iter().map(|c| &problem.candidates[c.candidate]);
-            candidates = others
-                .filter(|other| !(is_of_gear(other.kind) && other.variant.joint == Some(joint)))
-                .cloned()
-                .collect();
-        }
-        if drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen) {
-            left_out.push(LeftOut {
-                code: "diagnose::untimed",
-                why: UNTIMED.to_owned(),
-                what: "it".to_owned(),
-            });
-            // Nor steps: together they would climb as the drift does.
-            candidates.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
-        }
-        if left_out.is_empty() {
-            return Self { found: identify(measured, fitted, options), left_out };
-        }
-        let fitted = best_model(&SearchProblem { candidates: &candidates, ..*problem });
-        Self { found: identify(measured, &fitted, options), left_out }
-    }
-
-    /// None, for `why`.
-    fn none(why: NoModel) -> Self {
-        Self { found: Err(why), left_out: Vec::new() }
-    }
-
-    /// Why there is none, for people.
-    fn no_model(&self) -> Option<String> {
-        let why = self.found.as_ref().err()?;
-        let left_out = self.left_out.iter().map(|left_out| format!("; {}", left_out.why));
-        Some(std::iter::once(why.to_string()).chain(left_out).collect())
-    }
-
-    /// What the model is made without.
-    fn warnings(&self) -> impl Iterator<Item = Warning> {
-        let left_out = self.left_out.iter().filter(|_| self.found.is_ok());
-        left_out.map(|LeftOut { code, why, what }| Warning {
-            code,
-            message: format!("{why}: the model is fitted without {what}"),
-        })
-    }
-}
-
-/// That a model would leave more of its own rows than the noise that is stated, as far as that shows before one is made.
-fn misses_stated(fitted: &FittedModel<'_>, options: &DiagnosisOptions) -> Option<NoModel> {
-    let FittedModel { linear, model, .. } = fitted;
-    let stated_m = options.sigma_m?;
-    let rms_m = |twists: &[Twist]| {
-        let kept = twists.iter().zip(&model.outliers).filter(|(_, out)| !**out);
-        let squares: Vec<f64> = kept.map(|(twist, _)| shift_m(twist).powi(2)).collect();
-        (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
-    };
-    holds(rms_m(&model.residuals), rms_m(&linear.nominal), fitted, Some(stated_m)).err()
 }
 
 /// Where the model does not hold in a region that was held out whole.

@@ -2,7 +2,7 @@
 
 use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::design::Design;
-use super::effects::usual_compliance;
+use super::effects::give_per_kg;
 use super::gp_features::{bumps, compress};
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -15,20 +15,9 @@ const HIDDEN_LOAD_CENTRES: usize = 24;
 pub(super) fn hidden_load_columns(design: &Design, dataset: &Dataset, length: f64) -> DMatrix<f64> {
     let centres: Vec<Vec<f64>> =
         (0..HIDDEN_LOAD_CENTRES).map(|k| vec![k as f64 / (HIDDEN_LOAD_CENTRES - 1) as f64]).collect();
-    let compliance = usual_compliance(&dataset.slides);
     let wrist = dataset.joints().saturating_sub(3);
     compress(&design.stack(dataset, 2 * centres.len(), |_, observation, out| {
-        let give = |joints: std::ops::Range<usize>| {
-            let mut all = Twist::default();
-            for j in joints {
-                let turn = compliance[j] * observation.loads.unit_torque_n_m[j];
-                for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
-                    *sum += turn * part;
-                }
-            }
-            all
-        };
-        let parts = [give(0..wrist), give(wrist..observation.joints())];
+        let parts = [0..wrist, wrist..observation.joints()].map(|joints| give_per_kg(observation, joints));
         for f in bumps(&[dataset.progress(observation)], &centres, length) {
             out.extend(parts.map(|part| scaled(part, f)));
         }

@@ -5,7 +5,7 @@
 
 use super::dataset::{Dataset, Twist};
 use super::effects::{Candidate, Motion};
-use super::linearise::{Linearised, shift_m};
+use super::linearise::{Linearised, rms_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds, is_usual};
@@ -101,7 +101,7 @@ struct Refit<'a> {
 /// A model with the parameters that it was made of.
 struct RefitModel {
     identified: Identified,
-    /// In prior sigmas.
+    /// Sizes of all columns, each over that of its prior.
     values: DVector<f64>,
     /// The payload's centre off the measured point, flange frame, metres.
     centre_m: Vector3<f64>,
@@ -229,17 +229,6 @@ fn without_clock(model: &mut Identified) -> Option<f64> {
         }
     }
     last
-}
-
-/// 3-D rms of the `twists` that count, metres.
-fn rms_m(twists: &[Twist], counts: impl Fn(usize) -> bool) -> f64 {
-    let squares: Vec<f64> = twists
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| counts(*i))
-        .map(|(_, twist)| shift_m(twist).powi(2))
-        .collect();
-    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
 }
 
 /// Precision of what is not to be moved, over the noise's.

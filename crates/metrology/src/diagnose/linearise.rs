@@ -136,3 +136,15 @@ fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m:
 pub(super) fn shift_m(twist: &Twist) -> f64 {
     (twist[0] * twist[0] + twist[1] * twist[1] + twist[2] * twist[2]).sqrt()
 }
+
+/// 3-D rms of the `twists` that count, metres.
+#[must_use]
+pub(super) fn rms_m(twists: &[Twist], counts: impl Fn(usize) -> bool) -> f64 {
+    let squares: Vec<f64> = twists
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| counts(*i))
+        .map(|(_, twist)| shift_m(twist).powi(2))
+        .collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+}

@@ -17,6 +17,7 @@ mod gp_alternative;
 mod gp_features;
 mod gp_over_time;
 mod heldout;
+mod identification;
 mod identify;
 mod iterated_search;
 mod linear_fit;

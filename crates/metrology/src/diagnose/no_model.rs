@@ -51,7 +51,7 @@ pub(super) enum NoModel {
     NotCarried {
         /// 3-D rms there without the model, mm.
         before_mm: f64,
-        /// With it, mm.
+        /// 3-D rms there with the model, mm.
         after_mm: f64,
     },
     /// A term whose size is known without any doubt, as only that of one of two equal columns is.

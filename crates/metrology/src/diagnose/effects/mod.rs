@@ -35,5 +35,5 @@ pub(super) use gear_harmonic::OVERTONE_WEIGHT;
 pub(super) use gear_mesh::line_with_overtone;
 pub(super) use library::{TestableEffects, UntestableEffect, effect, testable_effects};
 pub(super) use over_time::steps_too_near;
-pub(in crate::diagnose) use payload_mass::{soft, usual_compliance};
+pub(in crate::diagnose) use payload_mass::{give_per_kg, soft, usual_compliance};
 pub(super) use rigid::{Motion, RigidBody};

@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::LEVER_M;
-use crate::diagnose::dataset::{DataPoint, Dataset, ObservationKind, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Dataset, Observation, ObservationKind, Twist, scaled};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::PayloadScaling;
@@ -25,6 +25,20 @@ pub(in crate::diagnose) fn usual_compliance(slides: &[bool]) -> Joints {
         (false, _) => 8e-5,
     };
     slides.iter().enumerate().map(of).collect()
+}
+
+/// How `joints`, counted from 0, give together under one kilogram more at the tool, each by its usual compliance.
+#[must_use]
+pub(in crate::diagnose) fn give_per_kg(observation: &Observation, joints: std::ops::Range<usize>) -> Twist {
+    let compliance = usual_compliance(&observation.slides);
+    let mut all = Twist::default();
+    for j in joints {
+        let turn = compliance[j] * observation.loads.unit_torque_n_m[j];
+        for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
+            *sum += turn * part;
+        }
+    }
+    all
 }
 
 impl Effect for PayloadMass {

@@ -3,8 +3,8 @@
 use super::judgement::Decision;
 use super::structure::{causes_log_odds, over_time};
 use super::wording::hidden_load_reason;
-use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
-use crate::diagnose::effects::usual_compliance;
+use crate::diagnose::dataset::{Dataset, scaled};
+use crate::diagnose::effects::give_per_kg;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_features::compress;
 use crate::diagnose::marginal::log_sum;
@@ -130,25 +130,14 @@ fn in_place_of(fitted: &FittedModel<'_>, chosen: &[ChosenCause], slots: Vec<usiz
 /// start.
 fn load_columns(fitted: &FittedModel<'_>, moments: &[f64], loaded_from_start: bool) -> DMatrix<f64> {
     let dataset = &fitted.linear.dataset;
-    let compliance = usual_compliance(&dataset.slides);
     let arm = ARM_JOINTS.min(dataset.joints());
     let mut parts: Vec<std::ops::Range<usize>> = (0..arm).map(|j| j..j + 1).collect();
     parts.push(arm..dataset.joints());
     let loads = moments.len() + usize::from(loaded_from_start);
-    let give = |observation: &Observation, joints: std::ops::Range<usize>| {
-        let mut all = Twist::default();
-        for j in joints {
-            let turn = compliance[j] * observation.loads.unit_torque_n_m[j];
-            for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
-                *sum += turn * part;
-            }
-        }
-        all
-    };
     compress(&fitted.workspace.design.stack(dataset, loads * parts.len(), |_, observation, out| {
         let later = moments.iter().map(|&t0| if observation.clock() > t0 { 1.0 } else { 0.0 });
         for on in later.chain(loaded_from_start.then_some(1.0)) {
-            out.extend(parts.iter().map(|joints| scaled(give(observation, joints.clone()), on)));
+            out.extend(parts.iter().map(|joints| scaled(give_per_kg(observation, joints.clone()), on)));
         }
     }))
 }

@@ -37,10 +37,7 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
             &judgement.location,
         )
     {
-        judgement.verdict = told.verdict;
-        judgement.reason = told.reason;
-        judgement.location = told.location;
-        judgement.missing_channel = told.missing_channel;
+        judgement.overrule(told);
     }
     judgement.reduced_chi_square = chi.map(|chi| chi.value);
     at_most_one(&mut judgement.causes);

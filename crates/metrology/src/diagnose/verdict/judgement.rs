@@ -49,6 +49,12 @@ pub(crate) struct Judgement {
 }
 
 impl Judgement {
+    /// Puts another decision in the place of its own; what was found stays.
+    pub(super) fn overrule(&mut self, Decision { verdict, reason, location, missing_channel }: Decision) {
+        (self.verdict, self.reason) = (verdict, reason);
+        (self.location, self.missing_channel) = (location, missing_channel);
+    }
+
     /// Halves the probabilities of the causes, where the verdict is that none of them explains the data.
     pub(super) fn are_candidates(&mut self) {
         self.causes.iter_mut().for_each(|candidate| candidate.posterior *= AS_A_CANDIDATE);

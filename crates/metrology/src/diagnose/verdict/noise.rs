@@ -1,12 +1,11 @@
 //! Scatter that the model does not know, and noise that is only slow.
 
-use super::size::rms;
 use super::wording::missing_channels;
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linear_fit::solve;
-use crate::diagnose::linearise::shift_m;
+use crate::diagnose::linearise::{rms_m, shift_m};
 use crate::diagnose::marginal::KnownNoise;
 use crate::diagnose::model::{FittedModel, Model};
 use crate::diagnose::scatter::{self, JointScatter};
@@ -84,17 +83,10 @@ pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
 fn excess_m(fitted: &FittedModel<'_>) -> f64 {
     let FittedModel { model, linear, .. } = fitted;
     let Some(KnownNoise { sigma_m, .. }) = model.noise.known else { return 0.0 };
-    let kept: Vec<f64> = model
-        .residuals
-        .iter()
-        .zip(&model.outliers)
-        .filter(|(_, out)| !**out)
-        .map(|(m, _)| shift_m(m))
-        .collect();
     let expected =
         linear.dataset.observations.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
             / linear.dataset.observations.len() as f64;
-    (rms(&kept).powi(2) - expected).max(0.0).sqrt()
+    (rms_m(&model.residuals, |i| !model.outliers[i]).powi(2) - expected).max(0.0).sqrt()
 }
 
 /// Scatter about a model over what the noise as known allows, as a variance.

@@ -5,7 +5,7 @@ use crate::diagnose::dataset::Twist;
 use crate::diagnose::design::Design;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::linear_fit::{LinearFit, solve};
-use crate::diagnose::linearise::{Linearised, shift_m};
+use crate::diagnose::linearise::{Linearised, rms_m, shift_m};
 use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::Cause;
 use crate::diagnose::search::ChosenCause;
@@ -105,9 +105,7 @@ pub(super) fn total_rms_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f
 
 /// What a fit leaves of the stations that are not set aside, 3-D rms, metres.
 fn left_rms_m(design: &Design, outliers: &[bool], fit: &LinearFit) -> f64 {
-    let residuals = design.residuals(&fit.coefficients);
-    let kept = residuals.iter().zip(outliers).filter(|(_, out)| !**out);
-    rms(&kept.map(|(left, _)| shift_m(left)).collect::<Vec<f64>>())
+    rms_m(&design.residuals(&fit.coefficients), |i| !outliers[i])
 }
 
 /// Root mean square of the values; 0 of none.

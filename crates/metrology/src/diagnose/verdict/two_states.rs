@@ -4,8 +4,8 @@
 //! Of each station the state is unknown, either as likely as the other: e = c v + s h v + noise with s = -1 or 1, of which the sum over
 //! both is exp(-(e - c v)^2 / 2 sigma^2 - h^2 v^2 / 2 sigma^2) cosh(h v (e - c v) / sigma^2).
 
-use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
-use crate::diagnose::effects::usual_compliance;
+use crate::diagnose::dataset::{Observation, Twist};
+use crate::diagnose::effects::give_per_kg;
 use crate::diagnose::marginal::{Marginal, NoiseIntegral, log_sum};
 use crate::diagnose::model::FittedModel;
 use robot_model::robot::Axis;
@@ -92,7 +92,7 @@ pub(super) fn two_states(fitted: &FittedModel<'_>, residuals: &[Twist], used: f6
     let loads = joints().filter(|_| !dataset.channels.payload).map(State::Load);
     let mut tried = Vec::new();
     for state in sides.chain(loads) {
-        let motions = kept.iter().map(|&i| (i, state.motion(dataset, &dataset.observations[i])));
+        let motions = kept.iter().map(|&i| (i, state.motion(&dataset.observations[i])));
         let along = motions.map(|(i, motion)| Along {
             seen: weight(i) * product(&motion, &residuals[i]),
             motion: weight(i) * product(&motion, &motion),
@@ -111,15 +111,11 @@ pub(super) fn two_states(fitted: &FittedModel<'_>, residuals: &[Twist], used: f6
 
 impl State {
     /// How far the point moves at `observation` for one unit, as it is observed.
-    fn motion(self, dataset: &Dataset, observation: &Observation) -> Twist {
-        let (axis, size) = match self {
-            Self::Side(axis) => (axis, 1.0),
-            Self::Load(axis) => {
-                let compliance = usual_compliance(&dataset.slides)[axis.index()];
-                (axis, compliance * observation.loads.unit_torque_n_m[axis.index()])
-            }
-        };
-        scaled(observation.observed(observation.jacobian_column(axis.index())), size)
+    fn motion(self, observation: &Observation) -> Twist {
+        observation.observed(match self {
+            Self::Side(axis) => observation.jacobian_column(axis.index()),
+            Self::Load(axis) => give_per_kg(observation, axis.index()..axis.index() + 1),
+        })
     }
 
     /// Smallest half distance that is tried.

@@ -4,11 +4,11 @@ use super::cause_group::{OpenSlot, SlotScan, cause_groups};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
 use super::noise::{SLOW_NOISE, Scatter, Slowness, slow_noise, slowness};
-use super::size::{cause, rms};
+use super::size::cause;
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
 use super::wording::structure_reason;
 use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::linearise::shift_m;
+use crate::diagnose::linearise::rms_m;
 use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::{Location, Verdict};
@@ -72,16 +72,10 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
 
 /// Whether what is slow is structure over time: not where `geometry` takes more than it, and nothing says that it is no noise.
 fn is_structure(fitted: &FittedModel<'_>, slowness: Slowness, geometry: bool) -> bool {
-    let Slowness::Structure { rms_m, noise_known } = slowness else { return false };
+    let Slowness::Structure { rms_m: slow_m, noise_known } = slowness else { return false };
     let FittedModel { model, linear, .. } = fitted;
-    let kept: Vec<f64> = linear
-        .nominal
-        .iter()
-        .zip(&model.outliers)
-        .filter(|(_, out)| !**out)
-        .map(|(twist, _)| shift_m(twist))
-        .collect();
-    let of_geometry_m = (rms(&kept).powi(2) - 3.0 * model.noise_m().powi(2)).max(0.0).sqrt();
+    let before_m = rms_m(&linear.nominal, |i| !model.outliers[i]);
+    let of_geometry_m = (before_m.powi(2) - 3.0 * model.noise_m().powi(2)).max(0.0).sqrt();
     let mostly_slow = model.slow.is_some_and(|slow| slow.size > MOSTLY_SLOW);
-    !geometry || noise_known || mostly_slow || rms_m > of_geometry_m
+    !geometry || noise_known || mostly_slow || slow_m > of_geometry_m
 }

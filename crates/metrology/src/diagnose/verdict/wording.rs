@@ -5,6 +5,7 @@ use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::outcome::Cause;
+use rapid_syntax::diagnostic::plural;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, MOST_JOINTS};
 use robot_model::units::{mm_from_m, mrad_from_rad};
@@ -109,13 +110,13 @@ pub(super) fn switched_reason(lines: &[u64], dataset: &Dataset) -> String {
 #[must_use]
 pub(super) fn hidden_load_reason(lines: &[u64], dataset: &Dataset) -> String {
     let from: Vec<String> = lines.iter().map(u64::to_string).collect();
-    let lines = if from.len() == 1 { "line" } else { "lines" };
     let payload = match dataset.channels.payload {
         true => "is the same in all rows of the file",
         false => "is not in the file",
     };
     format!(
-        "the gap changes from {lines} {} on, and follows what the arm gives under a load that was changed: the payload (payload_kg) {payload}",
+        "the gap changes from {} {} on, and follows what the arm gives under a load that was changed: the payload (payload_kg) {payload}",
+        plural(lines.len(), "line"),
         from.join(" and ")
     )
 }
