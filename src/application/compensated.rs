@@ -285,7 +285,7 @@ pub fn write_file_diff(
     match file.source {
         Some(id) => {
             let source = program.file(id);
-            report::write_edits(out, &source.path, path, &source.bytes, &file.edits)
+            report::write_edits(out, &source.path, path, &source.bytes, &file.edits())
         }
         None => report::write_created(out, path, &mut io::Cursor::new(&file.bytes)),
     }

@@ -59,7 +59,7 @@ impl Writing {
             if file.source.is_none() { &mut self.cores } else { &mut self.changed }.push(whole);
         }
         let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
-        self.emitted.push(EmittedFile { bytes, edits: Vec::new(), ..file });
+        self.emitted.push(EmittedFile { bytes, replaced: Vec::new(), ..file });
         Ok(())
     }
 

@@ -15,7 +15,7 @@ pub(super) struct Change {
 pub(super) fn changes<'d>(
     source: &'d [u8],
     lines: &'d Lines,
-    edits: &'d [Edit],
+    edits: &'d [Edit<&[u8]>],
 ) -> impl Iterator<Item = Change> + 'd {
     let mut rest = edits;
     std::iter::from_fn(move || {
@@ -41,13 +41,19 @@ pub(super) fn changes<'d>(
 }
 
 /// What the lines `from..to` become; what stays equal at either end is left out.
-fn change(source: &[u8], lines: &Lines, mut from: usize, mut to: usize, edits: &[Edit]) -> Option<Change> {
+fn change(
+    source: &[u8],
+    lines: &Lines,
+    mut from: usize,
+    mut to: usize,
+    edits: &[Edit<&[u8]>],
+) -> Option<Change> {
     let mut text = Vec::new();
     let mut at = lines.start(from);
     for edit in edits {
         let (start, end) = (edit.range.start as usize, edit.range.end as usize);
         text.extend_from_slice(source.get(at..start).unwrap_or_default());
-        text.extend_from_slice(&edit.text);
+        text.extend_from_slice(edit.text);
         at = end;
     }
     text.extend_from_slice(source.get(at..lines.start(to)).unwrap_or_default());
@@ -96,7 +102,7 @@ impl Lines {
     }
 
     /// The lines an edit changes: `from..to`, empty where whole lines are put in between two.
-    fn touched(&self, edit: &Edit) -> (usize, usize) {
+    fn touched(&self, edit: &Edit<&[u8]>) -> (usize, usize) {
         let (start, end) = (edit.range.start as usize, edit.range.end as usize);
         let holding = |at: usize| self.starts.partition_point(|&s| s <= at).saturating_sub(1);
         let from = holding(start);

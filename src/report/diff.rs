@@ -25,7 +25,7 @@ pub fn write_edits(
     old_path: &str,
     new_path: &str,
     source: &[u8],
-    edits: &[Edit],
+    edits: &[Edit<&[u8]>],
 ) -> io::Result<()> {
     let lines = Lines::new(source);
     let changes: Vec<Change> = changes(source, &lines, edits).collect();
@@ -156,11 +156,11 @@ mod tests {
     use rapid_syntax::apply;
     use rapid_syntax::diagnostic::TextRange;
 
-    fn edit(start: u32, end: u32, text: &str) -> Edit {
-        Edit { range: TextRange::new(start, end), text: text.as_bytes().into() }
+    fn edit(start: u32, end: u32, text: &str) -> Edit<&[u8]> {
+        Edit { range: TextRange::new(start, end), text: text.as_bytes() }
     }
 
-    fn diff(source: &str, edits: &[Edit]) -> String {
+    fn diff(source: &str, edits: &[Edit<&[u8]>]) -> String {
         let mut out = Vec::new();
         write_edits(&mut out, "a", "b", source.as_bytes(), edits).unwrap();
         String::from_utf8(out).unwrap()
@@ -235,15 +235,15 @@ mod tests {
             source in "[ab\n]{0,80}",
             places in proptest::collection::vec((0_u32..80, 0_u32..6, "[xa\n]{0,4}"), 0..6),
         ) {
-            let mut edits: Vec<Edit> = Vec::new();
+            let mut edits: Vec<Edit<&[u8]>> = Vec::new();
             let mut free = 0;
             let mut places = places;
             places.sort();
-            for (start, length, text) in places {
-                let start = start.max(free);
+            for (start, length, text) in &places {
+                let start = (*start).max(free);
                 let end = (start + length).min(source.len() as u32);
                 if start > end { continue; }
-                edits.push(edit(start, end, &text));
+                edits.push(edit(start, end, text));
                 free = end;
             }
             let made = apply(source.as_bytes(), &edits).unwrap();

@@ -27,7 +27,7 @@ pub struct ShortDiff {
 
 impl ShortDiff {
     /// Takes in what `edits` change in a file; they are in source order and do not overlap.
-    pub fn add(&mut self, old_path: &str, new_path: &str, source: &[u8], edits: &[Edit]) {
+    pub fn add(&mut self, old_path: &str, new_path: &str, source: &[u8], edits: &[Edit<&[u8]>]) {
         let lines = Lines::new(source);
         let rows = |change: &Change| change.to - change.from + change.new.len();
         let mut shown: Vec<Change> = Vec::new();
@@ -145,18 +145,14 @@ mod tests {
 
     fn shown(motions: usize, files: usize) -> String {
         let source = format!("MODULE m\n{}ENDMODULE\n", "  MoveL p,v5;\n".repeat(motions));
-        let mut edits = vec![Edit {
-            range: TextRange::new(9, 9),
-            text: format!(
-                "  ! driftpost 1\n  LOCAL CONST robtarget tcp{{2}}:=[\n{}",
-                "    [[1,2,3]],\n".repeat(40)
-            )
-            .into_bytes()
-            .into(),
-        }];
+        let data = format!(
+            "  ! driftpost 1\n  LOCAL CONST robtarget tcp{{2}}:=[\n{}",
+            "    [[1,2,3]],\n".repeat(40)
+        );
+        let mut edits = vec![Edit { range: TextRange::new(9, 9), text: data.as_bytes() }];
         edits.extend((0..motions as u32).map(|i| {
             let at = 9 + 14 * i + 8;
-            Edit { range: TextRange::new(at, at + 1), text: b"tcp{tcK()}".as_slice().into() }
+            Edit { range: TextRange::new(at, at + 1), text: b"tcp{tcK()}".as_slice() }
         }));
         let mut short = ShortDiff::default();
         (0..files).for_each(|_| short.add("a", "b", source.as_bytes(), &edits));

@@ -2,14 +2,15 @@
 
 use crate::diagnostic::TextRange;
 pub use crate::edit_text::EditText;
+use std::ops::Deref;
 
-/// Replace the bytes of `range` by `text`; an empty range inserts.
+/// Replace the bytes of `range` by `text`, its own or borrowed; an empty range inserts.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Edit {
+pub struct Edit<T = EditText> {
     /// The bytes that are replaced.
     pub range: TextRange,
     /// The bytes that take their place.
-    pub text: EditText,
+    pub text: T,
 }
 
 /// Two edits of one list that cannot both be made, or one that lies outside the source.
@@ -27,7 +28,7 @@ pub enum EditError {
 ///
 /// # Errors
 /// [`EditError`] names the edits that cannot be made; the source is then not changed at all.
-pub fn apply(source: &[u8], edits: &[Edit]) -> Result<Vec<u8>, EditError> {
+pub fn apply<T: Deref<Target = [u8]>>(source: &[u8], edits: &[Edit<T>]) -> Result<Vec<u8>, EditError> {
     let grown: usize = edits.iter().map(|e| e.text.len()).sum();
     let mut out = Vec::with_capacity(source.len() + grown);
     each_piece(source, edits, |piece| {
@@ -41,7 +42,11 @@ pub fn apply(source: &[u8], edits: &[Edit]) -> Result<Vec<u8>, EditError> {
 ///
 /// # Errors
 /// As [`apply`]; where a difference stands before the edits that cannot be made, that is told.
-pub fn gives(source: &[u8], edits: &[Edit], expected: &[u8]) -> Result<bool, EditError> {
+pub fn gives<T: Deref<Target = [u8]>>(
+    source: &[u8],
+    edits: &[Edit<T>],
+    expected: &[u8],
+) -> Result<bool, EditError> {
     let mut left = Some(expected);
     each_piece(source, edits, |piece| {
         left = left.and_then(|left| left.strip_prefix(piece));
@@ -51,13 +56,13 @@ pub fn gives(source: &[u8], edits: &[Edit], expected: &[u8]) -> Result<bool, Edi
 }
 
 /// Calls `visit` for the pieces of the source with all edits made, in their order, until it says no.
-fn each_piece<'a>(
+fn each_piece<'a, T: Deref<Target = [u8]>>(
     source: &'a [u8],
-    edits: &'a [Edit],
+    edits: &'a [Edit<T>],
     mut visit: impl FnMut(&'a [u8]) -> bool,
 ) -> Result<(), EditError> {
-    let key = |edit: &Edit| (edit.range.start, edit.range.end);
-    let mut order: Vec<&Edit> = Vec::new();
+    let key = |edit: &Edit<T>| (edit.range.start, edit.range.end);
+    let mut order: Vec<&Edit<T>> = Vec::new();
     if !edits.is_sorted_by_key(key) {
         order.extend(edits);
         order.sort_by_key(|edit| key(edit)); // stable: insertions at one place keep their order
@@ -66,18 +71,24 @@ fn each_piece<'a>(
     for (i, edit) in edits.iter().enumerate() {
         let edit = order.get(i).copied().unwrap_or(edit);
         let range = edit.range;
-        if range.end as usize > source.len() {
-            return Err(EditError::Outside(range, source.len()));
-        }
-        if range.start < last.end {
-            return Err(EditError::Overlap(last, range));
-        }
+        check_place(source, last, range)?;
         if !visit(&source[last.end as usize..range.start as usize]) || !visit(&edit.text) {
             return Ok(());
         }
         last = range;
     }
     visit(&source[last.end as usize..]);
+    Ok(())
+}
+
+/// Whether an edit of `range` can be made behind that of `last`.
+pub(crate) fn check_place(source: &[u8], last: TextRange, range: TextRange) -> Result<(), EditError> {
+    if range.end as usize > source.len() {
+        return Err(EditError::Outside(range, source.len()));
+    }
+    if range.start < last.end {
+        return Err(EditError::Overlap(last, range));
+    }
     Ok(())
 }
 
@@ -96,7 +107,7 @@ mod tests {
             &[edit(10, 14, "v50"), edit(6, 9, "tcp10{tcK()}"), edit(0, 0, "start; ")],
         );
         assert_eq!(out.unwrap(), b"start; MoveL tcp10{tcK()},v50;");
-        assert_eq!(apply(b"abc", &[]).unwrap(), b"abc");
+        assert_eq!(apply::<EditText>(b"abc", &[]).unwrap(), b"abc");
     }
 
     #[test]

@@ -27,6 +27,7 @@ mod parse;
 mod plain_list;
 mod plain_statement;
 mod recover;
+mod rewrite;
 mod simple_statement;
 pub mod source;
 #[cfg(test)]
@@ -41,6 +42,7 @@ pub use edit::{Edit, EditError, EditText, apply, gives};
 pub use literal::{leading_decimal, number_value, string_value};
 pub use numbers::{parts_of_numbers, ranges_of_numbers};
 pub use parse::{parse, parse_by_productions};
+pub use rewrite::{Replaced, Rewrite, edits_of};
 pub use source::SourceFile;
 pub use warning::Warning;
 pub use word::{Word, fold, is_reserved, same_name};

@@ -51,7 +51,7 @@ impl DiffTo {
             Self::Short(short) => {
                 if let Some(id) = file.source {
                     let source = program.file(id);
-                    short.add(&source.path, path, &source.bytes, &file.edits);
+                    short.add(&source.path, path, &source.bytes, &file.edits());
                 }
                 Ok(())
             }

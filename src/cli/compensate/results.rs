@@ -64,7 +64,7 @@ impl Results {
         self.diff.add(program, file, path)?;
         if let Some(id) = file.source.filter(|_| self.page.is_some()) {
             let from = program.file(id);
-            review.add(&from.path, path, &from.bytes, &file.edits);
+            review.add(&from.path, path, &from.bytes, &file.edits());
         }
         Ok(())
     }

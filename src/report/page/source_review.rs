@@ -75,7 +75,7 @@ struct Added {
 
 impl SourceReview {
     /// Takes in what `edits` change in a file; they are in source order and do not overlap.
-    pub fn add(&mut self, path: &str, result: &str, source: &[u8], edits: &[Edit]) {
+    pub fn add(&mut self, path: &str, result: &str, source: &[u8], edits: &[Edit<&[u8]>]) {
         let lines = Lines::new(source);
         let mut file = FileReview {
             path: path.to_owned(),
@@ -194,8 +194,9 @@ mod tests {
     #[test]
     fn what_two_lines_have_in_common_stands_once() {
         let source = b"MODULE m\n  MoveL p1,v5;\n  MoveL \xfc,v5;\nENDMODULE\n";
-        let edit =
-            |start, end, text: &str| Edit { range: TextRange::new(start, end), text: text.as_bytes().into() };
+        fn edit(start: u32, end: u32, text: &str) -> Edit<&[u8]> {
+            Edit { range: TextRange::new(start, end), text: text.as_bytes() }
+        }
         let edits = [edit(9, 9, "! made\n"), edit(17, 19, "tcP1{tcK()}"), edit(32, 33, "tcX{tcK()}")];
         let mut review = SourceReview::default();
         review.add("a.mod", "a_tc.mod", source, &edits);

@@ -128,7 +128,7 @@ fn nothing_but_targets_changes() {
     for (name, source) in variants() {
         let (program, plan, out) = emitted(&[("cell/named.mod", &source)], &[1]);
         check_all_but_targets("cell/named.mod", &source, &program, &plan, &out[0].bytes);
-        assert_eq!(apply(&source, &out[0].edits).unwrap(), out[0].bytes, "{name}");
+        assert_eq!(apply(&source, &out[0].edits()).unwrap(), out[0].bytes, "{name}");
     }
 }
 
@@ -174,7 +174,7 @@ fn check_files(paths: &[PathBuf]) -> usize {
 }
 
 fn check_lines(name: &str, source: &[u8], file: &EmittedFile) {
-    for edit in &file.edits {
+    for edit in &file.edits() {
         for line in edit.text.split(|&b| b == b'\n' || b == b'\r') {
             assert!(line.len() <= 255 && line.is_ascii(), "{name}: {}", String::from_utf8_lossy(line));
         }
@@ -186,7 +186,7 @@ fn check_lines(name: &str, source: &[u8], file: &EmittedFile) {
     assert_eq!(after.warnings.len(), before.warnings.len(), "{name}");
     // Each module of a file has its own.
     let mut names = std::collections::BTreeSet::new();
-    for edit in &file.edits {
+    for edit in &file.edits() {
         let begins =
             |item: &&FileItem| matches!(item, FileItem::Module(m) if m.range.start <= edit.range.start);
         let module = before.tree.items.iter().filter(begins).count();

@@ -37,6 +37,16 @@ pub(super) enum Declaration<'p> {
 }
 
 impl Declaration<'_> {
+    /// How many characters it is recognised by.
+    pub(super) fn checksums_len(&self) -> usize {
+        match self {
+            Self::Array(array) => {
+                Elements::checksums_len(array.rows.iter().map(|row| row.corrected.len() + 1).sum())
+            }
+            Self::Correction(_) | Self::Choice(_) | Self::RowHash(..) => 3,
+        }
+    }
+
     /// Appends it; gives what it is recognised by, which `elements` works out of an array.
     ///
     /// # Errors

@@ -139,6 +139,11 @@ impl Elements {
         self.each.extend(self.tail.behind(hash).checksum::<2>());
     }
 
+    /// How many characters the checksums of so many elements have.
+    pub(super) fn checksums_len(elements: usize) -> usize {
+        3 + 2 * elements
+    }
+
     /// Three characters for all, then two for each.
     #[must_use]
     pub(super) fn checksums(&self) -> Vec<u8> {

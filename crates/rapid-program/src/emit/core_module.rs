@@ -30,12 +30,12 @@ pub(super) fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> Emitt
     }
     bytes.extend_from_slice(b"ENDMODULE");
     bytes.extend_from_slice(style.eol);
-    digest::seal(&mut bytes, &mut []);
+    digest::seal(&mut bytes);
     let folder = beside.path.rfind('/').map_or("", |at| &beside.path[..=at]);
     let lower = beside.path.to_ascii_lowercase();
     let extension = match lower.rsplit('.').next() {
         Some("modx" | "sysx") => "modx",
         _ => "mod",
     };
-    EmittedFile { source: None, path: format!("{folder}{name}.{extension}"), bytes, edits: Vec::new() }
+    EmittedFile { source: None, path: format!("{folder}{name}.{extension}"), bytes, replaced: Vec::new() }
 }

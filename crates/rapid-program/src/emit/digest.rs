@@ -3,7 +3,6 @@
 //! A controller that saves a module back lays it out anew and writes the present values of its PERS: that is a change.
 
 use super::checksum::{MARK, hex};
-use rapid_syntax::Edit;
 use sha2::{Digest, Sha256};
 use std::ops::Range;
 
@@ -15,21 +14,11 @@ pub(super) fn line() -> String {
     format!("{MARK}digest: {}", "0".repeat(DIGITS))
 }
 
-/// Puts the digest into a file, and into the edits that made it of its source.
-pub(super) fn seal(bytes: &mut [u8], edits: &mut [Edit]) {
-    let in_file = places(bytes);
-    let digest = of(bytes, &in_file);
-    let mut left = in_file.len();
-    in_file.into_iter().for_each(|place| bytes[place].copy_from_slice(digest.as_bytes()));
-    for edit in edits {
-        // Each that an edit brings is one of the file's; behind the last there is much text.
-        if left == 0 {
-            break;
-        }
-        let in_edit = places(&edit.text);
-        left = left.saturating_sub(in_edit.len());
-        in_edit.into_iter().for_each(|place| edit.text[place].copy_from_slice(digest.as_bytes()));
-    }
+/// Puts the digest into a file.
+pub(super) fn seal(bytes: &mut [u8]) {
+    let places = places(bytes);
+    let digest = of(bytes, &places);
+    places.into_iter().for_each(|place| bytes[place].copy_from_slice(digest.as_bytes()));
 }
 
 /// Whether a file is byte for byte as it was written; `None` where it holds no digest.
@@ -43,9 +32,6 @@ pub fn is_as_written(bytes: &[u8]) -> Option<bool> {
 
 /// Byte ranges of the header's digests.
 fn places(bytes: &[u8]) -> Vec<Range<usize>> {
-    if bytes.len() < DIGITS {
-        return Vec::new(); // nearly all edits
-    }
     let mark = format!("{MARK}digest: ");
     let begins = memchr::memmem::find_iter(bytes, mark.as_bytes()).map(|at| at + mark.len());
     begins.map(|at| at..at + DIGITS).filter(|place| place.end <= bytes.len()).collect()
@@ -72,7 +58,7 @@ mod tests {
         let mut bytes = format!("MODULE m\n  {}\n  PERS num n:=1;\nENDMODULE\n", line()).into_bytes();
         assert_eq!(is_as_written(b"MODULE m\nENDMODULE\n"), None);
         assert_eq!(is_as_written(&bytes), Some(false));
-        seal(&mut bytes, &mut []);
+        seal(&mut bytes);
         assert_eq!(is_as_written(&bytes), Some(true));
         for (from, by) in [("n:=1", "n:=2"), ("\n", "\r\n"), ("  PERS", "PERS")] {
             let text = String::from_utf8(bytes.clone()).unwrap().replace(from, by);

@@ -18,7 +18,7 @@ use crate::parallel;
 use crate::program::{Program, task_of};
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{DataKind, FileItem, ModuleItem, Scope};
-use rapid_syntax::{Edit, SourceFile, apply};
+use rapid_syntax::{Rewrite, SourceFile};
 use sha2::{Digest, Sha256};
 
 /// Emits `program` with the targets of `plan`: the changed files, and `tcCore` where the core is separate.
@@ -115,21 +115,19 @@ pub fn compensated_at(file: &SourceFile) -> Option<u32> {
 fn emitted_file(context: &EmitContext<'_>, id: FileId, changes: &Changes) -> Result<EmittedFile, EmitError> {
     let file = context.program.file(id);
     let source_sha256 = hex(&Sha256::digest(&file.bytes));
-    let mut edits: Vec<Edit> = Vec::new();
+    let mut text = Rewrite::new(&file.bytes);
     for (&(_, index), motions) in changes.range((id, 0)..=(id, usize::MAX)) {
         let Some(FileItem::Module(module)) = file.tree.items.get(index) else { continue };
-        edits.extend(module::edits(context, (file, module), motions, &source_sha256)?);
+        module::write(context, (file, module), motions, &source_sha256, &mut text)?;
     }
-    edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
-    let mut bytes = apply(&file.bytes, &edits)
-        .map_err(|error| EmitError::Edit { path: file.path.clone().into(), error })?;
-    digest::seal(&mut bytes, &mut edits);
+    let (mut bytes, replaced) = text.finish();
+    digest::seal(&mut bytes);
     if !gives_back(&bytes, (&file.bytes, &source_sha256)) {
         let why = restore(&bytes).err();
         let what = why.map_or_else(|| "it comes out changed".to_owned(), |error| error.to_string());
         return Err(EmitError::NotRestored { path: file.path.clone().into(), what });
     }
-    Ok(EmittedFile { source: Some(id), path: file.path.clone(), bytes, edits })
+    Ok(EmittedFile { source: Some(id), path: file.path.clone(), bytes, replaced })
 }
 
 /// The first changed file of each of the controller's tasks, by the task's folder: a task sees nothing of another's

@@ -1,4 +1,4 @@
-//! The edits of one module: its corrected targets or corrections, what the motions ask instead of their targets, the
+//! One module as it is emitted: its corrected targets or corrections, what the motions ask instead of their targets, the
 //! comment block.
 
 use super::added::{Added, Declaration};
@@ -11,30 +11,27 @@ use crate::parallel;
 use crate::program::motion::MotionId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
-use rapid_syntax::{Edit, SourceFile};
+use rapid_syntax::{Edit, Rewrite, SourceFile};
 
-/// The edits of a module; `motions`: the compensated ones; `source_sha256`: of the file as it was read.
-pub(super) fn edits(
+/// Writes a file on to the last change in `module`; `motions`: the compensated ones; `source_sha256`: of the file as it was read.
+pub(super) fn write(
     context: &EmitContext<'_>,
     (file, module): (&SourceFile, &Module),
     motions: &[MotionId],
     source_sha256: &str,
-) -> Result<Vec<Edit>, EmitError> {
+    text: &mut Rewrite<'_>,
+) -> Result<(), EmitError> {
     let no_end = || EmitError::NoModule { path: file.path.clone().into(), line: file.line(module.range) };
+    let cannot = |error| EmitError::Edit { path: file.path.clone().into(), error };
     let end = insertion::routines(&file.bytes, module).ok_or_else(no_end)?;
     let style = LayoutStyle::of(&file.bytes, module);
-    let mut added = Added::collect(context, (file, module), motions, &style)?;
-    let mut edits = std::mem::take(&mut added.edits);
+    let added = Added::collect(context, (file, module), motions, &style)?;
+    let mut edits = added.edits;
     let (data, routines) = match context.core {
         Core::Separate => (Vec::new(), Vec::new()),
         Core::Embedded => (context.data(), context.routines()),
     };
-    let mut text = Vec::new();
-    for line in &data {
-        style.push(&mut text, line);
-    }
-    let checksums = write(&added.declarations, &mut text, &style)?;
-    let record = Record {
+    let mut record = Record {
         source_sha256: source_sha256.to_owned(),
         source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
         is_core: false,
@@ -46,33 +43,50 @@ pub(super) fn edits(
         was: added.was,
         points: added.points,
         shares: added.shares,
-        checksums,
+        // What they are is known when the declarations are written, behind the comment block.
+        checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],
         code: code_checksums(&data, &routines),
         is_whole: true,
     };
-    let mut block = Vec::new();
-    for line in header::lines(&context.header, &record) {
-        style.push(&mut block, &format!("  {line}"));
-    }
-    let mut put = |at: u32, mut text: Vec<u8>| {
-        if !insertion::at_line_start(&file.bytes, at) {
-            let blanks = text.iter().position(|b| !insertion::white(*b)).unwrap_or(0);
-            text.drain(..blanks);
-        }
-        if !text.is_empty() {
-            edits.push(Edit { range: TextRange::empty(at), text: text.into() });
-        }
+    let at = insertion::header(&file.bytes, module);
+    let block = |record: &Record| {
+        let mut block = Vec::new();
+        let lines = header::lines(&context.header, record);
+        lines.iter().for_each(|line| style.push(&mut block, &format!("  {line}")));
+        without_blanks(file, at, &mut block, 0);
+        block
     };
-    put(insertion::header(&file.bytes, module), block);
-    put(insertion::data(&file.bytes, module), text);
-    if !routines.is_empty() {
-        let mut text = style.eol.to_vec();
-        for line in &routines {
-            style.push(&mut text, line);
-        }
-        put(end, text);
+    let header = text.replace(TextRange::empty(at), &block(&record)).map_err(cannot)?;
+    let at = insertion::data(&file.bytes, module);
+    let written = text.replace_with(TextRange::empty(at), |out| {
+        let from = out.len();
+        data.iter().for_each(|line| style.push(out, line));
+        let checksums = write_declarations(&added.declarations, out, &style);
+        without_blanks(file, at, out, from);
+        checksums
+    });
+    record.checksums = written.map_err(cannot)?.1?;
+    text.exchange(header, &block(&record));
+    edits.extend(added_routines(&routines, &style, file, end));
+    edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
+    edits.iter().try_for_each(|edit| text.replace(edit.range, &edit.text).map(drop)).map_err(cannot)
+}
+
+/// What puts routines in, behind an empty line.
+fn added_routines(routines: &[String], style: &LayoutStyle, file: &SourceFile, at: u32) -> Option<Edit> {
+    let mut lines = style.eol.to_vec();
+    routines.iter().for_each(|line| style.push(&mut lines, line));
+    without_blanks(file, at, &mut lines, 0);
+    (!routines.is_empty()).then(|| Edit { range: TextRange::empty(at), text: lines.into() })
+}
+
+/// Takes the blanks away that lines which go to `at` begin with, from `from` on, where they do not begin a line there.
+fn without_blanks(file: &SourceFile, at: u32, lines: &mut Vec<u8>, from: usize) {
+    if !insertion::at_line_start(&file.bytes, at) {
+        let added = lines.get(from..).unwrap_or_default();
+        let blanks = added.iter().position(|b| !insertion::white(*b)).unwrap_or(0);
+        lines.drain(from..from + blanks);
     }
-    Ok(edits)
 }
 
 /// Checksums for data and for the routines of other lines.
@@ -130,7 +144,7 @@ impl Piece {
 }
 
 /// Appends the declarations, in order, made on all cores; gives what they are recognised by.
-fn write(
+fn write_declarations(
     declarations: &[Declaration<'_>],
     out: &mut Vec<u8>,
     style: &LayoutStyle,

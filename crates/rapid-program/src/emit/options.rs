@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::touch::Touch;
 use crate::compensate::FormChoice;
 use rapid_syntax::diagnostic::FileId;
-use rapid_syntax::{Edit, EditError};
+use rapid_syntax::{Edit, EditError, Replaced, edits_of};
 use robot_model::deform::{GrowthLaw, TIMES_MIN};
 
 /// How the emitted program knows how warm the robot is.
@@ -131,7 +131,15 @@ pub struct EmittedFile {
     /// The file that is concerned.
     pub bytes: Vec<u8>,
     /// What was changed of the source, in source order; empty for a new file.
-    pub edits: Vec<Edit>,
+    pub replaced: Vec<Replaced>,
+}
+
+impl EmittedFile {
+    /// The edits that made it of its source, in source order; none for a new file.
+    #[must_use]
+    pub fn edits(&self) -> Vec<Edit<&[u8]>> {
+        edits_of(&self.bytes, &self.replaced)
+    }
 }
 
 /// Why a program could not be emitted.
