@@ -24,6 +24,29 @@ const UNEVEN: f64 = 0.3;
 /// beyond it, or lies in the bearing at its end.
 const BY_MOMENT: f64 = 0.3;
 
+/// Joints that stand closer together than this, metres, have no beam between them.
+const SHORTEST_M: f64 = 1e-3;
+
+/// A joint whose axis is at no larger angle to the link after it than this, radians, turns along the link.
+const ALONG_RAD: f64 = 0.05;
+
+/// Whether joint `i` (from 0) and the next stand apart.
+fn is_beam(dataset: &Dataset, i: usize) -> bool {
+    dataset.observations.first().is_some_and(|o| (o.origins_m[i + 1] - o.origins_m[i]).norm() > SHORTEST_M)
+}
+
+/// The link before `link`, where the joint between them turns along `link`: both are one beam then, for where along its own axis a joint
+/// stands is in no kinematics, and a forearm of which one robot file makes link 4 is link 3 in another.
+#[must_use]
+pub(in crate::diagnose) fn one_beam_with(dataset: &Dataset, link: Axis) -> Option<Axis> {
+    let i = link.index();
+    let observation = dataset.observations.first()?;
+    let before = i.checked_sub(1)?;
+    let along_m = observation.origins_m[i + 1] - observation.origins_m[i];
+    let turns_along = observation.axes[i].cross(&along_m).norm() <= ALONG_RAD.sin() * along_m.norm();
+    (turns_along && along_m.norm() > SHORTEST_M && !dataset.slides[i]).then(|| Axis::at(before))
+}
+
 impl Effect for LinkBending {
     fn kind(&self) -> EffectKind {
         EffectKind::LinkBending
@@ -46,6 +69,7 @@ impl Effect for LinkBending {
         (0..joints - 1)
             // Where a joint at its root or tip slides, how much of the link is a beam changes: left to geometry.
             .filter(|&i| !dataset.slides[i] && !dataset.slides[i + 1])
+            .filter(|&i| is_beam(dataset, i))
             .flat_map(|i| {
                 let slope_n_m = |o: &Observation| {
                     let [even, ..] = o.loads.beyond[i + 1].bend(&o.origins_m[i], &o.origins_m[i + 1]);
@@ -58,10 +82,14 @@ impl Effect for LinkBending {
                 if dataset.largest_payload_kg > 0.0 {
                     sizes.extend([LEVER_M * prior_sigma; 3]);
                 }
+                // It stands for the link before it too, where that has no length of its own.
+                let before =
+                    one_beam_with(dataset, Axis::at(i)).filter(|before| !is_beam(dataset, before.index()));
+                let links = if before.is_some() { 2.0 } else { 1.0 };
                 [(false, 1.0 - BY_MOMENT), (true, BY_MOMENT)].map(|(refined, weight)| Candidate {
                     sign_constrained: true,
                     n_reported: 1,
-                    weight,
+                    weight: links * weight,
                     ..Candidate::new(
                         EffectKind::LinkBending,
                         EffectVariant { refined, ..EffectVariant::of_joint(i) },

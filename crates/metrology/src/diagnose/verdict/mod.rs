@@ -5,6 +5,7 @@
 mod carries;
 mod cause_group;
 mod cycles;
+mod doubt;
 mod hidden_load;
 mod judge;
 mod judgement;

@@ -4,6 +4,7 @@ use super::cause_group::{
     CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, line_among_many, scan,
     share_slip,
 };
+use super::doubt::{Doubt, LIKELIER_THAN_NOT, beam, share_beam};
 use super::hidden_load::{HiddenLoad, in_place_of_steps};
 use super::judgement::{Decision, Judgement};
 use super::listing::{listed, rejected};
@@ -15,7 +16,7 @@ use super::structure::{
     likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
     structure_odds, varying_cause,
 };
-use super::wording::{OR_LOAD, describe, in_short, structure_reason, switched_reason};
+use super::wording::{OR_LOAD, describe, in_short, one_beam_reason, structure_reason, switched_reason};
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::missing_channel::MissingChannel;
@@ -23,18 +24,12 @@ use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::{Cause, Location, Verdict};
 use crate::diagnose::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::Growth;
+use robot_model::robot::Axis;
 
 /// Structure of no cause that is this likely beside the causes makes them uncertain; likelier than they, it wins.
 const GP_ALTERNATIVE_SHARE: f64 = 0.2;
 /// A set larger than this, with structure of no cause as likely, is no set.
 const LARGE_SET: usize = 6;
-/// A cause that is alone in its place and less likely than this is not told apart from what is not in the library.
-const LIKELIER_THAN_NOT: f64 = 0.5;
-/// Of a bent spring that may as well be play: as likely as that.
-const AS_MUCH_PLAY: f64 = 0.5;
-/// Of a warm-up that only temperatures tell, in rows without times: whatever else changed over the same hours follows them as well.
-const TEMPERATURE_ALONE: f64 = 0.5;
 /// More moments than this at which something jumped are no knocks: something was switched.
 const MOST_STEPS: usize = 2;
 
@@ -98,7 +93,7 @@ struct CausesFound {
     needed: usize,
     /// Of these, slots with one cause that stands clear of all else.
     clear: usize,
-    /// Whether one of these has no cause that is likelier than not.
+    /// Whether one of these has no cause that is likelier than not, or two of one shape.
     has_open_slot: bool,
     /// Slots whose causes structure of no cause could replace.
     replaceable: Vec<usize>,
@@ -106,6 +101,8 @@ struct CausesFound {
     replacement: Option<usize>,
     /// The candidates that are named already.
     named: Vec<usize>,
+    /// Links that are one beam, of which either is named.
+    beams: Vec<[Axis; 2]>,
 }
 
 impl CausesFound {
@@ -150,8 +147,7 @@ impl CausesFound {
             self.replacement = likeliest_structure(&fitted.workspace, &ranking).map(|s| s.gp_alternative);
             self.replaceable.push(i);
         }
-        let play_too = looks_like_play(fitted, first.best);
-        let by_temperature = rests_on_temperature(fitted, first.best);
+        let doubt = Doubt::of(fitted, first.best);
         self.has_open_slot |= first.probability < LIKELIER_THAN_NOT;
         let mut lines = 0;
         for cause_group in &near {
@@ -159,15 +155,24 @@ impl CausesFound {
         }
         self.clear += usize::from(
             lines == 1
-                && !play_too
-                && !by_temperature
+                && doubt.is_none()
                 && first.probability >= LIKELIER_THAN_NOT
                 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
         );
         self.open.push(OpenSlot::new(Some(i), &cause_groups, near.len()));
-        self.doubt(i + 1, play_too, by_temperature);
+        self.has_open_slot |= doubt.share(&mut self.causes, i + 1);
+        self.share_beams(fitted, &near, i + 1);
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
+        }
+    }
+
+    /// Names beside each link of `slot` that bends the one that is one beam with it.
+    fn share_beams(&mut self, fitted: &FittedModel<'_>, near: &[&CauseGroup], slot: usize) {
+        for beam in near.iter().filter_map(|group| beam(fitted, group.best)) {
+            share_beam(&mut self.causes, slot, beam);
+            self.has_open_slot = true;
+            self.beams.push(beam);
         }
     }
 
@@ -195,33 +200,14 @@ impl CausesFound {
             (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
         } else if self.clear < self.needed.min(2) || has_scale || self.has_open_slot {
             let or_load = load.filter(|load| load.is_in_doubt()).map_or("", |_| OR_LOAD);
-            (Verdict::Ambiguous, format!("these data leave a choice: {}{or_load}", in_short(causes)))
+            let beams: String = self.beams.iter().map(one_beam_reason).collect();
+            (Verdict::Ambiguous, format!("these data leave a choice: {}{or_load}{beams}", in_short(causes)))
         } else if self.needed > 1 {
             (Verdict::Several, format!("{} causes, each needed: {}", self.needed, in_short(causes)))
         } else {
             (Verdict::Explained, causes.first().map(describe).unwrap_or_default())
         };
         Decision { verdict, reason, location, missing_channel: None }
-    }
-
-    /// Gives even odds to the first cause of `slot` where something has the same shape: play that of a bent spring, and whatever changed
-    /// meanwhile that of a warm-up which temperatures alone tell.
-    fn doubt(&mut self, slot: usize, play_too: bool, by_temperature: bool) {
-        let Some(first) = self.causes.iter_mut().find(|c| c.slot == slot) else { return };
-        if by_temperature {
-            first.posterior *= TEMPERATURE_ALONE;
-        }
-        if play_too {
-            // Of the two the file prefers neither; the spring stands first.
-            first.posterior *= AS_MUCH_PLAY;
-        }
-        let (joint, posterior) = (first.joint, first.posterior);
-        if play_too || by_temperature {
-            self.has_open_slot |= posterior < LIKELIER_THAN_NOT;
-        }
-        if play_too {
-            self.causes.push(Cause { joint, slot, ..Cause::of(EffectKind::Backlash, posterior) });
-        }
     }
 }
 
@@ -360,22 +346,6 @@ fn wanders(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Decision {
     let timed = fitted.linear.dataset.time_min.is_some();
     Decision::structure(structure_reason(GpAlternative::Time, timed), over_time(fitted, chosen))
         .without(MissingChannel::of(GpAlternative::Time, timed))
-}
-
-/// Whether a candidate is a spring that hardens or softens in a file without directions of approach: play whose side gravity
-/// decides at most poses has the same shape.
-fn looks_like_play(fitted: &FittedModel<'_>, candidate: usize) -> bool {
-    let FittedModel { workspace, linear, .. } = fitted;
-    let candidate = &workspace.library.candidates[candidate];
-    candidate.kind == EffectKind::JointCompliance
-        && candidate.variant.refined
-        && !linear.dataset.channels.direction
-}
-
-/// Whether a candidate grows with the joints' temperatures in a file without times: nothing then tells it from what drifts meanwhile.
-fn rests_on_temperature(fitted: &FittedModel<'_>, candidate: usize) -> bool {
-    let variant = &fitted.workspace.library.candidates[candidate].variant;
-    fitted.linear.dataset.time_min.is_none() && matches!(variant.growth, Growth::Temperature { .. })
 }
 
 /// Whether one of the candidates `named` is the same cause as the first of another place: not of steps, which are many, nor of lines.

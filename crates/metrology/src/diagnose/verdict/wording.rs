@@ -146,6 +146,12 @@ pub(super) fn two_states_reason(states: &TwoStates, dataset: &Dataset) -> String
 pub(super) const OR_LOAD: &str =
     "; or in the place of the steps a load that was changed, and is not in the file (payload_kg)";
 
+/// Two links that are one beam in words.
+#[must_use]
+pub(super) fn one_beam_reason([before, link]: &[Axis; 2]) -> String {
+    format!("; links {before} and {link} are one beam to any poses, as joint {link} turns along it")
+}
+
 /// Channels that are not in the file and could tell what scatters, as a phrase.
 #[must_use]
 pub(super) fn missing_channels(dataset: &Dataset) -> String {
