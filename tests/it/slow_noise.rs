@@ -103,6 +103,30 @@ fn a_cause_in_many_rows_of_slow_noise_is_named() {
     }
 }
 
+/// The columns that are not of `names`.
+fn without(csv: &str, names: &[&str]) -> String {
+    let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let kept: Vec<usize> =
+        (0..header.len()).filter(|&c| !names.iter().any(|n| header[c].starts_with(n))).collect();
+    let row = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        kept.iter().map(|&c| cells[c]).collect::<Vec<_>>().join(",") + "\n"
+    };
+    csv.lines().map(row).collect()
+}
+
+/// Poses in any order: what neighbouring rows share is of their moment, times or none.
+#[test]
+fn slow_noise_without_times_hides_no_cause() {
+    for seed in [1, 2, 3] {
+        let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7, harmonics: Harmonics::NONE };
+        let csv = without(&rows(vec![(gear, 2.0)], 0.85, seed), &["t_min", "temp_"]);
+        let answer = diagnose(&csv, &[]);
+        assert_eq!(answer["verdict"], "explained", "{}", answer["reason"]);
+        assert_eq!(answer["causes"][0]["effect"], "gear_eccentricity");
+    }
+}
+
 /// Errors of all frames, several times the noise, in slow noise of which nobody says how much it is: it is no structure that vetoes them.
 #[test]
 fn geometry_in_slow_noise_that_nobody_stated_is_geometry() {

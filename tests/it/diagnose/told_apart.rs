@@ -215,6 +215,39 @@ fn a_link_that_bends_is_told_wherever_its_payload_hangs() {
     );
 }
 
+/// The upper arm is .1 mm longer than drawn, in a file that may be of a warm-up: a length that stays is no growth.
+#[test]
+fn a_link_that_is_longer_is_no_growth() {
+    let chain = chain();
+    let hand = |q_rad: [f64; 6], _| {
+        let about = |axis: Vector3<f64>, rad: f64| Rotation3::new(axis * rad);
+        let upper_arm = about(Vector3::z(), q_rad[0]) * about(Vector3::y(), q_rad[1]) * Vector3::z();
+        turned(&chain, q_rad, 0, 0.0) + 1e-4 * upper_arm
+    };
+    let (_, text, found) = answer(anywhere_deg, hand, &[]);
+    assert_eq!(found["verdict"], "explained", "{text} {found}");
+    let cause = &found["causes"][0];
+    assert_eq!((&cause["effect"], &cause["joint"]), (&Value::from("link_geometry"), &Value::from(2)));
+    let length_mm = cause["size"].as_f64().unwrap();
+    assert!((length_mm / 0.1 - 1.0).abs() < 0.2, "{length_mm}");
+}
+
+/// Sixty poses in two rounds, in a file without times, and the base is knocked in the second: the order of the rows tells from which on.
+#[test]
+fn a_knock_while_poses_are_come_back_to_is_told_without_times() {
+    let chain = chain();
+    let again = |k: usize| anywhere_deg(k % 60);
+    let hand = |q_rad: [f64; 6], k: usize| {
+        turned(&chain, q_rad, 0, 0.0)
+            + if k < 75 { Vector3::zeros() } else { Vector3::new(6e-5, -4e-5, 8e-5) }
+    };
+    let (_, text, found) = answer(again, hand, &[]);
+    assert_eq!(found["verdict"], "explained", "{text} {found}");
+    let cause = &found["causes"][0];
+    // A line of names stands before the rows.
+    assert_eq!((&cause["effect"], &cause["from_line"]), (&Value::from("base_step"), &Value::from(77)));
+}
+
 /// Joints of row `k` about one posture, degrees.
 fn narrow_deg(k: usize) -> [f64; 6] {
     let middle_deg = [-38.0, 20.0, -25.0, -50.0, -15.0, -70.0];

@@ -2,7 +2,7 @@
 
 pub(super) use super::observation::{Observation, ObservationKind};
 pub(super) use super::twist::{Twist, scaled};
-use crate::measure::Channels;
+use crate::measure::{Channels, ROUND_SHARE};
 #[cfg(test)]
 use crate::measure::{Reading, Registration, Station};
 #[cfg(test)]
@@ -34,6 +34,8 @@ pub(super) struct Dataset {
     pub time_min: Option<[f64; 2]>,
     /// First and last reading of the clock: minutes, or places in the file where those tell the order; `None` where neither does.
     pub clock: Option<[f64; 2]>,
+    /// Whether what neighbouring rows share is of their moment: by times, or by the order of rows that is not that of their places.
+    pub neighbours_in_time: bool,
     /// Lowest and highest temperature of each joint.
     pub joint_temperature_c: Option<Joints<[f64; 2]>>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
@@ -74,6 +76,8 @@ impl Dataset {
                 [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
             })
         });
+        let neighbours_in_time =
+            clock.is_some() && (time_min.is_some() || !in_order_of_places(&observations));
         Self {
             slides: robot.kinds().map(JointKind::slides),
             largest_payload_kg: observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
@@ -84,6 +88,7 @@ impl Dataset {
             visits: visits(&observations),
             observations,
             channels,
+            neighbours_in_time,
             time_min,
             clock,
             joint_temperature_c,
@@ -161,15 +166,31 @@ fn visits(observations: &[Observation]) -> Vec<Vec<usize>> {
     visits
 }
 
-/// Repeats of one pose spread over more than this share of the file are means over time.
-const ROW_SPAN: f64 = 0.1;
-
 /// The first and the last place in the file, where repeats do not stand all over it.
 fn row_clock(observations: &[Observation]) -> Option<[f64; 2]> {
     let low = observations.iter().map(|s| s.row).fold(f64::INFINITY, f64::min);
     let high = observations.iter().map(|s| s.row).fold(f64::NEG_INFINITY, f64::max);
-    let spread = observations.iter().filter(|s| s.row_span > ROW_SPAN * (high - low)).count();
+    let spread = observations.iter().filter(|s| s.row_span > ROUND_SHARE * (high - low)).count();
     (high > low && 10 * spread < observations.len()).then_some([low, high])
+}
+
+/// Poses one after the other that are on average nearer than this share of those far apart in the file are in the order of their places:
+/// sweeps and grids stand at .1 to .5, poses in any order at 1.
+const IN_ORDER: f64 = 0.7;
+
+/// Whether the arm went from each pose to one near it, so that what neighbouring rows share may be of their place.
+fn in_order_of_places(observations: &[Observation]) -> bool {
+    let mut order: Vec<&Observation> = observations.iter().collect();
+    order.sort_by(|a, b| a.row.total_cmp(&b.row));
+    order.dedup_by(|b, a| a.pose == b.pose);
+    let n = order.len();
+    let apart = |a: &Observation, b: &Observation| {
+        (0..a.joints()).map(|j| (a.as_angle(j) - b.as_angle(j)).powi(2)).sum::<f64>().sqrt()
+    };
+    let at_lag = |lag: usize| -> f64 {
+        (0..n - lag).map(|i| apart(order[i], order[i + lag])).sum::<f64>() / (n - lag) as f64
+    };
+    n > 3 && at_lag(1) < IN_ORDER * 0.5 * (at_lag(n / 3) + at_lag(n / 2))
 }
 
 /// Shares of the observations whose torque about a joint is taken as large enough to hold its teeth on one side.
@@ -212,6 +233,17 @@ pub(super) fn evenly_spread(stations: usize) -> Dataset {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Poses in any order, and the same rows with joint 1 swept from one end to the other and the rest still.
+    #[test]
+    fn a_sweep_is_in_the_order_of_its_places() {
+        let mut observations = evenly_spread(40).observations;
+        assert!(!in_order_of_places(&observations));
+        for (i, observation) in observations.iter_mut().enumerate() {
+            observation.q_rad = Joints::from_fn(6, |j| if j == 0 { 0.05 * i as f64 } else { 0.3 });
+        }
+        assert!(in_order_of_places(&observations));
+    }
 
     /// Reflectors read one after the other are one visit; the pose again an hour later is another, as is the same reflector again.
     #[test]

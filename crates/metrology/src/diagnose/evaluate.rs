@@ -227,6 +227,14 @@ fn visible(prepared: &Prepared<'_>, testable: TestableEffects) -> VisibleCandida
             None => untestable.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
         }
     }
+    // What one variant hides another may show.
+    let is_shown = |effect, joint| candidates.iter().any(|c| c.kind == effect && c.variant.joint == joint);
+    untestable.retain_mut(|hidden| {
+        let effect = hidden.effect;
+        let of_joints = !hidden.joints.is_empty();
+        hidden.joints.retain(|joint| !is_shown(effect, Some(*joint)));
+        if of_joints { !hidden.joints.is_empty() } else { !is_shown(effect, None) }
+    });
     let whole = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
     untestable.extend(testable.untestable.into_iter().map(whole));
     VisibleCandidates { candidates, untestable }

@@ -21,6 +21,8 @@ const MOST_WAVES: usize = 40;
 const STATIONS_PER_WAVE: usize = 6;
 /// In a larger set a measurement of days visits one region of the arm after the other: what is slow there is mostly the arm.
 const MOST_STATIONS: usize = 2000;
+/// The same of a set without times: more rows are of several days, and the pauses between them are in no column.
+const MOST_WITHOUT_TIMES: usize = 500;
 /// Size of a column, metres: near the noise, so that amplitudes are near one.
 const UNIT_M: f64 = 1e-4;
 
@@ -69,9 +71,9 @@ pub(super) fn likeliest(
     noise: NoisePrior,
 ) -> Option<SlowNoise> {
     let enough = dataset.observations.len() >= 4 * STATIONS_PER_WAVE;
-    // Rows without times are often in the order of their places, and in a large set much of the arm is: what is slow
-    // over them is no noise.
-    if dataset.time_min.is_none() || dataset.observations.len() > MOST_STATIONS || !enough {
+    // Rows without times may be in the order of their places, and in a large set much of the arm is: what is slow over them is no noise.
+    let most = if dataset.time_min.is_some() { MOST_STATIONS } else { MOST_WITHOUT_TIMES };
+    if !dataset.neighbours_in_time || dataset.observations.len() > most || !enough {
         return None;
     }
     let groups: Vec<usize> = (0..design.groups()).collect();

@@ -2,7 +2,7 @@
 
 use super::dataset::Dataset;
 use super::design::Design;
-use super::effects::{Candidate, EffectVariant, held_above_n_m, soft, usual_compliance};
+use super::effects::{Candidate, EffectVariant, along_link, held_above_n_m, soft, usual_compliance};
 use super::normal_equations::{JointLines, LINE_RAD, ModelColumns};
 use super::search::ChosenCause;
 use nalgebra::{DVector, Vector3};
@@ -206,6 +206,15 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
                 all.push(Estimate { value, sigma: None });
             }
             all
+        }
+        EffectKind::LinkGeometry if variant.refined => {
+            let along = along_link(dataset.observations.first()?, variant.joint?.index())?;
+            let length = values.first().copied()?;
+            let part = |k: usize| Estimate {
+                value: length.value * along[k],
+                sigma: length.sigma.map(|sigma| sigma * along[k].abs()),
+            };
+            (0..3).map(part).chain(std::iter::repeat_n(Estimate::default(), 3)).collect()
         }
         // The model has a shift of the target, not its turn: the point is all that the model places.
         EffectKind::ToolDrift | EffectKind::ToolStep => values.into_iter().take(3).collect(),

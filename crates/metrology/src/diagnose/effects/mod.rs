@@ -35,6 +35,7 @@ pub(super) use gear_harmonic::OVERTONE_WEIGHT;
 pub(super) use gear_mesh::line_with_overtone;
 pub(super) use library::{TestableEffects, UntestableEffect, effect, testable_effects};
 pub(in crate::diagnose) use link_bending::one_beam_with;
+pub(in crate::diagnose) use link_geometry::along_link;
 pub(super) use over_time::steps_too_near;
 pub(in crate::diagnose) use payload_mass::{give_per_kg, soft, usual_compliance};
 pub(super) use rigid::{Motion, RigidBody};

@@ -189,12 +189,16 @@ pub(super) fn line_among_many(fitted: &FittedModel<'_>, chosen: &[ChosenCause], 
 /// the simpler of two nested explanations is the one to name.
 pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
     let Some(first) = cause_groups.first() else { return };
-    let simple = key(&workspace.library.candidates[first.best]);
+    let of_first = &workspace.library.candidates[first.best];
+    let simple = key(of_first);
+    let length_alone = simple.0 == EffectKind::LinkGeometry && of_first.variant.refined;
     let nests = |g: &CauseGroup| {
         let rich = key(&workspace.library.candidates[g.best]);
         let holds_offset = matches!(rich.0, EffectKind::ThermalJointDrift | EffectKind::JointStep)
             || rich.0 == EffectKind::JointGain && workspace.library.candidates[g.best].variant.refined;
-        simple.0 == EffectKind::JointOffset && holds_offset && simple.1 == rich.1
+        let holds_length = rich.0 == EffectKind::ThermalLinkGrowth;
+        simple.1 == rich.1
+            && (simple.0 == EffectKind::JointOffset && holds_offset || length_alone && holds_length)
     };
     let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
     cause_groups.retain(|g| !nests(g));

@@ -178,7 +178,7 @@ pub(super) fn slow_noise(fitted: &FittedModel<'_>, gp_alternative: usize) -> boo
         GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::ToolTime
     );
     over_time
-        && linear.dataset.time_min.is_some()
+        && linear.dataset.neighbours_in_time
         && reduced_chi_square(fitted, &[])
             .is_some_and(|chi| !chi.is_exceeded() && !beyond_statement(model, chi.value))
 }

@@ -117,8 +117,15 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
                 .map(|shape| shape.weighing(weight)),
         );
     }
+    // A step has its course already; varied, it is all that base or target could do over the rows.
+    let is_no_step =
+        |i: &usize| workspace.library.candidates[chosen[*i].candidate].variant.t0_min().is_none();
     if dataset.time_min.is_none() && chosen.len() <= MANY_CAUSES {
-        list.extend((0..chosen.len()).map(|i| GpAlternative::TimeVaryingCause(i).weighing(VARYING_WEIGHT)));
+        list.extend(
+            (0..chosen.len())
+                .filter(is_no_step)
+                .map(|i| GpAlternative::TimeVaryingCause(i).weighing(VARYING_WEIGHT)),
+        );
     }
     // Rows without times are often in the order of their places, and what the arm gives there is all its sag.
     if !dataset.channels.payload && dataset.time_min.is_some() {

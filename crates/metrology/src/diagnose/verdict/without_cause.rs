@@ -3,7 +3,7 @@
 use super::cause_group::{OpenSlot, SlotScan, cause_groups};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
-use super::noise::{SLOW_NOISE, Scatter, Slowness, slow_noise, slowness};
+use super::noise::{MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, Slowness, slow_noise, slowness};
 use super::size::cause;
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
 use super::wording::structure_reason;
@@ -70,12 +70,14 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
     judgement
 }
 
-/// Whether what is slow is structure over time: not where `geometry` takes more than it, and nothing says that it is no noise.
+/// Whether what is slow is structure over time: not where `geometry` takes more than it and nothing says that it is no noise, nor where it
+/// is small against what geometry takes.
 fn is_structure(fitted: &FittedModel<'_>, slowness: Slowness, geometry: bool) -> bool {
     let Slowness::Structure { rms_m: slow_m, noise_known } = slowness else { return false };
     let FittedModel { model, linear, .. } = fitted;
     let before_m = rms_m(&linear.nominal, |i| !model.outliers[i]);
     let of_geometry_m = (before_m.powi(2) - 3.0 * model.noise_m().powi(2)).max(0.0).sqrt();
     let mostly_slow = model.slow.is_some_and(|slow| slow.size > MOSTLY_SLOW);
-    !geometry || noise_known || mostly_slow || slow_m > of_geometry_m
+    let share = if noise_known { MAX_RESIDUAL_SHARE } else { 1.0 };
+    !geometry || mostly_slow || slow_m > share * of_geometry_m
 }
