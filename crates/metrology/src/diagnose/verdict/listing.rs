@@ -29,7 +29,8 @@ pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
 /// stand beside it with half of its probability.
 fn share_scale_with_links(causes: &mut Vec<Cause>) {
     let Some(at) = causes.iter().position(|c| c.effect == EffectKind::InstrumentScale) else { return };
-    if !causes.iter().any(|c| c.effect == EffectKind::LinkGeometry) {
+    // One link by itself is another cause.
+    if !causes.iter().any(|c| c.effect == EffectKind::LinkGeometry && c.joint.is_none()) {
         causes[at].posterior *= 0.5;
         let (slot, posterior) = (causes[at].slot, causes[at].posterior);
         causes.insert(at + 1, Cause { slot, ..Cause::of(EffectKind::LinkGeometry, posterior) });
@@ -117,6 +118,7 @@ mod tests {
         let mut causes = vec![
             Cause { slot: 2, ..Cause::of(EffectKind::InstrumentScale, 0.9) },
             Cause::of(EffectKind::BaseTilt, 0.8),
+            Cause { slot: 2, joint: Axis::numbered(2), ..Cause::of(EffectKind::LinkGeometry, 0.1) },
         ];
         share_scale_with_links(&mut causes);
         let named: Vec<_> = causes.iter().map(|c| (c.effect, c.slot, c.posterior)).collect();
@@ -124,6 +126,7 @@ mod tests {
             (EffectKind::InstrumentScale, 2, 0.45),
             (EffectKind::LinkGeometry, 2, 0.45),
             (EffectKind::BaseTilt, 1, 0.8),
+            (EffectKind::LinkGeometry, 2, 0.1),
         ];
         assert_eq!(named, expected);
     }
