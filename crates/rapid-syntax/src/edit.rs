@@ -31,20 +31,23 @@ pub enum EditError {
 pub fn apply<T: Deref<Target = [u8]>>(source: &[u8], edits: &[Edit<T>]) -> Result<Vec<u8>, EditError> {
     let grown: usize = edits.iter().map(|e| e.text.len()).sum();
     let mut out = Vec::with_capacity(source.len() + grown);
-    each_piece(source, edits, |piece| {
+    let mut order: Vec<Edit<&[u8]>> =
+        edits.iter().map(|Edit { range, text }| Edit { range: *range, text: &**text }).collect();
+    order.sort_by_key(|edit| (edit.range.start, edit.range.end)); // stable: insertions at one place keep their order
+    each_piece(source, order, |piece| {
         out.extend_from_slice(piece);
         true
     })?;
     Ok(out)
 }
 
-/// Whether [`apply`] gives `expected`, without the memory of a text.
+/// Whether a source with all `edits` made, which come in its order, is `expected`; without the memory of a text.
 ///
 /// # Errors
-/// As [`apply`]; where a difference stands before the edits that cannot be made, that is told.
-pub fn gives<T: Deref<Target = [u8]>>(
-    source: &[u8],
-    edits: &[Edit<T>],
+/// [`EditError`] names the edits that cannot be made; where a difference stands before them, that is told.
+pub fn gives<'a>(
+    source: &'a [u8],
+    edits: impl IntoIterator<Item = Edit<&'a [u8]>>,
     expected: &[u8],
 ) -> Result<bool, EditError> {
     let mut left = Some(expected);
@@ -56,23 +59,15 @@ pub fn gives<T: Deref<Target = [u8]>>(
 }
 
 /// Calls `visit` for the pieces of the source with all edits made, in their order, until it says no.
-fn each_piece<'a, T: Deref<Target = [u8]>>(
+fn each_piece<'a>(
     source: &'a [u8],
-    edits: &'a [Edit<T>],
+    edits: impl IntoIterator<Item = Edit<&'a [u8]>>,
     mut visit: impl FnMut(&'a [u8]) -> bool,
 ) -> Result<(), EditError> {
-    let key = |edit: &Edit<T>| (edit.range.start, edit.range.end);
-    let mut order: Vec<&Edit<T>> = Vec::new();
-    if !edits.is_sorted_by_key(key) {
-        order.extend(edits);
-        order.sort_by_key(|edit| key(edit)); // stable: insertions at one place keep their order
-    }
     let mut last = TextRange::empty(0);
-    for (i, edit) in edits.iter().enumerate() {
-        let edit = order.get(i).copied().unwrap_or(edit);
-        let range = edit.range;
+    for Edit { range, text } in edits {
         check_place(source, last, range)?;
-        if !visit(&source[last.end as usize..range.start as usize]) || !visit(&edit.text) {
+        if !visit(&source[last.end as usize..range.start as usize]) || !visit(text) {
             return Ok(());
         }
         last = range;
@@ -112,19 +107,22 @@ mod tests {
 
     #[test]
     fn what_edits_give_is_told_without_making_it() {
-        let edits = [edit(10, 14, "v50"), edit(6, 9, "tcp10{tcK()}"), edit(0, 0, "start; ")];
+        fn edit(start: u32, end: u32, text: &str) -> Edit<&[u8]> {
+            Edit { range: TextRange::new(start, end), text: text.as_bytes() }
+        }
+        let edits = || [edit(0, 0, "start; "), edit(6, 9, "tcp10{tcK()}"), edit(10, 14, "v50")];
         let source = b"MoveL p10,v100;";
-        let made = apply(source, &edits).unwrap();
-        assert_eq!(gives(source, &edits, &made), Ok(true));
+        let made = apply(source, &edits()).unwrap();
+        assert_eq!(gives(source, edits(), &made), Ok(true));
         for at in 0..made.len() {
             let mut other = made.clone();
             other[at] ^= 1;
-            assert_eq!(gives(source, &edits, &other), Ok(false), "{at}");
-            assert_eq!(gives(source, &edits, &made[..at]), Ok(false), "{at}");
+            assert_eq!(gives(source, edits(), &other), Ok(false), "{at}");
+            assert_eq!(gives(source, edits(), &made[..at]), Ok(false), "{at}");
         }
-        assert_eq!(gives(source, &edits, &[&made[..], b";"].concat()), Ok(false));
+        assert_eq!(gives(source, edits(), &[&made[..], b";"].concat()), Ok(false));
         let overlap = [edit(0, 3, "x"), edit(2, 4, "y")];
-        assert_eq!(gives(b"abcdef", &overlap, b"x"), apply(b"abcdef", &overlap).map(|_| true));
+        assert_eq!(gives(b"abcdef", overlap.clone(), b"x"), apply(b"abcdef", &overlap).map(|_| true));
     }
 
     #[test]

@@ -144,6 +144,13 @@ impl Elements {
         3 + 2 * elements
     }
 
+    /// Whether these are [`checksums`](Self::checksums).
+    pub(super) fn are(&self, checksums: &[u8]) -> bool {
+        checksums
+            .split_at_checked(3)
+            .is_some_and(|(all, each)| all == self.all.checksum::<3>() && each == self.each)
+    }
+
     /// Three characters for all, then two for each.
     #[must_use]
     pub(super) fn checksums(&self) -> Vec<u8> {

@@ -45,7 +45,10 @@ impl<'t> Declarations<'t> {
             let init = data.init.as_ref().filter(|_| data.dims.is_empty())?;
             Some(init.range)
         };
-        let named = |data: &DataDecl| Some((data.name.of(bytes).to_ascii_lowercase(), init(data)?));
+        let named = |data: &DataDecl| {
+            let init = init(data)?;
+            Some((data.name.of(bytes).to_ascii_lowercase(), init))
+        };
         let mut local: HashMap<u32, Vec<_>> = HashMap::new();
         for routine in module.routines() {
             for stmt in &routine.body {

@@ -11,6 +11,7 @@ mod declared;
 mod findings;
 mod lines;
 mod removal;
+mod undo;
 
 pub use altered::altered_core;
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
@@ -25,9 +26,9 @@ use lines::Lines;
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::FileItem;
 use rapid_syntax::{Edit, apply, gives, parse};
-use removal::{Remover, removal};
+use removal::Remover;
 use sha2::{Digest, Sha256};
-use std::collections::BTreeSet;
+use undo::UndoEdits;
 
 /// An original, got back.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +55,7 @@ pub struct Restored {
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
 pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     let TakenApart { edits, added, source_sha256, source_name, touched, altered } = take_apart(bytes)?;
+    let edits: Vec<Edit<&[u8]>> = edits.of(bytes).collect();
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
     check_nothing_is_left(&restored, &added)?;
@@ -65,7 +67,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
 pub(super) fn gives_back(bytes: &[u8], (original, sha256): (&[u8], &str)) -> bool {
     take_apart(bytes).is_ok_and(|TakenApart { edits, added, source_sha256, .. }| {
         source_sha256 == sha256
-            && gives(bytes, &edits, original) == Ok(true)
+            && gives(bytes, edits.of(bytes), original) == Ok(true)
             && check_nothing_is_left(original, &added).is_ok()
     })
 }
@@ -73,9 +75,9 @@ pub(super) fn gives_back(bytes: &[u8], (original, sha256): (&[u8], &str)) -> boo
 /// What makes an original of an emitted module.
 struct TakenApart {
     /// In the order of their places.
-    edits: Vec<Edit>,
-    /// Names that were added, in lower case.
-    added: BTreeSet<Vec<u8>>,
+    edits: UndoEdits,
+    /// Names that were added, in lower case, in their order.
+    added: Vec<Vec<u8>>,
     /// As the comment block says.
     source_sha256: String,
     source_name: String,
@@ -86,11 +88,11 @@ struct TakenApart {
 fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
     let (tree, _) = parse(bytes);
     let lines = Lines::new(bytes);
-    let mut edits = Vec::new();
+    let mut edits = UndoEdits::default();
     let mut touched = Vec::new();
     let mut altered = Vec::new();
     let mut source = None;
-    let mut added: BTreeSet<Vec<u8>> = BTreeSet::new();
+    let mut added: Vec<Vec<u8>> = Vec::new();
     for item in &tree.items {
         let FileItem::Module(module) = item else { continue };
         let Some(comment) = header_of(bytes, module) else { continue };
@@ -101,7 +103,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
             return Err(RestoreError::IsCore);
         }
         let last = block.get(count.saturating_sub(1)).map_or(comment.end, |r| r.end);
-        edits.push(removal(insertion::whole_lines(bytes, TextRange::new(comment.start, last))));
+        edits.remove(insertion::whole_lines(bytes, TextRange::new(comment.start, last)));
         let mut remover = Remover {
             bytes,
             lines: &lines,
@@ -114,7 +116,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         let mut arrays = remover.data()?;
         let (routines, added_routines) = remover.routines()?;
         touched.extend(remover.motions(&routines, &mut arrays)?);
-        remover.edits.extend(added_routines);
+        added_routines.into_iter().for_each(|range| remover.edits.remove(range));
         let code = altered_code(bytes, &lines, &remover.code, &record.code, module.name);
         if record.is_whole {
             altered.append(&mut remover.altered);
@@ -127,25 +129,27 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         source = Some((record.source_sha256, record.source_name));
     }
     let (source_sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
-    let place = |edit: &Edit| (edit.range.start, edit.range.end);
-    // Those of arrays alone stand in another order; to sort takes memory when most is in use.
-    if !edits.is_sorted_by_key(place) {
-        edits.sort_by_key(place);
-    }
+    edits.sort();
+    added.sort_unstable();
     altered.sort_by_key(Altered::line);
     Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
 }
 
-/// Whether what was added is named nowhere in what is left; `added`: names in lower case.
-fn check_nothing_is_left(restored: &[u8], added: &BTreeSet<Vec<u8>>) -> Result<(), RestoreError> {
+/// Whether what was added is named nowhere in what is left; `added`: names in lower case, in their order.
+fn check_nothing_is_left(restored: &[u8], added: &[Vec<u8>]) -> Result<(), RestoreError> {
     let mut left = None;
-    let mut begins = [false; 256];
-    for &first in added.iter().filter_map(|name| name.first()) {
-        begins[usize::from(first)] = true;
+    // What the first two letters of a name can be.
+    let mut begins = [[false; 256]; 2];
+    for name in added {
+        begins.iter_mut().zip(name).for_each(|(begins, &letter)| begins[usize::from(letter)] = true);
     }
     words(restored, |word| {
-        let may_be = word.len() > 2 && begins[usize::from(word[0].to_ascii_lowercase())];
-        if left.is_none() && may_be && added.contains(&word.to_ascii_lowercase()) {
+        let may_be = word.len() > 2
+            && begins
+                .iter()
+                .zip(word)
+                .all(|(begins, letter)| begins[usize::from(letter.to_ascii_lowercase())]);
+        if left.is_none() && may_be && added.binary_search(&word.to_ascii_lowercase()).is_ok() {
             left = Some((word.as_ptr() as usize - restored.as_ptr() as usize, word.to_vec()));
         }
     });

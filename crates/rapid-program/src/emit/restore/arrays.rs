@@ -1,11 +1,13 @@
 //! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
 
+use super::undo::UndoText;
 use crate::emit::aggregate::{is_plain, singles};
 use crate::emit::number::{write_num, write_orient};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Expr, Routine};
 use robot_model::units::deg_from_rad;
+use std::cmp::Ordering;
 
 /// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
 const AGREE: f64 = 0.005;
@@ -20,13 +22,11 @@ pub(super) struct Array<'b> {
     pub(super) range: TextRange,
     /// Of the source's array whose elements its rows are; empty of a single target.
     pub(super) dims: Vec<usize>,
-    rows: Vec<Vec<TextRange>>,
+    rows: Rows,
     /// What stood in the motion, without its index.
-    pub(super) was: Vec<u8>,
+    was: UndoText,
     /// Checksums of its elements as they were made.
     checksums: &'b [u8],
-    /// The same as they are now.
-    now: Vec<u8>,
 }
 
 /// An array by its name, with what is found out about it.
@@ -54,10 +54,38 @@ impl<'w> NamedArray<'w> {
         Self { name: name.to_ascii_lowercase(), array, uses: Vec::new(), meant: Vec::new() }
     }
 
-    /// That of a name in lower case, among all in the order of their names.
-    pub(super) fn find<'a>(all: &'a mut [Self], name: &str) -> Option<&'a mut Self> {
-        let at = all.binary_search_by(|array| array.name.as_str().cmp(name)).ok()?;
-        all.get_mut(at)
+    /// Puts arrays in the order in which [`find`](Self::find) looks for them: by the length of their names, which is most often the
+    /// order that they stand in. Of several of one name the last counts.
+    pub(super) fn sort(all: &mut Vec<Self>) {
+        if all.windows(2).all(|two| two[0].by_length(&two[1].name) == Ordering::Less) {
+            return;
+        }
+        all.sort_by(|a, b| a.by_length(&b.name));
+        all.dedup_by(|next, kept| {
+            let is_same = next.name == kept.name;
+            if is_same {
+                std::mem::swap(next, kept);
+            }
+            is_same
+        });
+    }
+
+    fn by_length(&self, name: &str) -> Ordering {
+        self.name.len().cmp(&name.len()).then_with(|| self.name.as_str().cmp(name))
+    }
+
+    /// The position of that of a name in lower case, among sorted ones; `likely` is looked at first.
+    pub(super) fn find(all: &[Self], likely: usize, name: &str) -> Option<usize> {
+        if all.get(likely).is_some_and(|array| array.name == name) {
+            return Some(likely);
+        }
+        all.binary_search_by(|array| array.by_length(name)).ok()
+    }
+
+    /// Whether nothing is to be told of it: it is as it was made, and of a target that stands nowhere else.
+    pub(super) fn is_as_made(&self) -> bool {
+        let is_inline = self.array.dims.is_empty() && self.array.was().first() == Some(&b'[');
+        is_inline && matches!(self.array.rows, Rows::AsMade(_))
     }
 
     /// The routine of the first motion that names it.
@@ -66,10 +94,29 @@ impl<'w> NamedArray<'w> {
     }
 }
 
-/// The elements of an array, row by row, and their checksums.
-pub(super) struct Rows {
-    pub(super) ranges: Vec<Vec<TextRange>>,
-    pub(super) checksums: Vec<u8>,
+/// The elements of an array.
+pub(super) enum Rows {
+    /// One row, as it was made, with this element 1.
+    AsMade(TextRange),
+    /// Row by row, with their checksums as they are now.
+    All { ranges: Vec<Vec<TextRange>>, checksums: Vec<u8> },
+}
+
+impl Rows {
+    fn count(&self) -> usize {
+        match self {
+            Self::AsMade(_) => 1,
+            Self::All { ranges, .. } => ranges.len(),
+        }
+    }
+
+    /// Element 1 of a row.
+    fn first(&self, row: usize) -> Option<TextRange> {
+        match self {
+            Self::AsMade(first) => (row == 0).then_some(*first),
+            Self::All { ranges, .. } => ranges.get(row)?.first().copied(),
+        }
+    }
 }
 
 /// An original that a touched-up element means.
@@ -162,26 +209,41 @@ impl<'b> Array<'b> {
     /// `None` where a row has no element 1 of numbers, or a dimension is none.
     pub(super) fn new(
         (bytes, data): (&'b [u8], &DataDecl),
-        Rows { ranges: rows, checksums: now }: Rows,
+        rows: Rows,
         checksums: &'b [u8],
         was: Option<Vec<u8>>,
     ) -> Option<Self> {
-        let firsts: Option<Vec<&TextRange>> = rows.iter().map(|row| row.first()).collect();
-        let plain = firsts?.iter().all(|range| is_plain(range.of(bytes)));
-        let first_element = rows.first()?.first()?.of(bytes);
+        let plain = (0..rows.count()).map(|row| Some(is_plain(rows.first(row)?.of(bytes))));
+        let plain = plain.collect::<Option<Vec<bool>>>()?.into_iter().all(|plain| plain);
+        let first_element = rows.first(0)?;
         let (_, own) = data.dims.split_last()?;
         let size = |dim: &Expr| std::str::from_utf8(dim.range.of(bytes)).ok()?.trim().parse().ok();
         let dims: Vec<usize> = own.iter().map(size).collect::<Option<_>>()?;
-        let was = was.unwrap_or_else(|| match data.name.of(bytes).get(2..) {
-            Some(rest) if !dims.is_empty() || !rest.first().is_some_and(u8::is_ascii_digit) => rest.to_vec(),
-            _ => first_element.to_vec(),
-        });
-        plain.then_some(Self { bytes, range: data.range, dims, rows, was, checksums, now })
+        let was = was.map_or_else(
+            || match data.name.of(bytes).get(2..) {
+                Some(rest) if !dims.is_empty() || !rest.first().is_some_and(u8::is_ascii_digit) => {
+                    UndoText::At(TextRange::new(data.name.start + 2, data.name.end))
+                }
+                _ => UndoText::At(first_element),
+            },
+            UndoText::Own,
+        );
+        plain.then_some(Self { bytes, range: data.range, dims, rows, was, checksums })
+    }
+
+    /// What stood in the motion, without its index.
+    pub(super) fn was(&self) -> &[u8] {
+        self.was.of(self.bytes)
+    }
+
+    /// The same to be put back.
+    pub(super) fn undo(&self) -> UndoText {
+        self.was.clone()
     }
 
     /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.
     pub(super) fn declared_apart(&self, row: usize, declared: &[u8]) -> Option<(f64, &'static str)> {
-        let first = TargetPose::of(self.rows.get(row)?.first()?.of(self.bytes))?;
+        let first = TargetPose::of(self.rows.first(row)?.of(self.bytes))?;
         let (moved, unit) = TargetPose::of(declared)?.moved_from(&first);
         (moved > SAME).then_some((moved, unit))
     }
@@ -196,13 +258,14 @@ impl<'b> Array<'b> {
         shares: &[f64],
         trusted: bool,
     ) -> Result<Vec<Option<Meant>>, Option<(String, String)>> {
-        if !trusted || self.now == self.checksums {
-            return Ok(vec![None; self.rows.len()]);
-        }
-        let mut each = self.now.get(3..).unwrap_or_default().chunks(2);
+        let (rows, now) = match &self.rows {
+            Rows::All { ranges, checksums } if trusted && checksums != self.checksums => (ranges, checksums),
+            rows => return Ok(vec![None; rows.count()]),
+        };
+        let mut each = now.get(3..).unwrap_or_default().chunks(2);
         let mut made = self.checksums.get(3..).unwrap_or_default().chunks(2);
         let mut all = Vec::new();
-        for row in &self.rows {
+        for row in rows {
             // Two characters an element.
             let changed: Vec<usize> = (0..row.len()).filter(|_| each.next() != made.next()).collect();
             all.push(changed);
@@ -210,7 +273,7 @@ impl<'b> Array<'b> {
         if all.iter().all(Vec::is_empty) {
             return Err(None);
         }
-        self.rows.iter().zip(&all).map(|(row, changed)| self.of_row(row, changed, shares)).collect()
+        rows.iter().zip(&all).map(|(row, changed)| self.of_row(row, changed, shares)).collect()
     }
 
     fn of_row(

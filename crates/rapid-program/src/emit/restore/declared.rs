@@ -22,13 +22,13 @@ impl<'w> Remover<'w> {
             let NamedArray { name, array, meant, .. } = named;
             let values = match named.routine() {
                 Some(routine) if !array.dims.is_empty() => self.declared_elements(array, Some(routine)),
-                Some(routine) => declarations.initial_value(&array.was, routine).into_iter().collect(),
+                Some(routine) => declarations.initial_value(array.was(), routine).into_iter().collect(),
                 None => Vec::new(),
             };
             for (row, (value, new)) in values.into_iter().zip(meant).enumerate() {
                 let text = value.of(self.bytes);
                 let target = || {
-                    let was = String::from_utf8_lossy(&array.was);
+                    let was = String::from_utf8_lossy(array.was());
                     match array.dims.is_empty() {
                         true => was.into_owned(),
                         false => format!("{was}{{{}}}", with_commas(&indices_of(&array.dims, row))),
@@ -68,7 +68,7 @@ impl<'w> Remover<'w> {
 
     /// The elements of the array that a motion in `routine` named, where it is declared in this module.
     pub(super) fn declared_elements(&self, array: &Array, routine: Option<&Routine>) -> Vec<TextRange> {
-        let is_named = |data: &DataDecl| data.name.of(self.bytes).eq_ignore_ascii_case(&array.was);
+        let is_named = |data: &DataDecl| data.name.of(self.bytes).eq_ignore_ascii_case(array.was());
         let mut of_routine = routine.into_iter().flat_map(|routine| &routine.body);
         let local = of_routine.find_map(|stmt| match &stmt.kind {
             StmtKind::Data(data) if is_named(data) => Some(&**data),

@@ -3,14 +3,15 @@
 use super::arrays::{Array, NamedArray, Rows, Use};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
+use super::undo::{UndoEdits, UndoText};
 use crate::emit::array_reader::ArrayReader;
 use crate::emit::checksum::{self, Elements};
 use crate::emit::header::Record;
 use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Fingerprints};
 use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::ranges_of_numbers;
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
-use rapid_syntax::{Edit, EditText, ranges_of_numbers};
 
 /// Functions that stand round a target.
 const ROUND: [&str; 7] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
@@ -21,7 +22,7 @@ pub(super) struct Remover<'w> {
     pub(super) lines: &'w Lines<'w>,
     pub(super) module: &'w Module,
     pub(super) record: &'w Record,
-    pub(super) edits: &'w mut Vec<Edit>,
+    pub(super) edits: &'w mut UndoEdits,
     /// Name and range of the data and routines that were added beside targets.
     pub(super) code: Vec<(TextRange, TextRange)>,
     pub(super) altered: Vec<Altered>,
@@ -40,7 +41,7 @@ impl<'w> Remover<'w> {
         range.of(self.bytes).eq_ignore_ascii_case(self.record.core(name).as_bytes())
     }
 
-    /// Takes out the data; gives the arrays in the order of their names.
+    /// Takes out the data; gives the arrays in the order in which they are looked for.
     pub(super) fn data(&mut self) -> Result<Vec<NamedArray<'w>>, RestoreError> {
         let before = self.module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_)));
         let all: Vec<&DataDecl> = before
@@ -57,7 +58,7 @@ impl<'w> Remover<'w> {
             return Err(self.damaged(foreign.range, "data were put among or after those that were added"));
         }
         let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(Vec::new()) };
-        self.edits.push(removal(insertion::whole_lines(self.bytes, first.range.cover(last.range))));
+        self.edits.remove(insertion::whole_lines(self.bytes, first.range.cover(last.range)));
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays: Vec<NamedArray<'w>> = Vec::new();
         let (mut reader, mut elements) = (ArrayReader::default(), Elements::default());
@@ -67,10 +68,7 @@ impl<'w> Remover<'w> {
                 .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
             let init = data.init.as_ref();
             if is_target && !data.dims.is_empty() {
-                let rows = self.rows(data, &mut reader, &mut elements)?;
-                let (own, rest) =
-                    checksums.split_at_checked(rows.checksums.len()).unwrap_or((checksums, &[]));
-                checksums = rest;
+                let (rows, own) = self.rows(data, &mut reader, &mut elements, &mut checksums)?;
                 let name = self.text(data.name);
                 let was = self.record.was.get(&name).cloned();
                 let array = Array::new((self.bytes, data), rows, own, was)
@@ -86,32 +84,44 @@ impl<'w> Remover<'w> {
                 }
             }
         }
-        arrays.reverse(); // of several of one name the last counts
-        arrays.sort_by(|a, b| a.name.cmp(&b.name));
-        arrays.dedup_by(|a, b| a.name == b.name);
+        NamedArray::sort(&mut arrays);
         Ok(arrays)
     }
 
-    /// The elements of an array, row by row.
+    /// The elements of an array, and their checksums as they were made, which are taken off the front of `checksums`.
     fn rows(
         &self,
         data: &DataDecl,
         reader: &mut ArrayReader<'w>,
         now: &mut Elements,
-    ) -> Result<Rows, RestoreError> {
+        checksums: &mut &'w [u8],
+    ) -> Result<(Rows, &'w [u8]), RestoreError> {
         let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
         let dims = data.dims.len();
+        let mut made = |elements: usize| {
+            let (own, rest) =
+                checksums.split_at_checked(Elements::checksums_len(elements)).unwrap_or((checksums, &[]));
+            *checksums = rest;
+            own
+        };
+        now.begin();
         if dims == 1 && init.kind == ExprKind::Numbers {
-            now.begin();
-            let mut row = Vec::with_capacity(32);
+            let (mut first, mut count) = (None, 0);
             let at = |at: usize| init.range.start + at as u32;
             let read = reader.each(init.range.of(self.bytes), |from, to, own, tail| {
                 now.add_numbers(own, tail);
-                row.push(TextRange::new(at(from), at(to)));
+                first.get_or_insert_with(|| TextRange::new(at(from), at(to)));
+                count += 1;
             });
-            if read.is_some() {
-                return Ok(Rows { ranges: vec![row], checksums: now.checksums() });
+            if let (Some(()), Some(first)) = (read, first) {
+                let own = made(count);
+                if now.are(own) {
+                    return Ok((Rows::AsMade(first), own));
+                }
+                let ranges = vec![self.elements(init, 1)];
+                return Ok((Rows::All { ranges, checksums: now.checksums() }, own));
             }
+            now.begin();
         }
         let rows = self.elements(init, dims.saturating_sub(1)).len();
         let elements = self.elements(init, dims);
@@ -121,10 +131,9 @@ impl<'w> Remover<'w> {
             .filter(|columns| columns * rows == elements.len() && *columns > 0);
         let columns = columns
             .ok_or_else(|| self.damaged(data.range, "the rows of an array are not as long as each other"))?;
-        now.begin();
         elements.iter().for_each(|element| now.add(element.of(self.bytes)));
         let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
-        Ok(Rows { ranges, checksums: now.checksums() })
+        Ok((Rows::All { ranges, checksums: now.checksums() }, made(elements.len())))
     }
 
     /// The elements of an array of so many dimensions, the last one fastest.
@@ -145,7 +154,7 @@ impl<'w> Remover<'w> {
     }
 
     /// The module's own routines, and what takes out those behind them.
-    pub(super) fn routines(&mut self) -> Result<(Vec<&'w Routine>, Option<Edit>), RestoreError> {
+    pub(super) fn routines(&mut self) -> Result<(Vec<&'w Routine>, Option<TextRange>), RestoreError> {
         let module: &'w Module = self.module;
         let mut all: Vec<&Routine> = module.routines().collect();
         let Some(from) = all.len().checked_sub(self.record.routines) else {
@@ -158,7 +167,7 @@ impl<'w> Remover<'w> {
         self.code.extend(ours.iter().map(|routine| (routine.name, routine.range)));
         let added = ours.first().zip(ours.last()).map(|(first, last)| {
             let lines = insertion::whole_lines(self.bytes, first.range.cover(last.range));
-            removal(insertion::with_empty_line_before(self.bytes, lines))
+            insertion::with_empty_line_before(self.bytes, lines)
         });
         Ok((all, added))
     }
@@ -169,7 +178,7 @@ impl<'w> Remover<'w> {
         routines: &[&'w Routine],
         arrays: &mut [NamedArray<'w>],
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
-        let mut touched = Vec::new();
+        let (mut touched, mut next) = (Vec::new(), 0);
         let declarations = Declarations::new(self.bytes, self.module);
         let (mut fingerprints, mut made) = (Fingerprints::default(), self.record.points.as_slice());
         for routine in routines {
@@ -178,13 +187,15 @@ impl<'w> Remover<'w> {
                 for arg in &call.args {
                     let ArgKind::Positional(expr) = &arg.kind else { continue };
                     if let Some((name, index)) = self.element(expr)
-                        && let Some(array) = NamedArray::find(arrays, &self.text(name).to_ascii_lowercase())
+                        && let Some(at) =
+                            NamedArray::find(arrays, next, &self.text(name).to_ascii_lowercase())
                     {
-                        array.uses.push(Use { expr: expr.range, index, routine });
+                        arrays[at].uses.push(Use { expr: expr.range, index, routine });
+                        next = at + 1;
                     } else if let Some(inner) = self.inside(expr) {
                         let (start, end) = (expr.range.start, expr.range.end);
-                        self.edits.push(removal(TextRange::new(start, inner.start)));
-                        self.edits.push(removal(TextRange::new(inner.end, end)));
+                        self.edits.remove(TextRange::new(start, inner.start));
+                        self.edits.remove(TextRange::new(inner.end, end));
                         if let Some(original) = declarations.original(inner, routine)
                             && let Some(now) = fingerprints.add(self.bytes, original)
                         {
@@ -222,6 +233,12 @@ impl<'w> Remover<'w> {
         arrays: &mut [NamedArray<'w>],
         declarations: &Declarations<'w>,
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
+        if arrays.iter().all(NamedArray::is_as_made) {
+            let uses = arrays.iter().flat_map(|of| of.uses.iter().map(|one| (one.expr, of.array.undo())));
+            uses.for_each(|(range, text)| self.edits.put(range, text));
+            return Ok(Vec::new());
+        }
+        arrays.sort_by(|a, b| a.name.cmp(&b.name)); // in this order findings are told
         for NamedArray { name, array, meant, .. } in &mut *arrays {
             let trusted = self.record.is_whole;
             *meant = array.meant(&self.record.shares, trusted).map_err(|what| match what {
@@ -239,17 +256,19 @@ impl<'w> Remover<'w> {
             let into = declared.contains(&name.as_str());
             for one in uses {
                 let text = match (one.index, meant.first()) {
-                    (Some(_), _) if !is_name(&array.was) => array.was.clone(),
-                    (Some(index), _) => [&array.was, b"{".as_slice(), index.of(self.bytes), b"}"].concat(),
-                    (None, Some(Some(new))) if !into => new.text.clone(),
-                    (None, _) => array.was.clone(),
+                    (Some(_), _) if !is_name(array.was()) => array.undo(),
+                    (Some(index), _) => {
+                        UndoText::Own([array.was(), b"{", index.of(self.bytes), b"}"].concat())
+                    }
+                    (None, Some(Some(new))) if !into => UndoText::Own(new.text.clone()),
+                    (None, _) => array.undo(),
                 };
-                self.edits.push(Edit { range: one.expr, text: text.into() });
+                self.edits.put(one.expr, text);
             }
             for new in meant.iter().flatten() {
                 touched.push(ModifiedTarget {
                     array: Some(name.clone()),
-                    target: String::from_utf8_lossy(&array.was).into_owned(),
+                    target: String::from_utf8_lossy(array.was()).into_owned(),
                     value: String::from_utf8_lossy(&new.text).into_owned(),
                     line: uses.first().map_or(1, |one| self.lines.line(one.expr.start)),
                     into: if into { ModifiedIn::Declaration } else { ModifiedIn::Motion },
@@ -278,7 +297,7 @@ impl<'w> Remover<'w> {
                 }
                 continue;
             }
-            let init = |routine| declarations.initial_value(&named.array.was, routine);
+            let init = |routine| declarations.initial_value(named.array.was(), routine);
             by_init.extend(named.routine().and_then(init).map(|init| (init, named)));
         }
         by_init.sort_by_key(|(init, _)| *init);
@@ -289,7 +308,7 @@ impl<'w> Remover<'w> {
                 continue;
             };
             if of_one.iter().all(|(_, named)| new(named).is_some_and(|new| new.agrees(first))) {
-                self.edits.push(Edit { range: init, text: first.text.as_slice().into() });
+                self.edits.put(init, UndoText::Own(first.text.clone()));
                 done.extend(of_one.iter().map(|(_, named)| named.name.as_str()));
             }
         }
@@ -307,7 +326,7 @@ impl<'w> Remover<'w> {
                     self.damaged(array.range, "an element was touched up whose array is not declared here")
                 );
             };
-            self.edits.push(Edit { range: *range, text: new.text.as_slice().into() });
+            self.edits.put(*range, UndoText::Own(new.text.clone()));
         }
         Ok(())
     }
@@ -343,10 +362,6 @@ impl<'w> Remover<'w> {
             _ => None,
         }
     }
-}
-
-pub(super) fn removal(range: TextRange) -> Edit {
-    Edit { range, text: EditText::default() }
 }
 
 /// Whether it is a name, and no expression.
