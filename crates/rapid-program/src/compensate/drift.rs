@@ -74,22 +74,45 @@ impl<'a> ProgramPoints<'a> {
         targets.iter().filter_map(|&target| self.at(*self.points.get(target)?))
     }
 
+    fn drifting(&self, places: &[(MotionId, u32)]) -> Drifting {
+        Drifting::new(places.iter().filter_map(|&place| self.at(place)))
+    }
+
     /// How far each stands from where it is meant to be at a moment, uncorrected, metres.
     pub(super) fn displacements_m(&self, moment: Moment) -> Vec<[f64; 3]> {
         let arm = self.model.arm(moment);
         // Each thread writes into its own part: the displacements of a large program are not held twice.
         let mut displacements_m = vec![[0.0; 3]; self.points.len()];
         parallel::for_each_chunk_mut(&mut displacements_m, WORTH_SHARING, &|first, part| {
-            let places = &self.points[first..first + part.len()];
-            let points = Drifting::new(places.iter().filter_map(|&place| self.at(place)));
-            let mut part = part.iter_mut();
-            points.displacements_m(&arm, |displacement_m| {
-                if let Some(place) = part.next() {
-                    *place = displacement_m.into();
-                }
-            });
+            self.drifting(&self.points[first..first + part.len()]).write_displacements_m(&arm, part);
         });
         displacements_m
+    }
+
+    /// All points, made ready to be asked at many moments: some 220 bytes each.
+    pub(super) fn ready(&self) -> ReadyPoints<'a> {
+        let all = parallel::map_chunks(&self.points, WORTH_SHARING, &|_, places| self.drifting(places));
+        ReadyPoints { model: self.model, all, count: self.points.len() }
+    }
+}
+
+/// The points of a program with their joints' sines, which are the same at all moments.
+pub(super) struct ReadyPoints<'a> {
+    model: &'a Model<'a>,
+    /// [`WORTH_SHARING`] each, but for the last.
+    all: Vec<Drifting>,
+    count: usize,
+}
+
+impl ReadyPoints<'_> {
+    /// As [`ProgramPoints::displacements_m`], in place of what `displacements_m` holds.
+    pub(super) fn displacements_m(&self, moment: Moment, displacements_m: &mut Vec<[f64; 3]>) {
+        let arm = self.model.arm(moment);
+        displacements_m.clear();
+        displacements_m.resize(self.count, [0.0; 3]);
+        parallel::for_each_chunk_mut(displacements_m, WORTH_SHARING, &|first, part| {
+            self.all[first / WORTH_SHARING].write_displacements_m(&arm, part);
+        });
     }
 }
 
@@ -143,6 +166,16 @@ impl Drifting {
         arm.points_m(&self.on_flange, &self.conditions, |there_m| {
             if let Some(meant_m) = meant_m.next() {
                 visit(there_m - meant_m);
+            }
+        });
+    }
+
+    /// The same into `displacements_m`, as far as it goes.
+    fn write_displacements_m(&self, arm: &DeformedArm, displacements_m: &mut [[f64; 3]]) {
+        let mut places = displacements_m.iter_mut();
+        self.displacements_m(arm, |displacement_m| {
+            if let Some(place) = places.next() {
+                *place = displacement_m.into();
             }
         });
     }
