@@ -232,16 +232,63 @@ fn a_link_that_is_longer_is_no_growth() {
     assert!((length_mm / 0.1 - 1.0).abs() < 0.2, "{length_mm}");
 }
 
+/// The rise of joint `j`'s temperature, from 0, in row `k`, K: some joints warm five times as much as others.
+fn rise_k(j: usize, k: usize) -> f64 {
+    [20.0, 16.0, 12.0, 8.0, 6.0, 4.0][j] * (1.0 - (-(k as f64) / (20.0 + 8.0 * j as f64)).exp())
+}
+
+/// All links of the IRB 140 grow by 20 ppm for each kelvin of the joint before them: one cause, and no other link's own.
+#[test]
+fn links_of_one_alloy_grow_by_their_kelvins() {
+    let chain = chain();
+    let links_m =
+        [[0.07, 0.0, 0.352], [0.0, 0.0, 0.36], [0.0; 3], [0.38, 0.0, 0.0], [0.0; 3], [0.065, 0.0, 0.0]];
+    let axes = [Vector3::z(), Vector3::y(), Vector3::y(), Vector3::x(), Vector3::y(), Vector3::x()];
+    let csv = file(120, |k| {
+        let q_deg = anywhere_deg(k);
+        let q_rad = q_deg.map(f64::to_radians);
+        let mut turned_by = Rotation3::identity();
+        let mut grown_m = Vector3::zeros();
+        for j in 0..6 {
+            turned_by *= Rotation3::new(axes[j] * q_rad[j]);
+            grown_m += turned_by * Vector3::from(links_m[j]) * (20e-6 * rise_k(j, k));
+        }
+        let hand_m = turned(&chain, q_rad, 0, 0.0) + grown_m;
+        (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.03 * noise(3 * k + axis)))
+    });
+    let with_temperatures = |(k, line): (usize, &str)| match k {
+        0 => format!("{line},{}\n", [1, 2, 3, 4, 5, 6].map(|j| format!("temp_j{j}_c")).join(",")),
+        _ => {
+            let all: Vec<String> = (0..6).map(|j| format!("{:.3}", 20.0 + rise_k(j, k - 1))).collect();
+            format!("{line},{}\n", all.join(","))
+        }
+    };
+    let csv: String = csv.lines().enumerate().map(with_temperatures).collect();
+    let (code, text, json) = diagnose(csv.as_bytes(), &["--sigma-mm", "0.018"]);
+    let found = json.expect(&text);
+    assert_eq!((code, found["verdict"].as_str()), (0, Some("explained")), "{text} {found}");
+    let cause = &found["causes"][0];
+    assert_eq!((&cause["effect"], &cause["joint"]), (&Value::from("thermal_link_growth"), &Value::Null));
+    // Whole at the largest rise seen.
+    let ppm = cause["size"].as_f64().unwrap();
+    let planted_ppm = 20.0 * (rise_k(0, 119) - rise_k(0, 0));
+    assert!((ppm / planted_ppm - 1.0).abs() < 0.1, "{ppm} {planted_ppm}");
+}
+
 /// Sixty poses in two rounds, in a file without times, and the base is knocked in the second: the order of the rows tells from which on.
 #[test]
 fn a_knock_while_poses_are_come_back_to_is_told_without_times() {
     let chain = chain();
-    let again = |k: usize| anywhere_deg(k % 60);
-    let hand = |q_rad: [f64; 6], k: usize| {
-        turned(&chain, q_rad, 0, 0.0)
-            + if k < 75 { Vector3::zeros() } else { Vector3::new(6e-5, -4e-5, 8e-5) }
-    };
-    let (_, text, found) = answer(again, hand, &[]);
+    let csv = file(120, |k| {
+        let q_deg = anywhere_deg(k % 60);
+        let knocked = if k < 75 { Vector3::zeros() } else { Vector3::new(6e-5, -4e-5, 8e-5) };
+        let hand_m = turned(&chain, q_deg.map(f64::to_radians), 0, 0.0) + knocked;
+        (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.03 * noise(3 * k + axis)))
+    });
+    let without_times: String =
+        csv.lines().map(|line| line.split_once(',').unwrap().1.to_owned() + "\n").collect();
+    let (_, text, json) = diagnose(without_times.as_bytes(), &["--sigma-mm", "0.018"]);
+    let found = json.expect(&text);
     assert_eq!(found["verdict"], "explained", "{text} {found}");
     let cause = &found["causes"][0];
     // A line of names stands before the rows.

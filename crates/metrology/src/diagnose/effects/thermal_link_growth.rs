@@ -6,11 +6,20 @@ use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
+use robot_model::deform::identified::Growth;
 use robot_model::robot::Axis;
 use robot_model::units::ppm_from_ratio;
 
-/// Each link's vector grows by one strain (all links) or one link's alone, over warm-up; plus a constant.
+/// Each link's vector grows by one strain per kelvin (all links) or one link's alone, over warm-up; plus a constant.
 pub(super) struct ThermalLinkGrowth;
+
+/// A growth with the joints' temperatures that is the same for the same rise, whole at the largest of theirs: links of one alloy grow by so
+/// many ppm/K, and the one that warms by 20 K four times as much as the one that warms by 5 K.
+fn by_kelvin(growth: Growth) -> Growth {
+    let Growth::Temperature { from_c, to_c } = growth else { return growth };
+    let largest_k = from_c.iter().zip(&to_c).map(|(from, to)| to - from).fold(0.0, f64::max);
+    Growth::Temperature { from_c, to_c: from_c.map(|from| from + largest_k) }
+}
 
 impl Effect for ThermalLinkGrowth {
     fn kind(&self) -> EffectKind {
@@ -44,6 +53,9 @@ impl Effect for ThermalLinkGrowth {
                 ..Candidate::new(EffectKind::ThermalLinkGrowth, variant, vec![1.5e-4, 3e-4])
             };
             all.extend(thermal::growths(dataset, &whole));
+        }
+        for candidate in all.iter_mut().filter(|c| c.variant.joint.is_none()) {
+            candidate.variant.growth = by_kelvin(candidate.variant.growth);
         }
         all
     }
