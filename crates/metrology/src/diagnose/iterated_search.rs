@@ -44,17 +44,25 @@ pub(super) struct SearchProblem<'a> {
     pub group_of: &'a [usize],
 }
 
-/// Searches: without slow noise at first and, where the bare data have some, with it; the likelier of both answers stands. Steps can
-/// be had in the place of what only wanders, and the other way round.
+/// Searches: without slow noise at first and, where what is constant leaves some, with it; the likelier of both answers stands. Steps
+/// can be had in the place of what only wanders, and the other way round.
 #[must_use]
 pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
     let start = NoiseEstimates::of_bare_data(problem);
-    let wanders = start.slow.is_some();
     let plain = settled(problem, NoiseEstimates { slow: None, ..start.clone() });
     let in_time = |c: &ChosenCause| problem.candidates[c.candidate].effect().time() != TimeCourse::Constant;
-    if !wanders || !plain.model.chosen.iter().any(in_time) {
+    let constant: Vec<ChosenCause> = plain.model.chosen.iter().filter(|c| !in_time(c)).cloned().collect();
+    if constant.len() == plain.model.chosen.len() {
         return plain;
     }
+    // A large cause hides in the bare data what is slow beside it.
+    let beside =
+        slow_noise::likeliest(&plain.workspace.design, &problem.linear.dataset, &constant, problem.noise);
+    let slow = if constant.is_empty() { start.slow } else { beside.or(start.slow) };
+    if slow.is_none() {
+        return plain;
+    }
+    let start = NoiseEstimates { slow, ..start };
     let plain_odds = plain.log_odds();
     // Products take hundreds of megabytes in a large set: those of one search at a time.
     let FittedModel { linear, model, workspace } = plain;
