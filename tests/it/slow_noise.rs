@@ -154,6 +154,36 @@ fn foreign(name: &str) -> String {
     fs::read_to_string(format!("{folder}/{name}")).unwrap()
 }
 
+/// Noise that is slow to a share that noise may have, and nobody says how much there is: nothing to correct, and no structure; a wander
+/// of four times what is quick is.
+#[test]
+fn slow_noise_that_nobody_stated_is_no_structure() {
+    for seed in [1, 2, 3] {
+        let slow = diagnose(&rows(Vec::new(), 0.8, seed), &[]);
+        assert_eq!(slow["verdict"], "nothing_above_noise", "{}", slow["reason"]);
+        assert!(
+            slow["reason"].as_str().unwrap().contains("neither stated nor repeated"),
+            "{}",
+            slow["reason"]
+        );
+        let wander = |part: f64, axis: usize| 5.0 * SIGMA_MM * (TAU * (2.3 * part + 0.2 * axis as f64)).sin();
+        let wanders = diagnose(&shifted(&rows(Vec::new(), 0.0, seed), wander), &[]);
+        assert_eq!(wanders["verdict"], "unexplained_structure", "{}", wanders["reason"]);
+    }
+}
+
+/// A gear that gives by six times the noise, in slow noise: the bare data show nothing slow beside it, and steps to and fro came in its place.
+#[test]
+fn a_large_cause_hides_no_slow_noise() {
+    for seed in [1, 2, 3] {
+        let gives = Effect::JointCompliance { joint: 3 };
+        let answer = diagnose(&rows(vec![(gives, 6.0)], 0.9, seed), &["--sigma-mm", "0.02"]);
+        let causes = answer["causes"].as_array().unwrap();
+        assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
+        assert_eq!((&causes[0]["effect"], causes.len()), (&Value::from("joint_compliance"), 1));
+    }
+}
+
 /// Errors of all frames that make seven eighths of the gap are no noise because noise is slow beside them.
 #[test]
 fn geometry_beside_slow_noise_is_geometry() {

@@ -24,11 +24,18 @@ pub(super) const MAX_RESIDUAL_SHARE: f64 = 0.5;
 /// Variance over the one stated that says that the statement holds. An autoregressive process keeps less than this beside its slow
 /// waves, whatever its correlation from .6 on.
 const AS_STATED: std::ops::Range<f64> = 0.72..1.5;
+/// Scatter that nobody stated is noise with slow parts as far as these are no more than so many times what is not slow: of noise that is
+/// the row's before to a share of .6 to .95, a fifth and more is quick.
+pub(super) const MOSTLY_SLOW: f64 = 2.0;
 /// All scatter over the variance stated, from which on what is slow is not of it.
 const ON_TOP: f64 = 1.35;
 /// The reason that [`slow_noise`] gives.
 pub(super) const SLOW_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share \
      part of it, but together they scatter no more than the noise allows";
+
+/// The same where nothing says how much noise there is.
+pub(super) const SLOW_AS_NOISE: &str = "no effect of the library stands out of the noise; rows measured one after the other share part of it, as slow \
+     noise does: how much noise there is is neither stated nor repeated";
 
 /// Scatter that the model does not know.
 #[derive(Clone, Copy, Debug)]
@@ -144,6 +151,8 @@ pub(super) enum Slowness {
     None,
     /// All scatter together is no more than the repeats or the statement allow.
     WithinNoise,
+    /// Neither says how much noise there is, and what is slow is no more of it than of an autoregressive process.
+    AsOfNoise,
     /// It is more than they allow, or nothing says how much they are; 3-D rms, metres.
     Structure {
         /// Of the slow part.
@@ -161,6 +170,7 @@ pub(super) fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slow
     let chi = reduced_chi_square(fitted, chosen);
     match chi {
         Some(chi) if !chi.is_exceeded() && !beyond_statement(model, chi.value) => Slowness::WithinNoise,
+        None if slow.size <= MOSTLY_SLOW => Slowness::AsOfNoise,
         _ => Slowness::Structure {
             rms_m: slow.size * model.peak.sigma_m * 3.0_f64.sqrt(),
             noise_known: chi.is_some(),

@@ -3,7 +3,9 @@
 use super::cause_group::{OpenSlot, SlotScan, cause_groups};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
-use super::noise::{MAX_RESIDUAL_SHARE, SLOW_NOISE, Scatter, Slowness, slow_noise, slowness};
+use super::noise::{
+    MAX_RESIDUAL_SHARE, MOSTLY_SLOW, SLOW_AS_NOISE, SLOW_NOISE, Scatter, Slowness, slow_noise, slowness,
+};
 use super::size::cause;
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
 use super::wording::structure_reason;
@@ -13,10 +15,6 @@ use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::{Location, Verdict};
 use crate::diagnose::search::ALARM_NATS;
-
-/// Scatter that nobody stated is noise with slow parts as far as these are no more than so many times what is not slow: of noise that is
-/// the row's before to a share of .6 to .95, a fifth and more is quick.
-const MOSTLY_SLOW: f64 = 2.0;
 
 /// Judges what is left where the search chose nothing.
 pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {
@@ -42,6 +40,8 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
         || found.is_some_and(|found| slow_noise(fitted, found.gp_alternative));
     if slow {
         SLOW_NOISE.clone_into(&mut judgement.reason);
+    } else if slowness == Slowness::AsOfNoise {
+        SLOW_AS_NOISE.clone_into(&mut judgement.reason);
     }
     // Slow noise that is fitted beside it is no part of what geometry gains; slow noise that is not could be all of it.
     let geometry = rest.geometry_gain_nats > ALARM_NATS && (!slow || fitted.model.slow.is_some());
@@ -70,14 +70,12 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
     judgement
 }
 
-/// Whether what is slow is structure over time: not where `geometry` takes more than it and nothing says that it is no noise, nor where it
-/// is small against what geometry takes.
+/// Whether what is slow is structure over time: not where it is small against what `geometry` takes, and no more than noise may have.
 fn is_structure(fitted: &FittedModel<'_>, slowness: Slowness, geometry: bool) -> bool {
-    let Slowness::Structure { rms_m: slow_m, noise_known } = slowness else { return false };
+    let Slowness::Structure { rms_m: slow_m, .. } = slowness else { return false };
     let FittedModel { model, linear, .. } = fitted;
     let before_m = rms_m(&linear.nominal, |i| !model.outliers[i]);
     let of_geometry_m = (before_m.powi(2) - 3.0 * model.noise_m().powi(2)).max(0.0).sqrt();
     let mostly_slow = model.slow.is_some_and(|slow| slow.size > MOSTLY_SLOW);
-    let share = if noise_known { MAX_RESIDUAL_SHARE } else { 1.0 };
-    !geometry || mostly_slow || slow_m > share * of_geometry_m
+    !geometry || mostly_slow || slow_m > MAX_RESIDUAL_SHARE * of_geometry_m
 }
