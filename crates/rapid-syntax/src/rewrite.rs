@@ -58,7 +58,7 @@ impl<'s> Rewrite<'s> {
     /// Copies the source up to `range`, in place of which `text` stands.
     ///
     /// # Errors
-    /// As [`replace_with`](Self::replace_with).
+    /// [`EditError`] where the range begins before the end of the last one, or does not lie in the source.
     pub fn replace(&mut self, range: TextRange, text: &[u8]) -> Result<Place, EditError> {
         let (place, ()) = self.replace_with(range, |bytes| bytes.extend_from_slice(text))?;
         Ok(place)

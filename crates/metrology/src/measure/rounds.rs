@@ -11,51 +11,45 @@ pub(crate) const ROUND_SHARE: f64 = 0.1;
 /// What rows near each other in the file share, beyond chance: once in a thousand files (normal quantile).
 const BEYOND_CHANCE: f64 = 3.090;
 
-/// Groups of repeats, taken apart by rounds.
+/// The rounds of a file in which poses are come back to.
 pub(super) struct Rounds {
-    /// The groups of each round, in the order of their first rows.
-    pub groups: Vec<Vec<usize>>,
+    /// Place of each row among those that are used.
+    place: BTreeMap<usize, usize>,
     /// Whether repeats of different rounds differ as something that changed meanwhile makes them: they are no noise then.
     pub changed: bool,
 }
 
-/// The rounds of a file; `None` where its rows have times, where nothing was come back to, or where most poses were, as often as need be
-/// for their mean, and nothing changed meanwhile.
-pub(super) fn rounds(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Rounds> {
-    let place: BTreeMap<usize, usize> = {
+impl Rounds {
+    /// Of a file; `None` where its rows have times, where nothing was come back to, or where most poses were, as often as need be for their
+    /// mean, and nothing changed meanwhile.
+    pub(super) fn of(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Self> {
         let mut used: Vec<usize> = groups.iter().flatten().copied().collect();
         used.sort_unstable();
-        used.into_iter().enumerate().map(|(place, row)| (row, place)).collect()
-    };
-    if place.keys().filter_map(|&row| rows.get(row)).any(|row| row.t_min.is_some()) {
-        return None;
+        if used.iter().filter_map(|&row| rows.get(row)).any(|row| row.t_min.is_some()) {
+            return None;
+        }
+        let place = used.into_iter().enumerate().map(|(place, row)| (row, place)).collect();
+        let rounds = Self { place, changed: false };
+        let parts: Vec<Vec<Vec<usize>>> = groups.iter().map(|group| rounds.parts(group)).collect();
+        let come_back_to = parts.iter().filter(|parts| parts.len() > 1).count();
+        let changed = has_changed(rows, groups, &parts);
+        let mostly_once = 2 * come_back_to <= groups.len();
+        (come_back_to > 0 && (changed || mostly_once)).then_some(Self { changed, ..rounds })
     }
-    let most = ROUND_SHARE * place.len() as f64;
-    let parts: Vec<Vec<Vec<usize>>> = groups
-        .iter()
-        .map(|group| {
-            let mut parts: Vec<Vec<usize>> = Vec::new();
-            for &row in group {
-                match parts.last_mut() {
-                    Some(part)
-                        if part.last().is_some_and(|last| (place[&row] - place[last]) as f64 <= most) =>
-                    {
-                        part.push(row);
-                    }
-                    _ => parts.push(vec![row]),
-                }
-            }
-            parts
-        })
-        .collect();
-    let come_back_to = parts.iter().filter(|parts| parts.len() > 1).count();
-    let changed = has_changed(rows, groups, &parts);
-    let mostly_once = 2 * come_back_to <= groups.len();
-    (come_back_to > 0 && (changed || mostly_once)).then(|| {
-        let mut groups: Vec<Vec<usize>> = parts.into_iter().flatten().collect();
-        groups.sort_by_key(|group| group.first().copied());
-        Rounds { groups, changed }
-    })
+
+    /// Each group's rows of each round, in the order of their first rows.
+    pub(super) fn apart(&self, groups: &[Vec<usize>]) -> Vec<Vec<usize>> {
+        let mut apart: Vec<Vec<usize>> = groups.iter().flat_map(|group| self.parts(group)).collect();
+        apart.sort_by_key(|group| group.first().copied());
+        apart
+    }
+
+    /// A group's rows of each round.
+    fn parts(&self, group: &[usize]) -> Vec<Vec<usize>> {
+        let most = ROUND_SHARE * self.place.len() as f64;
+        let place = |row: &usize| self.place.get(row).map_or(0.0, |&place| place as f64);
+        group.chunk_by(|a, b| place(b) - place(a) <= most).map(<[usize]>::to_vec).collect()
+    }
 }
 
 /// Whether the rounds' deviations from their poses' means point the same way in rows near each other.
@@ -121,12 +115,23 @@ mod tests {
         assert_eq!(stations_and_freedom(&two_rounds(40, 5, 0.0, false)), (45, Some(15)));
     }
 
+    /// As many poses again, and one read twice on the spot, 1 mm apart: one of the two is false, and both stand alone.
+    #[test]
+    fn repeats_that_contradict_each_other_stay_apart_in_their_round() {
+        let mut all = two_rounds(40, 5, 0.0, false);
+        let mut wrong = all.rows[39].clone();
+        let position_m = wrong.reading.position_m().unwrap();
+        wrong.reading = wrong.reading.with_coordinates_m(position_m + Vector3::new(1e-3, 0.0, 0.0));
+        all.rows.insert(40, wrong);
+        assert_eq!(stations_and_freedom(&all), (46, Some(15)));
+    }
+
     /// With times these decide.
     #[test]
     fn times_decide_where_there_are_any() {
         let timed = two_rounds(20, 20, 0.0, true);
         let groups: Vec<Vec<usize>> = (0..20).map(|pose| vec![pose, pose + 20]).collect();
-        assert!(rounds(&timed.rows, &groups).is_none());
+        assert!(Rounds::of(&timed.rows, &groups).is_none());
         assert_eq!(stations_and_freedom(&timed), (40, None));
     }
 }

@@ -1,7 +1,7 @@
 //! Stations: rows that repeat one pose under the same conditions, as one mean; their scatter is the noise.
 
 use super::repeats::{Repeats, apart_where_contradictory, centre, false_repeats, repeats};
-use super::rounds::rounds;
+use super::rounds::Rounds;
 use super::{Channels, MeasurementRow, Measurements, Reading};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -125,19 +125,21 @@ pub fn gather(measurements: &Measurements, used: &[usize], stated_m: Option<f64>
         }
     }
     let pose_of: BTreeMap<usize, usize> = used.iter().copied().zip(poses).collect();
-    let (by_round, changed) = rounds(rows, &groups).map_or((None, false), |r| (Some(r.groups), r.changed));
-    if let Some(rounds) = by_round.clone().filter(|_| changed) {
-        groups = rounds;
+    let rounds = Rounds::of(rows, &groups);
+    if let Some(rounds) = rounds.as_ref().filter(|rounds| rounds.changed) {
+        groups = rounds.apart(&groups);
     }
     let false_rows = false_repeats(rows, &groups);
-    let without_false = |mut groups: Vec<Vec<usize>>| {
-        groups.iter_mut().for_each(|group| group.retain(|index| false_rows.binary_search(index).is_err()));
-        groups.retain(|group| !group.is_empty());
-        groups
-    };
-    let repeated = apart_where_contradictory(rows, without_false(groups), stated_m);
-    let repeats = repeats(rows, &repeated);
-    let groups = by_round.map_or(repeated, without_false);
+    for group in &mut groups {
+        group.retain(|index| false_rows.binary_search(index).is_err());
+    }
+    groups.retain(|group| !group.is_empty());
+    // Repeats of other rounds tell which of one round contradict each other, and how much noise there is.
+    let mut groups = apart_where_contradictory(rows, groups, stated_m);
+    let repeats = repeats(rows, &groups);
+    if let Some(rounds) = rounds {
+        groups = rounds.apart(&groups);
+    }
     Stations {
         repeats,
         stations: groups.iter().filter_map(|group| mean(rows, group, &pose_of)).collect(),

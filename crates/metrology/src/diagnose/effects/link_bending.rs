@@ -1,7 +1,7 @@
 //! A link bends under what hangs beyond it.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::{LEVER_M, MASS_ERROR, sag_per_load};
+use super::rigid::{LEVER_M, MASS_ERROR, SHORTEST_LINK_M, sag_per_load};
 use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
@@ -24,15 +24,15 @@ const UNEVEN: f64 = 0.3;
 /// beyond it, or lies in the bearing at its end.
 const BY_MOMENT: f64 = 0.3;
 
-/// Joints that stand closer together than this, metres, have no beam between them.
-const SHORTEST_M: f64 = 1e-3;
-
 /// A joint whose axis is at no larger angle to the link after it than this, radians, turns along the link.
 const ALONG_RAD: f64 = 0.05;
 
 /// Whether joint `i` (from 0) and the next stand apart.
 fn is_beam(dataset: &Dataset, i: usize) -> bool {
-    dataset.observations.first().is_some_and(|o| (o.origins_m[i + 1] - o.origins_m[i]).norm() > SHORTEST_M)
+    dataset
+        .observations
+        .first()
+        .is_some_and(|o| (o.origins_m[i + 1] - o.origins_m[i]).norm() > SHORTEST_LINK_M)
 }
 
 /// The link before `link`, where the joint between them turns along `link`: both are one beam then, for where along its own axis a joint
@@ -44,7 +44,7 @@ pub(in crate::diagnose) fn one_beam_with(dataset: &Dataset, link: Axis) -> Optio
     let before = i.checked_sub(1)?;
     let along_m = observation.origins_m[i + 1] - observation.origins_m[i];
     let turns_along = observation.axes[i].cross(&along_m).norm() <= ALONG_RAD.sin() * along_m.norm();
-    (turns_along && along_m.norm() > SHORTEST_M && !dataset.slides[i]).then(|| Axis::at(before))
+    (turns_along && is_beam(dataset, i) && !dataset.slides[i]).then(|| Axis::at(before))
 }
 
 impl Effect for LinkBending {

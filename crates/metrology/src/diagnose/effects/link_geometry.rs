@@ -1,7 +1,7 @@
 //! A link is not as drawn: the next joint's frame is shifted and turned on it.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::rigid::of_arm;
+use super::rigid::{SHORTEST_LINK_M, of_arm};
 use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use nalgebra::Vector3;
@@ -13,15 +13,13 @@ pub(super) struct LinkGeometry;
 
 /// Share of the links that are as drawn but for their length: a spacer, a scale of the drawing, what stays of a warm-up.
 const LENGTH_ALONE: f64 = 0.2;
-/// Joints that stand closer together than this, metres, have no length between them.
-const SHORTEST_M: f64 = 1e-3;
 
 /// The direction of link `i` (from 0) in the axes of the frame that follows it, the last link's that of the flange; `None` where it
 /// has no length.
 #[must_use]
 pub(in crate::diagnose) fn along_link(observation: &Observation, i: usize) -> Option<Vector3<f64>> {
     let along_m = observation.origins_m[i + 1] - observation.carried_m[i];
-    (observation.parents[i + 1].transpose() * along_m).try_normalize(SHORTEST_M)
+    (observation.parents[i + 1].transpose() * along_m).try_normalize(SHORTEST_LINK_M)
 }
 
 impl Effect for LinkGeometry {

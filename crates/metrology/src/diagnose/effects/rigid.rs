@@ -6,6 +6,8 @@ use robot_model::robot::Axis;
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
 pub(super) const LEVER_M: f64 = 0.08;
+/// Joints that stand closer together than this, metres, have no link between them that could bend or be too long.
+pub(super) const SHORTEST_LINK_M: f64 = 1e-3;
 /// How wrong a link's mass in the robot file may be, as a ratio.
 pub(super) const MASS_ERROR: f64 = 0.3;
 

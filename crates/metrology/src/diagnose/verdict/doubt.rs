@@ -45,7 +45,10 @@ impl Doubt {
     /// name; returns whether the cause is no longer likelier than not.
     pub(super) fn share(self, causes: &mut Vec<Cause>, slot: usize) -> bool {
         let Some(at) = causes.iter().position(|c| c.slot == slot) else { return false };
-        for _ in [self.by_temperature, self.play_too].into_iter().filter(|&shared| shared) {
+        if self.by_temperature {
+            causes[at].posterior *= EVEN;
+        }
+        if self.play_too {
             causes[at].posterior *= EVEN;
         }
         let Cause { joint, posterior, .. } = causes[at];
