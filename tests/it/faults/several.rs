@@ -5,19 +5,20 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// So many modules stand beside `main`: a run takes a while to put them all in their places.
-const MODULES: usize = 60;
-/// A run may have put all in place before it is killed.
-const ATTEMPTS: usize = 40;
+/// So many modules stand beside `main`, one number after the other: the more there are, the longer a run takes to put them all in
+/// their places. On an idle machine the fewest do; where others have the processor, a run may put those in place before it is killed.
+const MODULES: [usize; 5] = [60, 120, 250, 500, 1000];
+/// So often is a run with one number of modules killed.
+const ATTEMPTS: usize = 8;
 const CORE: &str = "tcCore.mod";
 
-fn program(folder: &Path) {
+fn program(folder: &Path, modules: usize) {
     fs::create_dir_all(folder).unwrap();
-    let calls: String = (0..MODULES).map(|k| format!("    part{k};\n")).collect();
+    let calls: String = (0..modules).map(|k| format!("    part{k};\n")).collect();
     let main = format!("MODULE Main\n  PROC main()\n{calls}  ENDPROC\nENDMODULE\n");
     fs::write(folder.join("Main.mod"), main).unwrap();
-    for k in 0..MODULES {
-        let (x, y) = (400 + k, 3 * k);
+    for k in 0..modules {
+        let (x, y) = (400 + k % 100, 3 * k % 200);
         let text = format!(
             "MODULE Part{k}\n  PROC part{k}()\n    MoveL [[{x},{y},300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n  ENDPROC\nENDMODULE\n"
         );
@@ -71,20 +72,23 @@ fn is_hidden(name: &str) -> bool {
 /// In place, the common module comes first: whatever stands there loads, and what is corrected finds its clock.
 #[test]
 fn modules_that_are_exchanged_in_place_always_find_what_they_call() {
-    let bench = tempfile::tempdir().unwrap();
-    let cell = bench.path().join("cell");
-    program(&cell);
-    let originals = contents(&cell);
-    assert!(compensate(bench.path(), &["--in-place"]).status.success());
-    let corrected = contents(&cell);
-    assert_eq!(corrected.len(), originals.len() + 1);
-
-    let half_done = (0..ATTEMPTS).find_map(|_| {
-        fs::remove_dir_all(&cell).unwrap();
-        program(&cell);
-        killed(bench.path(), &["--in-place"], &cell, &corrected, || cell.join(CORE).exists())
+    let half_done = MODULES.into_iter().find_map(|modules| {
+        let bench = tempfile::tempdir().unwrap();
+        let cell = bench.path().join("cell");
+        program(&cell, modules);
+        let originals = contents(&cell);
+        assert!(compensate(bench.path(), &["--in-place"]).status.success());
+        let corrected = contents(&cell);
+        assert_eq!(corrected.len(), originals.len() + 1);
+        let there = (0..ATTEMPTS).find_map(|_| {
+            fs::remove_dir_all(&cell).unwrap();
+            program(&cell, modules);
+            killed(bench.path(), &["--in-place"], &cell, &corrected, || cell.join(CORE).exists())
+        });
+        there.map(|there| (bench, originals, corrected, there))
     });
-    let there = half_done.expect("no run was killed between two modules");
+    let (bench, originals, corrected, there) = half_done.expect("no run was killed between two modules");
+    let cell = bench.path().join("cell");
     for (name, bytes) in there.iter().filter(|(name, _)| !is_hidden(name)) {
         let is_whole = corrected.get(name) == Some(bytes) || originals.get(name) == Some(bytes);
         assert!(is_whole, "{name} is neither the original nor the corrected module");
@@ -114,26 +118,30 @@ fn modules_that_are_exchanged_in_place_always_find_what_they_call() {
 /// Over an earlier result, new modules never stand beside the old clock nor old ones beside the new: until all are there, none is.
 #[test]
 fn modules_of_two_results_never_share_a_clock() {
-    let bench = tempfile::tempdir().unwrap();
-    program(&bench.path().join("cell"));
-    let out = bench.path().join("out");
-    let made = |more: &[&str]| {
-        let output = compensate(bench.path(), &[&["-o", "out"], more].concat());
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        contents(&out)
-    };
     let coarse = ["--tolerance-mm", "0.05"];
-    let (old, new) = (made(&[]), made(&coarse));
-    assert_ne!(old.get(CORE), new.get(CORE));
-    let half_done = (0..ATTEMPTS).find_map(|_| {
-        assert!(made(&[]) == old);
-        killed(bench.path(), &["-o", "out", coarse[0], coarse[1]], &out, &new, || !out.join(CORE).exists())
-            .filter(|there| {
-                there.iter().any(|(name, bytes)| !is_hidden(name) && old.get(name) != Some(bytes))
-            })
+    let made = |bench: &Path, more: &[&str]| {
+        let output = compensate(bench, &[&["-o", "out"], more].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        contents(&bench.join("out"))
+    };
+    let half_done = MODULES.into_iter().find_map(|modules| {
+        let bench = tempfile::tempdir().unwrap();
+        let out = bench.path().join("out");
+        program(&bench.path().join("cell"), modules);
+        let (old, new) = (made(bench.path(), &[]), made(bench.path(), &coarse));
+        assert_ne!(old.get(CORE), new.get(CORE));
+        let there = (0..ATTEMPTS).find_map(|_| {
+            assert!(made(bench.path(), &[]) == old);
+            let more = ["-o", "out", coarse[0], coarse[1]];
+            let is_exchanged =
+                |(name, bytes): (&String, &Vec<u8>)| !is_hidden(name) && old.get(name) != Some(bytes);
+            killed(bench.path(), &more, &out, &new, || !out.join(CORE).exists())
+                .filter(|there| there.iter().any(is_exchanged))
+        });
+        there.map(|there| (bench, old, new, there))
     });
-    let there = half_done.expect("no run was killed between two modules");
+    let (bench, old, new, there) = half_done.expect("no run was killed between two modules");
     assert!(there.iter().any(|(name, bytes)| old.get(name) == Some(bytes) && new.get(name) != Some(bytes)));
     assert_eq!(there.get(CORE), None, "old and new modules stand side by side with a clock");
-    assert!(made(&coarse) == new, "the next run completes what was half done");
+    assert!(made(bench.path(), &coarse) == new, "the next run completes what was half done");
 }
