@@ -7,6 +7,7 @@ use rapid_program::program::{Overrides, Program};
 use robot_link::{Credentials, Host, Pins, Session, Settings, Unit};
 use rws_double::{Double, Holder, Operator, Options, Personality, Planted};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 const CUBE: &str = "fixtures/robodk/irc5/Cube45.mod";
@@ -15,14 +16,28 @@ fn double(personality: Personality) -> Double {
     Double::start(&Options { least_gap: Duration::ZERO, ..Options::new(personality) }).unwrap()
 }
 
+/// The test of all cases at the same time: most of what it takes is the client's pace between two requests.
+fn side_by_side<T: Send>(cases: impl IntoIterator<Item = T>, test: impl Fn(T) + Sync) {
+    let test = &test;
+    std::thread::scope(|scope| {
+        for case in cases {
+            scope.spawn(move || test(case));
+        }
+    });
+}
+
+fn on_each_robotware(test: impl Fn(Personality) + Sync) {
+    side_by_side(Personality::ALL, test);
+}
+
 /// Cube45 as exported, and corrected with arrays.
-fn programs() -> [Vec<u8>; 2] {
+static PROGRAMS: LazyLock<[Vec<u8>; 2]> = LazyLock::new(|| {
     let bytes = std::fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join(CUBE)).unwrap();
     let compensation = Compensation::new(Robot::built_in("irb140").unwrap(), Deformation::paper());
     let corrected = compensation.run(&ProgramFiles::one("Cube45.mod", bytes.clone())).unwrap();
     let corrected = corrected.text().unwrap().to_vec();
     [bytes, corrected]
-}
+});
 
 fn check(double: &Double, program: &[u8]) -> LinkChecked {
     let host = Host::parse(&double.root()).unwrap();
@@ -42,9 +57,8 @@ fn check(double: &Double, program: &[u8]) -> LinkChecked {
 /// 22 elements for each, of which three are asked for.
 #[test]
 fn every_target_of_cube45_is_confirmed_by_other_kinematics() {
-    let programs = programs();
-    for personality in Personality::ALL {
-        for (program, count) in programs.iter().zip([46, 138]) {
+    on_each_robotware(|personality| {
+        for (program, count) in PROGRAMS.iter().zip([46, 138]) {
             let checked = check(&double(personality), program);
             assert_eq!(checked.agrees(), Some(true), "{}", checked.text(false));
             let LinkChecked::Asked { found, unknown, .. } = checked else { panic!("it is offered") };
@@ -55,14 +69,14 @@ fn every_target_of_cube45_is_confirmed_by_other_kinematics() {
             let all = found.iter().map(|f| f.all_solutions.unwrap());
             assert!(all.clone().all(|all| all.has_ours && (2..=8).contains(&all.count)), "{found:?}");
         }
-    }
+    });
 }
 
 #[test]
 fn a_planted_hundredth_of_a_millimetre_is_found() {
     let double = double(Personality::Rw7);
     double.plant(Planted { shift_m: [0.0, 0.000_01, 0.0], ..Planted::default() });
-    let checked = check(&double, &programs()[1]);
+    let checked = check(&double, &PROGRAMS[1]);
     assert_eq!(checked.agrees(), Some(false));
     let LinkChecked::Asked { found, .. } = checked else { panic!("it is offered") };
     assert!(found.iter().all(|f| !f.agrees && (f.apart.0 - 0.01).abs() < 0.0005), "{found:?}");
@@ -70,10 +84,10 @@ fn a_planted_hundredth_of_a_millimetre_is_found() {
 
 #[test]
 fn a_planted_wrong_branch_is_found() {
-    for personality in Personality::ALL {
+    on_each_robotware(|personality| {
         let double = double(personality);
         double.plant(Planted { other_branch: true, ..Planted::default() });
-        let checked = check(&double, &programs()[0]);
+        let checked = check(&double, &PROGRAMS[0]);
         assert_eq!(checked.agrees(), Some(false));
         let LinkChecked::Asked { found, .. } = &checked else { panic!("it is offered") };
         assert!(
@@ -84,19 +98,19 @@ fn a_planted_wrong_branch_is_found() {
         // Where it goes to is another branch; that there is ours the controller knows.
         assert!(found.iter().all(|f| f.all_solutions.is_some_and(|all| all.has_ours)), "{found:?}");
         assert!(checked.text(false).contains("ours among them"), "{}", checked.text(false));
-    }
+    });
 }
 
 /// Half a millimetre between what is shown and what is calculated for the joints that are shown: another tool, another base, or a
 /// calibration. The answers would judge nothing.
 #[test]
 fn a_controller_that_contradicts_its_own_display_gives_no_conclusion() {
-    for personality in Personality::ALL {
+    on_each_robotware(|personality| {
         let planted = Planted { display_shift_m: [0.000_3, 0.0, -0.000_4], ..Planted::default() };
         let (asked, shop) = (double(personality), Shop::new(personality));
         asked.plant(planted);
         shop.double.plant(planted);
-        let checked = check(&asked, &programs()[0]);
+        let checked = check(&asked, &PROGRAMS[0]);
         assert_eq!(checked.agrees(), None);
         let LinkChecked::NoConclusion { apart_mm } = checked else { panic!("{}", checked.text(false)) };
         assert!((apart_mm - 0.5).abs() < 0.001, "{apart_mm} mm, planted 0.5");
@@ -104,14 +118,14 @@ fn a_controller_that_contradicts_its_own_display_gives_no_conclusion() {
         let json: serde_json::Value = serde_json::from_str(&message).unwrap();
         assert_eq!((code, &json["verdict"]), (2, &serde_json::Value::from("no_conclusion")), "{message}");
         assert!((json["display_mm"].as_f64().unwrap() - 0.5).abs() < 0.001, "{message}");
-    }
+    });
 }
 
 #[test]
 fn a_controller_that_does_not_calculate_is_no_failure() {
     let double = double(Personality::Rw6);
     double.with(|c| c.offers_kinematics = false);
-    let checked = check(&double, &programs()[0]);
+    let checked = check(&double, &PROGRAMS[0]);
     assert!(matches!(checked, LinkChecked::NotOffered(_)) && checked.text(false).starts_with("not offered"));
 }
 
@@ -127,7 +141,7 @@ impl Shop {
             folder: tempfile::tempdir().unwrap(),
             double: Double::start(&Options::new(personality)).unwrap(),
         };
-        let corrected = &programs()[1];
+        let corrected = &PROGRAMS[1];
         std::fs::write(shop.module(), corrected).unwrap();
         let text = String::from_utf8_lossy(corrected).replace("tcMinute:=0", "tcMinute:=64.7");
         shop.double.with(|c| c.load(&text, "ProgMod"));
@@ -136,6 +150,20 @@ impl Shop {
 
     fn module(&self) -> PathBuf {
         self.folder.path().join("Cube45.mod")
+    }
+
+    /// What the task holds of modules of a user: this one, or none.
+    fn put(&self, text: Option<&str>) {
+        self.double.with(|c| {
+            c.modules.retain(|m| !m.name.starts_with("MOD_"));
+            text.into_iter().for_each(|text| c.load(text, "ProgMod"));
+        });
+    }
+
+    /// The names of a user's modules in the task.
+    fn loaded(&self) -> Vec<String> {
+        let names = self.double.with(|c| c.modules.iter().map(|m| m.name.clone()).collect::<Vec<_>>());
+        names.into_iter().filter(|name| name.starts_with("MOD_")).collect()
     }
 
     /// Exit code, standard output and standard error.
@@ -168,7 +196,7 @@ impl Shop {
 
 #[test]
 fn a_corrected_module_is_pushed_loaded_and_set() {
-    for personality in Personality::ALL {
+    on_each_robotware(|personality| {
         let shop = Shop::new(personality);
         let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
         assert!(
@@ -204,7 +232,7 @@ fn a_corrected_module_is_pushed_loaded_and_set() {
             (code, out.as_str()),
             (0, "T_ROB1/MOD_Cube45 tcMode 20\nT_ROB1/MOD_Cube45 tcState{2} 0\n")
         );
-    }
+    });
 }
 
 #[test]
@@ -223,70 +251,67 @@ fn what_is_not_ours_stays_as_it_is() {
     }
     shop.double.with(|c| {
         c.modules.retain(|m| m.name != "MOD_Cube45");
-        c.load(&String::from_utf8_lossy(&programs()[0]), "ProgMod");
+        c.load(&String::from_utf8_lossy(&PROGRAMS[0]), "ProgMod");
     });
     let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
     assert!(code == 2 && message.contains("link::not-ours"), "{message}");
     assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
 }
 
-/// The first load beside what runs in the cell already: the original under its own name, none, under another name.
+const CONFIRMED_LOAD: [&str; 6] = ["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"];
+
+/// The first load beside what runs in the cell already: the original, under its name and another, and a corrected program under
+/// another. It is told, and nothing is written.
 #[test]
 fn a_first_load_says_what_it_meets_before_anything_is_written() {
-    const LOAD: [&str; 5] = ["push", "MODULE", "HOST", "--yes", "--load"];
-    let [original, corrected] = programs().map(|bytes| String::from_utf8(bytes).unwrap());
+    let [original, corrected] = PROGRAMS.each_ref().map(|bytes| String::from_utf8(bytes.clone()).unwrap());
     let renamed = |text: &str| text.replacen("MODULE MOD_Cube45", "MODULE MOD_Old", 1);
-    for personality in Personality::ALL {
+    let met = [
+        (original.clone(), "link::not-ours", "MOD_Cube45"),
+        (renamed(&original), "link::names-taken", "MOD_Old"),
+        (renamed(&corrected), "link::names-taken", "MOD_Old"),
+    ];
+    let cases =
+        Personality::ALL.into_iter().flat_map(|personality| met.iter().map(move |met| (personality, met)));
+    side_by_side(cases, |(personality, (there, code, holder))| {
         let shop = Shop::new(personality);
-        let confirmed: Vec<&str> = LOAD.into_iter().chain(["--confirmed"]).collect();
-        let put = |text: Option<&str>| {
-            shop.double.with(|c| {
-                c.modules.retain(|m| !m.name.starts_with("MOD_"));
-                text.into_iter().for_each(|text| c.load(text, "ProgMod"));
-            });
-        };
-        let loaded = || -> Vec<String> {
-            let names = shop.double.with(|c| c.modules.iter().map(|m| m.name.clone()).collect::<Vec<_>>());
-            names.into_iter().filter(|name| name.starts_with("MOD_")).collect()
-        };
-        let loads = || shop.double.requests().iter().filter(|r| r.contains("loadmod")).count();
-        // The original, under its name and another, and a corrected program under another: told, and nothing is written.
-        for (there, code, holder) in [
-            (original.clone(), "link::not-ours", "MOD_Cube45"),
-            (renamed(&original), "link::names-taken", "MOD_Old"),
-            (renamed(&corrected), "link::names-taken", "MOD_Old"),
-        ] {
-            put(Some(&there));
-            let (exit, out, _) = shop.run(&["push", "MODULE", "HOST"]);
-            assert!(exit == 1 && out.contains("--load would be refused: ") && out.contains(holder), "{out}");
-            assert!(out.contains("unload it there"), "{out}");
-            let (exit, _, message) = shop.run(&confirmed);
-            assert!(exit == 2 && message.contains(code) && message.contains(holder), "{message}");
-            assert!(shop.double.with(|c| c.files.is_empty()));
-            assert_eq!((loads(), loaded()), (0, vec![holder.to_owned()]));
-        }
-        // A module that shares a routine alone: that only RAPID sees.
-        put(Some("MODULE MOD_Old\n  PROC Cube45()\n  ENDPROC\nENDMODULE\n"));
+        shop.put(Some(there));
+        let (exit, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+        assert!(exit == 1 && out.contains("--load would be refused: ") && out.contains(holder), "{out}");
+        assert!(out.contains("unload it there"), "{out}");
+        let (exit, _, message) = shop.run(&CONFIRMED_LOAD);
+        assert!(exit == 2 && message.contains(code) && message.contains(holder), "{message}");
+        assert!(shop.double.with(|c| c.files.is_empty()));
+        assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
+        assert_eq!(shop.loaded(), [*holder]);
+    });
+}
+
+/// A module that shares a routine alone: that only RAPID sees. Unloaded on the pendant, it goes.
+#[test]
+fn a_first_load_that_rapid_refuses_is_taken_out_again() {
+    on_each_robotware(|personality| {
+        let shop = Shop::new(personality);
+        shop.put(Some("MODULE MOD_Old\n  PROC Cube45()\n  ENDPROC\nENDMODULE\n"));
         let (_, out, _) = shop.run(&["push", "MODULE", "HOST"]);
         assert!(out.contains("--load puts it into T_ROB1 as a new module"), "{out}");
-        let (exit, _, message) = shop.run(&confirmed);
+        let (exit, _, message) = shop.run(&CONFIRMED_LOAD);
         assert!(
             exit == 2 && message.contains("link::module-errors") && message.contains("another module's name"),
             "{message}"
         );
-        assert_eq!(loaded(), ["MOD_Old"]);
-        // Unloaded on the pendant, it goes.
-        put(None);
-        let (exit, out, _) = shop.run(&confirmed);
+        assert_eq!(shop.loaded(), ["MOD_Old"]);
+        shop.put(None);
+        let (exit, out, _) = shop.run(&CONFIRMED_LOAD);
         assert!(exit == 0 && out.contains("MOD_Cube45: loaded into T_ROB1"), "{out}");
         let (_, out, _) = shop.run(&["push", "MODULE", "HOST"]);
         assert!(out.contains("in place of the corrected module of this name"), "{out}");
-    }
+    });
 }
 
 #[test]
 fn a_program_is_watched_line_by_line_and_by_subscription() {
-    for personality in Personality::ALL {
+    on_each_robotware(|personality| {
         let shop = Shop::new(personality);
         let (code, out, _) = shop.run(&["watch", "HOST", "--count", "2", "--interval-s", "0.1"]);
         assert_eq!((code, out.lines().count()), (0, 2), "{out}");
@@ -297,7 +322,7 @@ fn a_program_is_watched_line_by_line_and_by_subscription() {
         shop.double.with(|c| c.offers_subscriptions = false);
         let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
         assert!(code == 0 && message.contains("note: no subscription"), "{message}");
-    }
+    });
 }
 
 /// The data that stand in a page.
@@ -312,7 +337,7 @@ fn data_of(page: &Path) -> serde_json::Value {
 /// The page holds the same records as the lines; what fails on the way is a warning of it, and at its end it says so.
 #[test]
 fn a_watch_writes_a_page_of_its_records() {
-    for personality in Personality::ALL {
+    on_each_robotware(|personality| {
         let shop = Shop::new(personality);
         let page = shop.folder.path().join("watch.html");
         let name = page.display().to_string();
@@ -332,7 +357,7 @@ fn a_watch_writes_a_page_of_its_records() {
         let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--report", &folder]);
         assert!(code == 2 && message.contains("output::unwritable"), "{message}");
         assert_eq!(shop.double.requests().len(), before);
-    }
+    });
 }
 
 /// The table as it is in the program that is shipped: every request that it can send is one that the double lets pass.
@@ -395,7 +420,7 @@ fn the_binarys_table_of_requests_holds_none_that_could_move_the_robot() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_command_gives_back_and_logs_out() {
-    for personality in Personality::ALL {
+    on_each_robotware(|personality| {
         let shop = Shop::new(personality);
         let mut commands = vec![vec!["watch", "HOST"], vec!["watch", "HOST", "--subscribe"]];
         if personality != Personality::Rw8 {
@@ -436,5 +461,5 @@ fn an_interrupted_command_gives_back_and_logs_out() {
             let (holder, mode) = shop.double.with(|c| (c.holder.clone(), c.value("MOD_Cube45", "tcMode")));
             assert_eq!((holder, mode.as_deref()), (Holder::Nobody, Some("-1")));
         }
-    }
+    });
 }
