@@ -172,6 +172,37 @@ fn slow_noise_that_nobody_stated_is_no_structure() {
     }
 }
 
+/// Two waves of 1.4 times the noise, and nobody says how much noise there is: no larger than what is slow of noise may be, and structure
+/// nonetheless, for noise is rough from row to row and a function of time is smooth.
+#[test]
+fn a_smooth_function_of_time_is_no_slow_noise() {
+    for seed in [1, 2, 3] {
+        let recipe = crate::recipe::planted(Vec::new(), 150);
+        let course = |part: f64, axis: usize| {
+            let waves = [4.0, 6.5].map(|periods| (TAU * (periods * part + 0.3 * axis as f64)).sin());
+            1.4 * SIGMA_MM * (waves[0] + waves[1])
+        };
+        let answer = diagnose(&shifted(&rows_of(recipe, seed), course), &[]);
+        assert_eq!(
+            (&answer["verdict"], &answer["where"]["time"]),
+            (&Value::from("unexplained_structure"), &Value::from("drift")),
+            "{}",
+            answer["reason"]
+        );
+    }
+}
+
+/// Noise of which each row keeps seven tenths of the row's before, stated a fifth too small: what is quick of it is as large as
+/// stated, and still it is one noise, not a function of time on top of another.
+#[test]
+fn slow_noise_that_is_stated_too_small_is_no_structure() {
+    for seed in [1, 2, 3, 4] {
+        let recipe = Recipe { slowness: 0.7, ..crate::recipe::planted(Vec::new(), 150) };
+        let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.0163"]);
+        assert_eq!(answer["verdict"], "nothing_above_noise", "{}", answer["reason"]);
+    }
+}
+
 /// A gear line of twice the noise, in slow noise: the bare data show nothing slow beside it, and steps of the base to and fro came in its
 /// place.
 #[test]

@@ -42,6 +42,7 @@ mod search;
 pub mod signature;
 mod size_unit;
 mod slow_noise;
+mod smoothness;
 mod spectrum;
 mod terms;
 mod time_course;

@@ -7,9 +7,10 @@ use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{rms_m, shift_m};
 use crate::diagnose::marginal::KnownNoise;
-use crate::diagnose::model::{FittedModel, Model};
+use crate::diagnose::model::FittedModel;
 use crate::diagnose::scatter::{self, JointScatter};
 use crate::diagnose::search::{ChosenCause, cause_columns};
+use crate::diagnose::smoothness::smooth_over_rough_nats;
 use crate::measure::variance_ratio;
 
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
@@ -27,6 +28,8 @@ const AS_STATED: std::ops::Range<f64> = 0.72..1.5;
 /// Scatter that nobody stated is noise with slow parts as far as these are no more than so many times what is not slow: of noise that is
 /// the row's before to a share of .6 to .95, a fifth and more is quick.
 pub(super) const MOSTLY_SLOW: f64 = 2.0;
+/// ln of 20 to 1: what is slow is clearly a function of time or, the other way round, noise that is slow itself.
+const SMOOTH_NATS: f64 = 3.0;
 /// All scatter over the variance stated, from which on what is slow is not of it.
 const ON_TOP: f64 = 1.35;
 /// The reason that [`slow_noise`] gives.
@@ -169,8 +172,12 @@ pub(super) fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slow
     let Some(slow) = model.slow else { return Slowness::None };
     let chi = reduced_chi_square(fitted, chosen);
     match chi {
-        Some(chi) if !chi.is_exceeded() && !beyond_statement(model, chi.value) => Slowness::WithinNoise,
-        None if slow.size <= MOSTLY_SLOW => Slowness::AsOfNoise,
+        Some(chi) if !chi.is_exceeded() && !beyond_statement(fitted, chosen, chi.value) => {
+            Slowness::WithinNoise
+        }
+        None if slow.size <= MOSTLY_SLOW && smoothness_nats(fitted, chosen) <= SMOOTH_NATS => {
+            Slowness::AsOfNoise
+        }
         _ => Slowness::Structure {
             rms_m: slow.size * model.peak.sigma_m * 3.0_f64.sqrt(),
             noise_known: chi.is_some(),
@@ -179,26 +186,40 @@ pub(super) fn slowness(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Slow
 }
 
 /// Whether `gp_alternative` is only noise that is slow: the same for neighbouring rows, but all in all, with no cause
-/// in the model, no larger than the repeats or the statement say.
+/// in the model, no larger than the repeats or the statement say. Where that noise is clearly rough, a line of its spectrum is chance.
 #[must_use]
 pub(super) fn slow_noise(fitted: &FittedModel<'_>, gp_alternative: usize) -> bool {
     let FittedModel { model, workspace, linear } = fitted;
-    let over_time = matches!(
-        workspace.library.gp_alternatives[gp_alternative].gp_alternative,
-        GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::ToolTime
-    );
+    let over_time = match workspace.library.gp_alternatives[gp_alternative].gp_alternative {
+        GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::ToolTime => true,
+        GpAlternative::Cycle(_) => model.slow.is_some() && smoothness_nats(fitted, &[]) < -SMOOTH_NATS,
+        _ => false,
+    };
     over_time
         && linear.dataset.neighbours_in_time
         && reduced_chi_square(fitted, &[])
-            .is_some_and(|chi| !chi.is_exceeded() && !beyond_statement(model, chi.value))
+            .is_some_and(|chi| !chi.is_exceeded() && !beyond_statement(fitted, &[], chi.value))
 }
 
-/// Whether what is slow comes on top of the noise that was stated, where all together are `total` times the statement's variance.
-/// A statement may be 1.4 times off, and then all noise is; but where noise that is not slow alone is as large as stated, the
-/// statement holds, and what is slow is none of it.
-fn beyond_statement(model: &Model, total: f64) -> bool {
+/// Whether what is slow beside `chosen` comes on top of the noise that was stated, where all together are `total` times the statement's
+/// variance. A statement may be 1.4 times off, and then all noise is; but where noise that is not slow alone is as large as stated, the
+/// statement holds, and what is slow is none of it. What is clearly one process from row to row is all noise, and more of it than stated.
+fn beyond_statement(fitted: &FittedModel<'_>, chosen: &[ChosenCause], total: f64) -> bool {
+    let model = &fitted.model;
     let Some(stated) = model.noise.known.filter(|_| !model.noise.from_repeats) else { return false };
-    model.slow.is_some() && comes_on_top((model.peak.sigma_m / stated.sigma_m).powi(2), total)
+    model.slow.is_some()
+        && comes_on_top((model.peak.sigma_m / stated.sigma_m).powi(2), total)
+        && smoothness_nats(fitted, chosen) > -SMOOTH_NATS
+}
+
+/// ln of how much likelier what `chosen` leave is of a smooth function of time beside white noise than of noise that is slow itself.
+fn smoothness_nats(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
+    let FittedModel { model, workspace, linear } = fitted;
+    let groups = workspace.design.all_groups();
+    let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
+        .without_slow(&workspace.design);
+    let residuals = workspace.design.residuals(&fit.coefficients);
+    smooth_over_rough_nats(&linear.dataset, &residuals, &model.outliers)
 }
 
 /// The same of variances over the one stated: `fast` of what is not slow, and `total`.
