@@ -1,7 +1,7 @@
 //! Joints of a list of targets at every minute of warm-up: the reference paper's offline method.
 
 use crate::report::tabulation as report;
-use rapid_program::compensate::tabulate::{MinuteMiss, MinuteTable, TabulateError, tabulate};
+use rapid_program::compensate::tabulate::{MinuteErrors, MinuteTable, TabulateError, tabulate};
 use rapid_program::compensate::targets::NamedPose;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::Configuration;
@@ -36,8 +36,8 @@ impl Tabulation {
     pub fn run(&self, targets: Vec<NamedPose>) -> Result<Tabulated, TabulateError> {
         let Self { robot, deformation, configuration, minutes } = self;
         let table = tabulate(robot, deformation, &targets, configuration.as_ref(), minutes)?;
-        let misses = table.misses();
-        Ok(Tabulated { targets, table, misses })
+        let errors_by_minute = table.errors_by_minute();
+        Ok(Tabulated { targets, table, errors_by_minute })
     }
 }
 
@@ -49,7 +49,7 @@ pub struct Tabulated {
     /// The joints with which the arm stands on them, minute by minute.
     pub table: MinuteTable,
     /// How far they are missed before and after, minute by minute.
-    pub misses: Vec<MinuteMiss>,
+    pub errors_by_minute: Vec<MinuteErrors>,
 }
 
 impl Tabulated {
@@ -64,12 +64,12 @@ impl Tabulated {
     /// How much there is, and how far targets are missed before and after, for people.
     #[must_use]
     pub fn text(&self) -> String {
-        report::text(&self.targets, &self.table, &self.misses)
+        report::text(&self.targets, &self.table, &self.errors_by_minute)
     }
 
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.targets, &self.table, &self.misses)
+        report::json(&self.targets, &self.table, &self.errors_by_minute)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::counted;
 use super::joints::{JointRow, JointTable};
-use rapid_program::compensate::tabulate::{MinuteMiss, MinuteTable, Miss};
+use rapid_program::compensate::tabulate::{MinuteErrors, MinuteTable, TargetErrors};
 use rapid_program::compensate::targets::NamedPose;
 use robot_model::kinematics::Solution;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -37,15 +37,16 @@ pub fn write_joints(
 
 /// How much there is, and the worst of all minutes, for people.
 #[must_use]
-pub fn text(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -> String {
+pub fn text(targets: &[NamedPose], table: &MinuteTable, errors: &[MinuteErrors]) -> String {
     let [targets, minutes, rows] =
-        [(targets.len(), "target"), (misses.len(), "minute"), (table.rows.len(), "row")]
+        [(targets.len(), "target"), (errors.len(), "minute"), (table.rows.len(), "row")]
             .map(|(n, noun)| counted(n, noun));
     let mut text = format!("{targets} x {minutes} = {rows}\n");
-    let worst =
-        |of: fn(&MinuteMiss) -> &Miss| misses.iter().max_by(|a, b| of(a).max_m.total_cmp(&of(b).max_m));
+    let worst = |of: fn(&MinuteErrors) -> &TargetErrors| {
+        errors.iter().max_by(|a, b| of(a).max_m.total_cmp(&of(b).max_m))
+    };
     if let Some(worst) = worst(|minute| &minute.before) {
-        let Miss { max_m, rms_m, max_rad } = worst.before;
+        let TargetErrors { max_m, rms_m, max_rad } = worst.before;
         text += &format!(
             "before: missed by up to {:.3} mm (rms {:.3} mm) and {:.3} deg, at minute {}\n",
             mm_from_m(max_m),
@@ -55,7 +56,7 @@ pub fn text(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -
         );
     }
     if let Some(worst) = worst(|minute| &minute.after) {
-        let Miss { max_m, max_rad, .. } = worst.after;
+        let TargetErrors { max_m, max_rad, .. } = worst.after;
         let (mm, deg) = (mm_from_m(max_m), deg_from_rad(max_rad));
         text += &format!("after: missed by up to {mm:.1e} mm and {deg:.1e} deg\n");
     }
@@ -64,11 +65,11 @@ pub fn text(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -
 
 /// The result as the contract's JSON.
 #[must_use]
-pub fn json(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -> Value {
-    let miss = |miss: &Miss| json!({ "max_mm": mm_from_m(miss.max_m), "rms_mm": mm_from_m(miss.rms_m), "max_deg": deg_from_rad(miss.max_rad) });
-    let minute = |minute: &MinuteMiss| {
+pub fn json(targets: &[NamedPose], table: &MinuteTable, errors: &[MinuteErrors]) -> Value {
+    let all_targets = |of: &TargetErrors| json!({ "max_mm": mm_from_m(of.max_m), "rms_mm": mm_from_m(of.rms_m), "max_deg": deg_from_rad(of.max_rad) });
+    let minute = |minute: &MinuteErrors| {
         json!({
-            "t_min": minute.t_min, "n": targets.len(), "before": miss(&minute.before), "after": miss(&minute.after),
+            "t_min": minute.t_min, "n": targets.len(), "before": all_targets(&minute.before), "after": all_targets(&minute.after),
         })
     };
     let target = |(target, nominal): (&NamedPose, &Solution)| {
@@ -81,6 +82,6 @@ pub fn json(targets: &[NamedPose], table: &MinuteTable, misses: &[MinuteMiss]) -
     json!({
         "rows": table.rows.len(),
         "targets": targets.iter().zip(&table.nominal).map(target).collect::<Vec<_>>(),
-        "minutes": misses.iter().map(minute).collect::<Vec<_>>(),
+        "minutes": errors.iter().map(minute).collect::<Vec<_>>(),
     })
 }

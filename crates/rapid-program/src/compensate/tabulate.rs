@@ -42,18 +42,18 @@ pub struct MinuteTableRow {
 
 /// How far the targets are missed at a minute.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MinuteMiss {
+pub struct MinuteErrors {
     /// The warm-up minute, from 0.
     pub t_min: f64,
     /// With the nominal joints.
-    pub before: Miss,
+    pub before: TargetErrors,
     /// With the joints of the table.
-    pub after: Miss,
+    pub after: TargetErrors,
 }
 
 /// How far all targets are missed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Miss {
+pub struct TargetErrors {
     /// Largest distance of any target, metres.
     pub max_m: f64,
     /// Root of the mean square of the distances, metres.
@@ -62,30 +62,30 @@ pub struct Miss {
     pub max_rad: f64,
 }
 
-impl Miss {
+impl TargetErrors {
     fn of(distances: impl Iterator<Item = (f64, f64)>) -> Self {
-        let (mut miss, mut sum, mut n) = (Self::default(), 0.0, 0.0);
+        let (mut errors, mut sum, mut n) = (Self::default(), 0.0, 0.0);
         for (m, rad) in distances {
-            miss.max_m = miss.max_m.max(m);
-            miss.max_rad = miss.max_rad.max(rad);
+            errors.max_m = errors.max_m.max(m);
+            errors.max_rad = errors.max_rad.max(rad);
             sum += m * m;
             n += 1.0;
         }
-        Self { rms_m: if n > 0.0 { (sum / n).sqrt() } else { 0.0 }, ..miss }
+        Self { rms_m: if n > 0.0 { (sum / n).sqrt() } else { 0.0 }, ..errors }
     }
 }
 
 impl MinuteTable {
     /// For each minute how far the targets are missed.
     #[must_use]
-    pub fn misses(&self) -> Vec<MinuteMiss> {
+    pub fn errors_by_minute(&self) -> Vec<MinuteErrors> {
         let minutes = self.rows.chunk_by(|a, b| a.target < b.target);
-        let miss = |rows: &[MinuteTableRow]| MinuteMiss {
+        let errors = |rows: &[MinuteTableRow]| MinuteErrors {
             t_min: rows.first().map_or(0.0, |row| row.t_min),
-            before: Miss::of(rows.iter().map(|row| (row.uncompensated_m, row.uncompensated_rad))),
-            after: Miss::of(rows.iter().map(|row| (row.residual_m, row.residual_rad))),
+            before: TargetErrors::of(rows.iter().map(|row| (row.uncompensated_m, row.uncompensated_rad))),
+            after: TargetErrors::of(rows.iter().map(|row| (row.residual_m, row.residual_rad))),
         };
-        minutes.map(miss).collect()
+        minutes.map(errors).collect()
     }
 }
 
@@ -300,8 +300,8 @@ mod tests {
             assert!((deg_from_rad(*q_rad) - published).abs() < 0.005);
         }
         assert!(table.nominal.iter().all(|s| s.configuration.cfx == 1));
-        let misses = table.misses();
-        assert_eq!((misses.len(), misses[0].before, misses[180].t_min), (181, misses[0].after, 180.0));
+        let errors = table.errors_by_minute();
+        assert_eq!((errors.len(), errors[0].before, errors[180].t_min), (181, errors[0].after, 180.0));
         // Two equal lags of 46 minutes: at 180 minutes 1 - (1 + x) e^-x of 0.193 mm, x = 180/46.
         let worst_mm =
             table.rows[8100..].iter().map(|row| mm_from_m(row.uncompensated_m)).fold(0.0, f64::max);
