@@ -1,12 +1,24 @@
 //! What was found at the poses measured, held against poses that were held out: what does not carry to them is no cause.
 
 use super::judgement::Judgement;
-use crate::diagnose::outcome::{ErrorReduction, Verdict};
+use crate::diagnose::outcome::{Cause, ErrorReduction, Verdict};
 
 /// Less than this share of the gap, in squares, is what a weak effect takes: whether it carries drowns in the noise.
 const MUCH: f64 = 0.5;
 /// So much of what is taken at the poses measured has to be taken at others too.
 const CARRIED: f64 = 0.25;
+
+/// A size of so many of its standard deviations does not rest on a few poses.
+const FIRM: f64 = 10.0;
+
+/// Whether `causes` are one whose size all poses tell alike, so that four fifths of few of them tell it too: then searches without the rest
+/// failed, not the cause. No gear line, which over a part of a turn may be any of several.
+fn is_firm(causes: &[Cause]) -> bool {
+    let [only] = causes else { return false };
+    let ratio =
+        only.size.zip(only.sigma).map_or(0.0, |(size, sigma)| size.abs() / sigma.max(f64::MIN_POSITIVE));
+    only.n.is_none() && ratio > FIRM
+}
 
 /// Whether a model that takes most of the gap at its own poses takes next to nothing of it at poses held out.
 fn does_not_carry(shrink: &ErrorReduction) -> Option<[f64; 2]> {
@@ -20,7 +32,7 @@ impl Judgement {
     /// effect has is taken by any dozen of gear lines, pose by pose. The gap there without and with them, 3-D rms, mm.
     pub(crate) fn hold_against(&mut self, shrink: &ErrorReduction) -> Option<[f64; 2]> {
         let names = matches!(self.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
-        let [before_mm, after_mm] = does_not_carry(shrink).filter(|_| names)?;
+        let [before_mm, after_mm] = does_not_carry(shrink).filter(|_| names && !is_firm(&self.causes))?;
         self.verdict = Verdict::UnexplainedStructure;
         self.reason = format!(
             "what takes the gap at the poses measured does not at poses held out ({before_mm:.3} mm without it, {after_mm:.3} mm with it): the gap \
@@ -34,6 +46,7 @@ impl Judgement {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use robot_model::deform::EffectKind;
 
     /// Before, after and noise: all of 0.1 mm but the noise, none, and an effect below the noise.
     #[test]
@@ -51,5 +64,18 @@ mod tests {
         assert_eq!(of([0.1, 0.11, 0.02]), Some([0.1, 0.11]));
         assert_eq!(of([0.1, 0.1, 0.09]), None);
         assert_eq!(does_not_carry(&ErrorReduction::default()), None);
+    }
+
+    #[test]
+    fn one_size_that_is_known_to_a_tenth_is_firm() {
+        let sized =
+            |kind, size, sigma| Cause { size: Some(size), sigma: Some(sigma), ..Cause::of(kind, 0.9) };
+        let coupling = |sigma| sized(EffectKind::JointCoupling, -9e-4, sigma);
+        assert!(is_firm(&[coupling(3e-5)]));
+        assert!(!is_firm(&[coupling(2e-4)]));
+        assert!(!is_firm(&[coupling(3e-5), coupling(3e-5)]));
+        let line = Cause { n: Some(88), ..sized(EffectKind::GearMesh, 1e-4, 1e-6) };
+        assert!(!is_firm(&[line]));
+        assert!(!is_firm(&[Cause::of(EffectKind::BaseTilt, 0.9)]));
     }
 }
