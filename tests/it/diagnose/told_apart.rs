@@ -295,6 +295,27 @@ fn a_knock_while_poses_are_come_back_to_is_told_without_times() {
     assert_eq!((&cause["effect"], &cause["from_line"]), (&Value::from("base_step"), &Value::from(77)));
 }
 
+/// The base is knocked four rows after the first, or four before the last: twelve numbers tell a rigid motion, and they are no false readings.
+#[test]
+fn a_knock_near_an_end_of_the_rows_is_told() {
+    let chain = chain();
+    for from in [4, 36] {
+        let csv = file(40, |k| {
+            let q_deg = anywhere_deg(k);
+            let knocked = if k < from { Vector3::zeros() } else { Vector3::new(1.5e-4, -1e-4, 2e-4) };
+            let hand_m = turned(&chain, q_deg.map(f64::to_radians), 0, 0.0) + knocked;
+            (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.03 * noise(3 * k + axis)))
+        });
+        let (_, text, json) = diagnose(csv.as_bytes(), &["--sigma-mm", "0.018"]);
+        let found = json.expect(&text);
+        assert_eq!(found["verdict"], "explained", "{text}");
+        let cause = &found["causes"][0];
+        let line = Value::from(from + 2);
+        assert_eq!((&cause["effect"], &cause["from_line"]), (&Value::from("base_step"), &line));
+        assert_eq!(found["false_rows"].as_array().map(Vec::len), Some(0), "{}", found["false_rows"]);
+    }
+}
+
 /// Joints of row `k` about one posture, degrees.
 fn narrow_deg(k: usize) -> [f64; 6] {
     let middle_deg = [-38.0, 20.0, -25.0, -50.0, -15.0, -70.0];

@@ -38,15 +38,16 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
         .into()
 }
 
-/// Fewest observations on each side of a step, and between two steps: the six parameters of a rigid motion could absorb
-/// one or two false readings among fewer.
-const MIN_BESIDE_STEP: usize = 6;
+/// Fewest observations on each side of a step: their three numbers each are twice as many as a rigid motion has parameters.
+const MIN_BESIDE_STEP: usize = 4;
+/// Fewest between two steps: what two motions take between them may be one or two false readings.
+const MIN_BETWEEN_STEPS: usize = 6;
 
 /// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
 pub(crate) fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
     let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
     let between = dataset.observations.iter().map(|s| s.clock()).filter(|t| low < *t && *t < high).count();
-    0 < between && between < MIN_BESIDE_STEP
+    0 < between && between < MIN_BETWEEN_STEPS
 }
 
 /// Times at which a step may lie.
