@@ -48,8 +48,18 @@ pub fn diagnose_and_identify(
     (diagnosis, identified)
 }
 
-/// The diagnosis, and the model where `wants_model`.
+/// The diagnosis, and the model where `wants_model`: on a thread of the pool, which its thousands of parallel steps would otherwise have
+/// to wake one by one.
 fn examine(
+    measurements: &Measurements,
+    robot: &SerialArm,
+    options: &DiagnosisOptions,
+    wants_model: bool,
+) -> Evaluation {
+    rayon::scope(|_| examine_in_pool(measurements, robot, options, wants_model))
+}
+
+fn examine_in_pool(
     measurements: &Measurements,
     robot: &SerialArm,
     options: &DiagnosisOptions,

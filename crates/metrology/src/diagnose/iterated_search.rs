@@ -106,7 +106,7 @@ impl NoiseEstimates {
             shared: SharedError::default(),
         };
         let base_weights = start.base_weights(dataset);
-        for _ in 0..START_ROUNDS {
+        for round in 1..=START_ROUNDS {
             let weights = start.weights(&base_weights);
             let whitening = Whitening::independent(weights, start.characteristic_length_m);
             let design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
@@ -114,7 +114,9 @@ impl NoiseEstimates {
             let ratio = NuisanceModel::new(&design, &groups, &[], noise).null().geometry_ratio;
             let fit = solve(&design, &groups, &[], Some(ratio));
             start.robust = RobustWeights::of(linear, &design.residuals(&fit.coefficients), &base_weights);
-            start.slow = slow_noise::likeliest(&design, dataset, &[], noise);
+            if round == START_ROUNDS {
+                start.slow = slow_noise::likeliest(&design, dataset, &[], noise);
+            }
         }
         start
     }

@@ -137,7 +137,16 @@ pub(crate) struct Candidate {
     pub sign_constrained: bool,
 }
 
+/// What two variants of one cause have in common: effect, joint, and the joint that is driven.
+pub(crate) type CauseKey = (EffectKind, Option<Axis>, Option<Axis>);
+
 impl Candidate {
+    /// Effect and joints.
+    #[must_use]
+    pub(crate) fn cause_key(&self) -> CauseKey {
+        (self.kind, self.variant.joint, self.variant.joint_b)
+    }
+
     /// A candidate of `kind` of weight 1, all parameters reported, unit SI.
     #[must_use]
     pub(crate) fn new(kind: EffectKind, variant: EffectVariant, prior_sigma: Vec<f64>) -> Self {

@@ -108,16 +108,27 @@ impl Prediction {
         &self.spread[index * self.width..(index + 1) * self.width]
     }
 
+    /// Products of each of the first `count` rows with row `index`.
+    pub(super) fn products_with(&self, index: usize, count: usize) -> Vec<f64> {
+        (0..count).map(|row| dot(self.row(row), self.row(index))).collect()
+    }
+
     pub(super) fn cover(&mut self, rows: usize, poses: usize) {
         let of = |pose: usize| {
             let row = |r| self.row(pose * rows + r);
-            let noise = |r, c| f64::from(u8::from(r == c));
-            Cover::new(DMatrix::from_fn(rows, rows, |r, c| dot(row(r), row(c)) + noise(r, c)))
+            let mut covariance = DMatrix::identity(rows, rows);
+            for c in 0..rows {
+                for r in c..rows {
+                    covariance[(r, c)] += dot(row(r), row(c));
+                }
+            }
+            covariance.fill_upper_triangle_with_lower_triangle();
+            Cover::new(covariance)
         };
         self.covers = (0..poses).map(of).collect();
     }
 }
 
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

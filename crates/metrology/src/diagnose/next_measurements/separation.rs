@@ -5,7 +5,7 @@
 //! average. The bound on choosing wrongly (Bhattacharyya 1943; Kailath 1967), sum over pairs of sqrt(p_a p_b) exp(-L / 8), is made
 //! small pose by pose.
 
-use super::rival_model::{Coefficient, Prediction, RivalModel, dot};
+use super::rival_model::{Coefficient, Prediction, RivalModel};
 use nalgebra::{DMatrix, DVector};
 
 /// Two explanations: columns of the normal matrix.
@@ -158,25 +158,25 @@ impl Separation {
             self.lambda[k] += self.gain(k, i);
         }
         for index in i * self.rows..(i + 1) * self.rows {
+            // Rivals share their models: each model is held against the row once.
+            let with_row: Vec<Vec<f64>> =
+                self.models.iter().map(|model| model.products_with(index, self.rows * self.poses)).collect();
             for (pair, missed_m) in self.pairs.iter().zip(&mut self.missed_m) {
-                let by = &self.models[pair.fitted];
-                let along = by.row(index);
-                let share = missed_m[index] / (1.0 + dot(along, along));
-                for (to, w) in missed_m.iter_mut().zip(by.spread.chunks_exact(by.width.max(1))) {
-                    *to -= dot(w, along) * share;
-                }
+                let with_row = &with_row[pair.fitted];
+                let share = missed_m[index] / (1.0 + with_row[index]);
+                missed_m.iter_mut().zip(with_row).for_each(|(to, along)| *to -= along * share);
             }
-            for model in &mut self.models {
-                let along = model.row(index).to_vec();
-                let square = dot(&along, &along);
+            for (model, with_row) in self.models.iter_mut().zip(&with_row) {
+                let square = with_row[index];
                 if square <= 0.0 {
                     continue;
                 }
+                let row = model.row(index).to_vec();
                 // (1 + w w')^(-1/2) = 1 - a w w'
                 let a = (1.0 - 1.0 / (1.0 + square).sqrt()) / square;
-                for w in model.spread.chunks_exact_mut(model.width.max(1)) {
-                    let by = a * dot(w, &along);
-                    w.iter_mut().zip(&along).for_each(|(w, along)| *w -= by * along);
+                for (w, along) in model.spread.chunks_exact_mut(model.width).zip(with_row) {
+                    let by = a * along;
+                    w.iter_mut().zip(&row).for_each(|(w, row)| *w -= by * row);
                 }
             }
         }

@@ -11,6 +11,7 @@ use super::greedy::BESIDE;
 use super::library::Library;
 use super::ranking::sign_nats;
 use crate::diagnose::design::side_by_side;
+use crate::diagnose::effects::CauseKey;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, PairPeak, Projected, joined};
 use nalgebra::{DMatrix, DVector};
 use robot_model::deform::EffectKind;
@@ -57,6 +58,15 @@ struct PoolVariant {
     screening_nats: f64,
     candidate: usize,
     projected: Projected,
+}
+
+/// The variants that a pair in one place may be made of, and the one that they are held against.
+struct PoolVariants {
+    variants: Vec<PoolVariant>,
+    /// First column of each, and one past the last.
+    starts: Vec<usize>,
+    /// Products of their columns with each other, nothing taken out.
+    gram: DMatrix<f64>,
 }
 
 /// How large the causes of a pair are at a first look.
@@ -112,6 +122,45 @@ impl Pool {
     }
 }
 
+impl PoolVariants {
+    fn new(library: &Library<'_>, search: &Search<'_>, open: &OpenPlace) -> Self {
+        let variants = library.variants_of_causes(search, open);
+        let columns: Vec<_> =
+            variants.iter().map(|variant| library.columns_at(search.design, variant.candidate)).collect();
+        let mut starts = vec![0];
+        starts.extend(columns.iter().scan(0, |end, columns| {
+            *end += columns.ncols();
+            Some(*end)
+        }));
+        let gram = search.design.products_among(&side_by_side(&columns), search.subset);
+        Self { variants, starts, gram }
+    }
+
+    /// The pool at this geometry and noise.
+    fn pool(&self, search: &Search<'_>, open: &OpenPlace, geometry_ratio: f64, sigma_m: f64) -> Pool {
+        let bare = &open.bare;
+        let mut with_data = DVector::zeros(self.gram.ncols());
+        let data = bare.absorbed_of_data(geometry_ratio);
+        let mut absorbed = DMatrix::zeros(data.len(), self.gram.ncols());
+        for (start, PoolVariant { candidate, projected, .. }) in self.starts.iter().zip(&self.variants) {
+            let sums = &search.tracked[*candidate].sums;
+            let width = sums.own.nrows();
+            absorbed.columns_mut(*start, width).copy_from(&bare.absorbed(projected, sums, geometry_ratio));
+            with_data.rows_mut(*start, width).copy_from(&sums.cross.column(0));
+        }
+        with_data -= absorbed.tr_mul(&data);
+        let gram = &self.gram - absorbed.transpose() * &absorbed;
+        let precision = sigma_m.powi(-2);
+        Pool {
+            candidates: self.variants.iter().map(|variant| variant.candidate).collect(),
+            starts: self.starts.clone(),
+            gram: gram * precision,
+            with_data: with_data * precision,
+            freedom: bare.freedom(),
+        }
+    }
+}
+
 impl Library<'_> {
     /// Each chosen cause against the likeliest two in its place; where none was found, two against nothing.
     pub(super) fn split(&mut self, search: &mut Search<'_>, alarm_nats: f64) {
@@ -153,12 +202,13 @@ impl Library<'_> {
     /// The pairs that come near what stands in a place, at the noise and the geometry of the whole model, which are at their best
     /// `now`.
     fn pairs_to_weigh(&self, search: &Search<'_>, open: &OpenPlace, now: &EvidencePeak) -> Vec<[usize; 2]> {
-        let pool = self.pool(search, open, now.geometry_ratio, now.sigma_m);
+        let variants = PoolVariants::new(self, search, open);
+        let pool = variants.pool(search, open, now.geometry_ratio, now.sigma_m);
         let mut pairs = self.likely_pairs(&pool, open.single);
         if now.geometry_ratio > 0.0 && search.chosen.len() <= 1 {
             // What small errors of all geometry take now may be two causes on an arm that is as drawn.
             let sigma_m = search.noise.known.map_or(now.sigma_m, |known| known.sigma_m);
-            let pool = self.pool(search, open, 0.0, sigma_m);
+            let pool = variants.pool(search, open, 0.0, sigma_m);
             let more = self.likely_pairs(&pool, open.single);
             pairs.extend(more.into_iter().filter(|pair| !pairs.contains(pair)).collect::<Vec<_>>());
         }
@@ -239,56 +289,27 @@ impl Library<'_> {
         OpenPlace { bare, others, single }: &OpenPlace,
     ) -> Vec<PoolVariant> {
         let grid = bare.screening_grid(&bare.null());
-        let mut of_cause: BTreeMap<_, PoolVariant> = BTreeMap::new();
+        let mut of_cause: BTreeMap<CauseKey, PoolVariant> = BTreeMap::new();
         for tracked in &search.tracked {
             let c = tracked.candidate;
             if Some(c) != *single && !(self.may_be_of_pair(search, c) && self.allowed(c, others)) {
                 continue;
             }
             let projected = bare.project(&tracked.sums);
+            let cause = self.candidates[c].cause_key();
+            let known_nats = of_cause.get(&cause).map_or(f64::NEG_INFINITY, |known| known.screening_nats);
             // What stands there now is compared as it is.
-            let screening_nats = match Some(c) == *single {
-                true => f64::INFINITY,
-                false => {
-                    let screened = bare.screened(&projected, &grid);
-                    bare.screening_evidence(&screened, &grid).log_evidence + self.log_prior[c]
-                }
+            let screening_nats = if Some(c) == *single {
+                f64::INFINITY
+            } else {
+                let screened = bare.screened(&projected, &grid);
+                bare.screening_evidence(&screened, &grid).log_evidence + self.log_prior[c]
             };
-            let candidate = &self.candidates[c];
-            let cause = (candidate.kind, candidate.variant.joint, candidate.variant.joint_b);
-            if of_cause.get(&cause).is_none_or(|known| screening_nats > known.screening_nats) {
+            if screening_nats > known_nats {
                 of_cause.insert(cause, PoolVariant { screening_nats, candidate: c, projected });
             }
         }
         of_cause.into_values().collect()
-    }
-
-    /// The causes that a pair may be made of, and the one that they are held against, at this geometry and noise.
-    fn pool(&self, search: &Search<'_>, open: &OpenPlace, geometry_ratio: f64, sigma_m: f64) -> Pool {
-        let variants = self.variants_of_causes(search, open);
-        let bare = &open.bare;
-        let candidates: Vec<usize> = variants.iter().map(|variant| variant.candidate).collect();
-        let columns: Vec<_> = candidates.iter().map(|&c| self.columns_at(search.design, c)).collect();
-        let mut starts = vec![0];
-        starts.extend(columns.iter().scan(0, |end, columns| {
-            *end += columns.ncols();
-            Some(*end)
-        }));
-        let mut gram = search.design.products_among(&side_by_side(&columns), search.subset);
-        let mut with_data = DVector::zeros(gram.ncols());
-        let data = bare.absorbed_of_data(geometry_ratio);
-        let mut absorbed = DMatrix::zeros(data.len(), gram.ncols());
-        for (start, PoolVariant { candidate, projected, .. }) in starts.iter().zip(&variants) {
-            let sums = &search.tracked[*candidate].sums;
-            let width = sums.own.nrows();
-            absorbed.columns_mut(*start, width).copy_from(&bare.absorbed(projected, sums, geometry_ratio));
-            with_data.rows_mut(*start, width).copy_from(&sums.cross.column(0));
-        }
-        with_data -= absorbed.tr_mul(&data);
-        gram -= absorbed.transpose() * &absorbed;
-        let precision = sigma_m.powi(-2);
-        let freedom = bare.freedom();
-        Pool { candidates, starts, gram: gram * precision, with_data: with_data * precision, freedom }
     }
 
     /// Whether `candidate` may be one of two: of steps, which may lie in every gap, those that came near the top, and over a part of

@@ -223,7 +223,7 @@ impl Library<'_> {
             .enumerate()
             .filter(|(rank, i)| {
                 let this = &self.candidates[tracked[*i].candidate];
-                kinds.insert((this.kind, this.variant.joint, this.variant.joint_b)) || *rank < most
+                kinds.insert(this.cause_key()) || *rank < most
             })
             .map(|(_, index)| ShortListed { index, first: firsts[&index] })
             .collect()

@@ -1,6 +1,6 @@
 //! What stands in one slot of the model, cause by cause: all variants of one effect in one joint together.
 
-use crate::diagnose::effects::Candidate;
+use crate::diagnose::effects::{Candidate, CauseKey};
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gear_lines::is_one_bend;
 use crate::diagnose::marginal::log_sum;
@@ -106,10 +106,10 @@ impl OpenSlot {
 /// The causes of a ranking, likeliest first.
 #[must_use]
 pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
-    let mut found: Vec<(Key, CauseGroup)> = Vec::new();
+    let mut found: Vec<(CauseKey, CauseGroup)> = Vec::new();
     for RankedHypothesis { hypothesis, probability, peak } in &ranking.ranked {
         let Hypothesis::Effect(c) = hypothesis else { continue };
-        let this = key(&workspace.library.candidates[*c]);
+        let this = workspace.library.candidates[*c].cause_key();
         let at = found.iter().position(|(k, _)| *k == this).unwrap_or_else(|| {
             let cause_group = CauseGroup {
                 best: *c,
@@ -190,10 +190,10 @@ pub(super) fn line_among_many(fitted: &FittedModel<'_>, chosen: &[ChosenCause], 
 pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
     let Some(first) = cause_groups.first() else { return };
     let of_first = &workspace.library.candidates[first.best];
-    let simple = key(of_first);
+    let simple = of_first.cause_key();
     let length_alone = simple.0 == EffectKind::LinkGeometry && of_first.variant.refined;
     let nests = |g: &CauseGroup| {
-        let rich = key(&workspace.library.candidates[g.best]);
+        let rich = workspace.library.candidates[g.best].cause_key();
         let holds_offset = matches!(rich.0, EffectKind::ThermalJointDrift | EffectKind::JointStep)
             || rich.0 == EffectKind::JointGain && workspace.library.candidates[g.best].variant.refined;
         let holds_length = rich.0 == EffectKind::ThermalLinkGrowth;
@@ -317,14 +317,6 @@ pub(super) fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Op
         ranking: workspace.library.scan(&nuisance, &groups, &taken),
         geometry_gain_nats: nuisance.geometry_gain(),
     }
-}
-
-/// What variants of one cause share.
-type Key = (EffectKind, Option<Axis>, Option<Axis>);
-
-/// The cause that a candidate is a variant of.
-fn key(c: &Candidate) -> Key {
-    (c.kind, c.variant.joint, c.variant.joint_b)
 }
 
 #[cfg(test)]
