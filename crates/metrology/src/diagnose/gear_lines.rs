@@ -1,7 +1,7 @@
 //! Lines of one gear over the angles at which its joint stood: which of them are one and the same there. Knows nothing of evidence.
 
+use super::cause::Cause;
 use super::dataset::Dataset;
-use super::outcome::Cause;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use std::f64::consts::TAU;

@@ -1,6 +1,7 @@
 //! The lines of each joint's gear that a model holds, with their size at the tool.
 
-use super::outcome::{Cause, RowResidual};
+use super::cause::Cause;
+use super::outcome::RowResidual;
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Estimate, Identified, Term};

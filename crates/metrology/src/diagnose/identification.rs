@@ -1,5 +1,6 @@
 //! The model that is made of what was found: what of it cannot be in one, and why there is none.
 
+use super::cause::Cause;
 use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
@@ -8,7 +9,7 @@ use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds};
 use super::options::DiagnosisOptions;
-use super::outcome::{Cause, Warning};
+use super::outcome::Warning;
 use super::spectrum;
 use robot_model::deform::identified::Identified;
 

@@ -3,6 +3,7 @@
 //!
 //! One evidence engine over a library of effects (one file each in `effects`). Knows no RAPID and no files.
 
+mod cause;
 mod compare;
 mod dataset;
 mod design;
@@ -52,13 +53,14 @@ mod verdict;
 pub mod warmup;
 mod zeros;
 
+pub use cause::Cause;
 pub use compare::{CompareError, MeasurementComparison, MovedPoint, compare_measurements};
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
 pub use missing_channel::MissingChannel;
 pub use options::DiagnosisOptions;
 pub use outcome::{
-    Cause, Detectable, ErrorReduction, FalseRow, Findings, HeldOutBlock, JointZero, JointZeros, Location,
+    Detectable, ErrorReduction, FalseRow, Findings, HeldOutBlock, JointZero, JointZeros, Location,
     NextMeasurement, NextStep, NoiseEstimate, Region, RowResidual, Untestable, Verdict, Warning,
 };
 pub use size_unit::SizeUnit;

@@ -1,8 +1,8 @@
 //! What has the same shape as the likeliest cause of a place by the nature of arms and files, whatever was measured.
 
+use crate::diagnose::cause::Cause;
 use crate::diagnose::effects::one_beam_with;
 use crate::diagnose::model::FittedModel;
-use crate::diagnose::outcome::Cause;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 use robot_model::robot::Axis;

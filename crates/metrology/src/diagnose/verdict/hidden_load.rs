@@ -3,6 +3,7 @@
 use super::judgement::Decision;
 use super::structure::{causes_log_odds, over_time};
 use super::wording::hidden_load_reason;
+use crate::diagnose::cause::Cause;
 use crate::diagnose::dataset::{Dataset, scaled};
 use crate::diagnose::effects::give_per_kg;
 use crate::diagnose::evidence::NuisanceModel;
@@ -10,7 +11,7 @@ use crate::diagnose::gp_features::compress;
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
-use crate::diagnose::outcome::{Cause, Location};
+use crate::diagnose::outcome::Location;
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
 use crate::diagnose::time_course::TimeCourse;
 use nalgebra::DMatrix;

@@ -1,8 +1,9 @@
 //! A verdict with what it rests on; knows nothing of how it was reached.
 
 use super::cause_group::OpenSlot;
+use crate::diagnose::cause::Cause;
 use crate::diagnose::missing_channel::MissingChannel;
-use crate::diagnose::outcome::{Cause, Location, Verdict};
+use crate::diagnose::outcome::{Location, Verdict};
 
 /// A candidate's probability is one among the library's effects; where the verdict is that none of them explains the data, it
 /// is halved: even odds at best that the verdict is wrong and the candidate right.

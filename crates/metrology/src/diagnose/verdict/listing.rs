@@ -1,6 +1,6 @@
 //! Causes as they are listed: each once, the likeliest first, their slots numbered without gaps; knows nothing of evidence.
 
-use crate::diagnose::outcome::Cause;
+use crate::diagnose::cause::Cause;
 use robot_model::deform::EffectKind;
 
 /// What is less likely than this is not listed.

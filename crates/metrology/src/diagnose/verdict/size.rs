@@ -1,13 +1,13 @@
 //! Causes with their sizes, fitted beside the others.
 
 use super::cause_group::CauseGroup;
+use crate::diagnose::cause::Cause;
 use crate::diagnose::dataset::Twist;
 use crate::diagnose::design::Design;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::linear_fit::{LinearFit, solve};
 use crate::diagnose::linearise::{Linearised, rms_m, shift_m};
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::outcome::Cause;
 use crate::diagnose::search::ChosenCause;
 use crate::diagnose::size_unit::SizeUnit;
 use crate::diagnose::time_course::TimeCourse;

@@ -17,11 +17,12 @@ use super::structure::{
     structure_odds, varying_cause,
 };
 use super::wording::{OR_LOAD, describe, in_short, one_beam_reason, structure_reason, switched_reason};
+use crate::diagnose::cause::Cause;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::outcome::{Cause, Location, Verdict};
+use crate::diagnose::outcome::{Location, Verdict};
 use crate::diagnose::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;

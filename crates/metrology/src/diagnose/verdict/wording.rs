@@ -1,10 +1,10 @@
 //! Verdicts and causes in words.
 
 use super::two_states::{State, TwoStates};
+use crate::diagnose::cause::Cause;
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::outcome::Cause;
 use rapid_syntax::diagnostic::plural;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, MOST_JOINTS};
