@@ -36,10 +36,13 @@ pub(super) fn smooth_over_rough_nats(dataset: &Dataset, residuals: &[Twist], out
     kept.sort_by(|&a, &b| clock(a).total_cmp(&clock(b)));
     let shifts = DMatrix::from_fn(kept.len(), 3, |row, axis| residuals[kept[row]][axis]);
     let progress: Vec<f64> = kept.iter().map(|&i| dataset.progress(&dataset.observations[i])).collect();
-    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(f64::NEG_INFINITY, f64::max);
-    let pairs = MEMORIES.iter().flat_map(|&memory| WHITE.iter().map(move |&white| (memory, white)));
-    let rough = largest(&mut pairs.map(|(memory, white)| rough_log_likelihood(&shifts, memory, white)));
-    largest(&mut LENGTHS.iter().map(|&length| smooth_log_likelihood(&shifts, &progress, length))) - rough
+    let of_memory = |memory: f64| largest(WHITE.map(|white| rough_log_likelihood(&shifts, memory, white)));
+    let smooth = largest(LENGTHS.map(|length| smooth_log_likelihood(&shifts, &progress, length)));
+    smooth - largest(MEMORIES.map(of_memory))
+}
+
+fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Restricted ln likelihood of the columns of `shifts` as an autoregressive process with this `memory` and so much `white` noise beside
@@ -90,7 +93,7 @@ fn smooth_log_likelihood(shifts: &DMatrix<f64>, progress: &[f64], length: f64) -
         let taken = size * size * seen.dot(&cholesky.solve(&seen));
         restricted(shifts, shifts.norm_squared() - taken, cholesky.ln_determinant())
     };
-    SIZES.map(of_size).into_iter().fold(f64::NEG_INFINITY, f64::max)
+    largest(SIZES.map(of_size))
 }
 
 /// ln likelihood at the likeliest variance, of whitened `squares` and the covariance's `log_det` about the mean, of one coordinate.
@@ -104,21 +107,17 @@ fn restricted(shifts: &DMatrix<f64>, squares: f64, log_det: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::heldout::SplitMix64;
     use nalgebra::DVector;
 
-    /// Numbers of about unit variance without a pattern.
-    fn noise(k: usize) -> f64 {
-        let x = (k as f64 * 12.9898).sin() * 43_758.547;
-        3.0_f64.sqrt() * (2.0 * (x - x.floor()) - 1.0)
-    }
-
     /// Rows of noise, each coordinate `memory` times the row's before, and `size` times a function of the measurement's progress.
-    fn shifts(seed: usize, rows: usize, memory: f64, (size, course): (f64, fn(f64) -> f64)) -> DMatrix<f64> {
+    fn shifts(seed: u64, rows: usize, memory: f64, (size, course): (f64, fn(f64) -> f64)) -> DMatrix<f64> {
+        let mut random = SplitMix64::new(seed);
         let mut shifts = DMatrix::zeros(rows, 3);
         for axis in 0..3 {
             let mut last = 0.0;
             for row in 0..rows {
-                last = memory * last + (1.0 - memory * memory).sqrt() * noise(10_000 * seed + 3 * row + axis);
+                last = memory * last + (1.0 - memory * memory).sqrt() * random.normal();
                 shifts[(row, axis)] = last + size * course(row as f64 / (rows - 1) as f64);
             }
         }
@@ -161,7 +160,7 @@ mod tests {
             });
             let best =
                 SIZES.map(|size| dense(&shifts, &(DMatrix::identity(rows, rows) + size * size * &kernel)));
-            let expected = best.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            let expected = largest(best);
             let got = smooth_log_likelihood(&shifts, &progress, length);
             assert!((got - expected).abs() < 0.01, "{got} {expected}");
         }

@@ -137,14 +137,21 @@ pub(crate) struct Candidate {
     pub sign_constrained: bool,
 }
 
-/// What two variants of one cause have in common: effect, joint, and the joint that is driven.
-pub(crate) type CauseKey = (EffectKind, Option<Axis>, Option<Axis>);
+/// What two variants of one cause have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct CauseKey {
+    pub kind: EffectKind,
+    pub joint: Option<Axis>,
+    /// The joint that a coupling drives.
+    pub joint_b: Option<Axis>,
+}
 
 impl Candidate {
-    /// Effect and joints.
+    /// The cause that it is a variant of.
     #[must_use]
     pub(crate) fn cause_key(&self) -> CauseKey {
-        (self.kind, self.variant.joint, self.variant.joint_b)
+        let EffectVariant { joint, joint_b, .. } = self.variant;
+        CauseKey { kind: self.kind, joint, joint_b }
     }
 
     /// A candidate of `kind` of weight 1, all parameters reported, unit SI.

@@ -191,14 +191,14 @@ pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<Caus
     let Some(first) = cause_groups.first() else { return };
     let of_first = &workspace.library.candidates[first.best];
     let simple = of_first.cause_key();
-    let length_alone = simple.0 == EffectKind::LinkGeometry && of_first.variant.refined;
+    let length_alone = simple.kind == EffectKind::LinkGeometry && of_first.variant.refined;
     let nests = |g: &CauseGroup| {
         let rich = workspace.library.candidates[g.best].cause_key();
-        let holds_offset = matches!(rich.0, EffectKind::ThermalJointDrift | EffectKind::JointStep)
-            || rich.0 == EffectKind::JointGain && workspace.library.candidates[g.best].variant.refined;
-        let holds_length = rich.0 == EffectKind::ThermalLinkGrowth;
-        simple.1 == rich.1
-            && (simple.0 == EffectKind::JointOffset && holds_offset || length_alone && holds_length)
+        let holds_offset = matches!(rich.kind, EffectKind::ThermalJointDrift | EffectKind::JointStep)
+            || rich.kind == EffectKind::JointGain && workspace.library.candidates[g.best].variant.refined;
+        let holds_length = rich.kind == EffectKind::ThermalLinkGrowth;
+        simple.joint == rich.joint
+            && (simple.kind == EffectKind::JointOffset && holds_offset || length_alone && holds_length)
     };
     let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
     cause_groups.retain(|g| !nests(g));

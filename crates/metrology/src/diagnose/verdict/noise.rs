@@ -214,12 +214,7 @@ fn beyond_statement(fitted: &FittedModel<'_>, chosen: &[ChosenCause], total: f64
 
 /// ln of how much likelier what `chosen` leave is of a smooth function of time beside white noise than of noise that is slow itself.
 fn smoothness_nats(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
-    let FittedModel { model, workspace, linear } = fitted;
-    let groups = workspace.design.all_groups();
-    let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
-        .without_slow(&workspace.design);
-    let residuals = workspace.design.residuals(&fit.coefficients);
-    smooth_over_rough_nats(&linear.dataset, &residuals, &model.outliers)
+    smooth_over_rough_nats(&fitted.linear.dataset, &fitted.residuals_beside(chosen), &fitted.model.outliers)
 }
 
 /// The same of variances over the one stated: `fast` of what is not slow, and `total`.

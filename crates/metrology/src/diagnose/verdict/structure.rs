@@ -292,12 +292,8 @@ pub(super) fn location_of_gp(
 /// Where structure over time lies that is no function of its own in the ranking.
 #[must_use]
 pub(super) fn over_time(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Location {
-    let FittedModel { model, workspace, linear } = fitted;
-    let groups = workspace.design.all_groups();
-    let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio))
-        .without_slow(&workspace.design);
-    let left: Vec<f64> = workspace.design.residuals(&fit.coefficients).iter().map(shift_m).collect();
-    Location { joint: None, time: Some(TimeCourse::Drift), region: region_of(linear, &left) }
+    let left: Vec<f64> = fitted.residuals_beside(chosen).iter().map(shift_m).collect();
+    Location { joint: None, time: Some(TimeCourse::Drift), region: region_of(fitted.linear, &left) }
 }
 
 /// Where in the workspace stations move most.
