@@ -63,6 +63,49 @@ fn what_is_found_in_some_rows_holds_in_rows_not_seen() {
     assert_eq!(tight.status.code(), Some(1));
 }
 
+/// The same rows with the signs of all directions turned round.
+fn with_directions_turned(csv: &str) -> String {
+    let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let turned = |(cell, column): (&str, &&str)| match (column.starts_with("dir"), cell) {
+        (true, "1") => "-1".to_owned(),
+        (true, "-1") => "1".to_owned(),
+        _ => cell.to_owned(),
+    };
+    let row = |line: &str| line.split(',').zip(&header).map(turned).collect::<Vec<String>>().join(",");
+    csv.lines().map(|line| row(line) + "\n").collect()
+}
+
+/// Play leaves a joint behind its last motion: the model says so with its sign. In a file whose directions are those that the joints came
+/// from it seems to stand ahead, which is told.
+#[test]
+fn play_lags_and_a_file_in_which_it_leads_is_asked_about_its_directions() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    done(&["synth", &at("set"), "--effects", "backlash:1", "--n", "120", "--rho", "5", "--seed", "7"]);
+    let csv = std::fs::read_to_string(at("set/set_0000/measurements.csv")).unwrap();
+    std::fs::write(at("lags.csv"), &csv).unwrap();
+    std::fs::write(at("leads.csv"), with_directions_turned(&csv)).unwrap();
+    let truth = json(&at("set/sealed/truth.json"))["sets"][0]["effects"][0]["amplitude"].as_f64().unwrap();
+    for (file, sign, is_told) in [("lags.csv", -1.0, false), ("leads.csv", 1.0, true)] {
+        let output =
+            driftpost(&["diagnose", &at(file), "--model-out", &at("model.toml"), "--json", &at("d.json")]);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{file}: {stderr}");
+        let warnings = json(&at("d.json"))["warnings"].to_string();
+        assert_eq!(
+            stderr.contains("dir1 may hold the side that the joint came from"),
+            is_told,
+            "{file}: {stderr}"
+        );
+        assert_eq!(warnings.contains("diagnose::play-ahead"), is_told, "{file}: {warnings}");
+        let model = std::fs::read_to_string(at("model.toml")).unwrap();
+        let gap_deg: f64 =
+            model.split("\ngap_deg = ").nth(1).unwrap().lines().next().unwrap().parse().unwrap();
+        assert!((gap_deg.to_radians() / (sign * truth) - 1.0).abs() < 0.05, "{file}: {gap_deg} of {truth}");
+        std::fs::remove_file(at("model.toml")).unwrap();
+    }
+}
+
 #[test]
 fn a_program_is_solved_for_every_effect_at_once_and_executed_on_that_robot() {
     let dir = tempfile::tempdir().unwrap();
@@ -257,9 +300,11 @@ fn what_a_program_cannot_know_is_asked_for() {
 fn what_is_withheld_is_found_and_compensated_down_to_the_noise() {
     let dir = tempfile::tempdir().unwrap();
     let at = |name: &str| path(dir.path(), name);
-    for (effects, seed) in
-        [("joint_compliance:2,gear_mesh:3:20", "3"), ("joint_offset:3,joint_compliance:3", "2")]
-    {
+    for (effects, seed) in [
+        ("joint_compliance:2,gear_mesh:3:20", "3"),
+        ("joint_offset:3,joint_compliance:3", "2"),
+        ("backlash:1", "3"),
+    ] {
         let output =
             driftpost(&["closed-loop", CUBE, "--inject", effects, "--seed", seed, "--json", &at("r.json")]);
         let message = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -22,6 +22,7 @@ use super::options::DiagnosisOptions;
 use super::outcome::{
     Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
 };
+use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
 use super::verdict::{Judgement, judge};
@@ -127,7 +128,10 @@ fn consequences(
     let next = next_measurements(measured.robot, fitted, &judgement, options);
     let false_rows = false_rows(measured, fitted);
     Findings {
-        warnings: region_warning(&shrink, fitted).into_iter().collect(),
+        warnings: region_warning(&shrink, fitted)
+            .into_iter()
+            .chain(play_ahead(fitted, &judgement.causes))
+            .collect(),
         shrink,
         zeros_alone,
         noise: noise_estimate(prepared, fitted, judgement.reduced_chi_square),

@@ -36,6 +36,7 @@ mod observation;
 mod options;
 mod outcome;
 mod outlier_history;
+mod play_ahead;
 mod robust_weights;
 mod rounding;
 mod scatter;

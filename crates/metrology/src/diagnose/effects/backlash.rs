@@ -6,7 +6,8 @@ use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 
-/// J_j times half the gap, on the side of the last motion; where gravity's torque is large, on its side.
+/// J_j times half the gap times the sign of the last motion, less than 0 where the joint lags as play leaves it; where gravity's torque is
+/// large, on its side.
 pub(super) struct Backlash;
 
 /// Prior weight of all variants in which gravity holds the teeth, over that in which it does not.

@@ -130,7 +130,8 @@ pub struct Term {
     pub payload_scaling: PayloadScaling,
     /// Named as a cause; otherwise it stands in the background of the causes.
     pub cause: bool,
-    /// In the order of [`EffectKind::parameters`], SI; of a spectrum sine and cosine of 1, 2, 3 ... per turn.
+    /// In the order of [`EffectKind::parameters`], SI; of a spectrum sine and cosine of 1, 2, 3 ... per turn. A gap below 0 is of a joint
+    /// that stays behind its motion, as play leaves it.
     pub values: Vec<Estimate>,
 }
 

@@ -52,11 +52,7 @@ pub(super) fn read_term(mut keys: TableReader, kinds: &Joints<JointKind>) -> Res
     };
     let mut values = Vec::new();
     for (key, unit) in kind.parameters(kind_of(joint, kinds)) {
-        let number = keys.number(key)?.unwrap_or(0.0);
-        if kind == EffectKind::Backlash && number < 0.0 {
-            return Err(keys.wrong(key, format!("{number} is no play: 0 or more is asked for")));
-        }
-        let value = unit.si(number);
+        let value = unit.si(keys.number(key)?.unwrap_or(0.0));
         let sigma = keys.number(&format!("sigma_{key}"))?.map(|s| unit.si(s));
         values.push(Estimate { value, sigma });
     }
