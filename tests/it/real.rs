@@ -95,3 +95,25 @@ fn a_model_of_one_season_holds_in_the_next() {
     assert!(inside <= 0.30, "{inside}");
     assert!(outside < outside_nominal, "{outside} of {outside_nominal}");
 }
+
+/// A fifth of the rows held out, those whose number times 101 leaves 1 of 5 beyond a prime: four fifths make a model, and it holds there. Beside
+/// the causes a gear of joint 2 comes out at eighty times its usual size, which is in no model.
+#[test]
+#[ignore = "half a minute: run with --release, DRIFTPOST_MEASUREMENTS naming the folder of irb120_faro"]
+fn four_fifths_of_an_arms_rows_make_a_model_for_the_last() {
+    let folder = PathBuf::from(std::env::var("DRIFTPOST_MEASUREMENTS").unwrap()).join("irb120_faro");
+    let csv = fs::read_to_string(folder.join("measurements.csv")).unwrap();
+    let (header, rows) = csv.split_once('\n').unwrap();
+    let dir = tempfile::tempdir().unwrap();
+    let part = |name: &str, is_held_out: bool| {
+        let is_here = |(i, _): &(usize, &str)| ((i * 101 % 691) % 5 == 1) == is_held_out;
+        let rows: Vec<&str> = rows.lines().enumerate().filter(is_here).map(|(_, row)| row).collect();
+        fs::create_dir(dir.path().join(name)).unwrap();
+        fs::write(dir.path().join(name).join("measurements.csv"), format!("{header}\n{}\n", rows.join("\n")))
+            .unwrap();
+        dir.path().join(name)
+    };
+    let found = carried_over(&part("seen", false), &part("unseen", true), &folder.join("robot.toml"));
+    let (rms, nominal, n) = rms_mm(&found);
+    assert!(n > 130 && rms < 0.083 && nominal > 0.6, "{rms} of {nominal} mm, {n} poses");
+}

@@ -1,6 +1,6 @@
 //! A cause of the gap as it is told: which effect, where, how large, how likely.
 
-use super::effects;
+use super::effects::{self, CauseKey};
 use super::size_unit::SizeUnit;
 use super::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
@@ -61,6 +61,12 @@ impl Cause {
     #[must_use]
     pub fn of_gap_mm(&self) -> f64 {
         self.seen_mm().min(self.rms_of_gap_mm.unwrap_or(f64::INFINITY))
+    }
+
+    /// What it has in common with its variants.
+    #[must_use]
+    pub(super) fn key(&self) -> CauseKey {
+        CauseKey { kind: self.effect, joint: self.joint, joint_b: self.joint_b }
     }
 
     /// An effect as a cause of no joint, not fitted.

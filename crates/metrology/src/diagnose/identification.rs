@@ -1,6 +1,6 @@
 //! The model that is made of what was found: what of it cannot be in one, and why there is none.
 
-use super::cause::Cause;
+use super::effects::Candidate;
 use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
@@ -9,12 +9,18 @@ use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds};
 use super::options::DiagnosisOptions;
-use super::outcome::Warning;
+use super::outcome::{Verdict, Warning};
 use super::spectrum;
+use super::verdict::Judgement;
 use robot_model::deform::identified::Identified;
 
 /// Why a drift over rows is in no model.
 const UNTIMED: &str = "what drifts from row to row cannot be carried to another file without times (t_min)";
+
+/// Code of a term that the model is made without because of its size.
+const BEYOND_USUAL: &str = "diagnose::beyond-usual";
+/// Terms that a model is made without for that, at most.
+const MOST_BEYOND: usize = 2;
 
 /// What became of the model that was wanted.
 pub(super) struct Identification {
@@ -25,6 +31,7 @@ pub(super) struct Identification {
 }
 
 /// What a model is made without, although it was found.
+#[derive(Clone)]
 struct LeftOut {
     code: &'static str,
     /// Why it cannot be in a model.
@@ -42,19 +49,19 @@ impl Identification {
         options: &DiagnosisOptions,
         problem: &SearchProblem<'_>,
         fitted: &FittedModel<'_>,
-        causes: &[Cause],
+        judgement: &Judgement,
     ) -> Self {
         let linear = problem.linear;
         let mut left_out = Vec::new();
         let mut candidates = problem.candidates.to_vec();
         let spectra = spectrum::spectra(problem.candidates, &fitted.model.chosen);
         // In a spectrum all lines of the gear stand side by side, of one size: what is the same at the angles measured is shared out.
-        let aliased = aliased_line(&linear.dataset, causes)
+        let aliased = aliased_line(&linear.dataset, &judgement.causes)
             .filter(|line| !spectra.iter().any(|of| of.joint == line.joint));
         if let Some(AliasedLine { joint, periods, slot }) = aliased {
             let periods = periods.iter().map(u32::to_string).collect::<Vec<String>>().join(" and ");
             let why = NoModel::Aliases { joint, periods };
-            if causes.iter().all(|cause| cause.slot == slot) {
+            if judgement.causes.iter().all(|cause| cause.slot == slot) {
                 return Self::none(why);
             }
             let what = format!("the gear of joint {joint}");
@@ -76,10 +83,40 @@ impl Identification {
             candidates.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
         }
         if left_out.is_empty() {
-            return Self { found: identify(measured, fitted, options), left_out };
+            return Self::of_usual(measured, options, problem, fitted, judgement, left_out);
         }
-        let fitted = best_model(&SearchProblem { candidates: &candidates, ..*problem });
-        Self { found: identify(measured, &fitted, options), left_out }
+        let problem = SearchProblem { candidates: &candidates, ..*problem };
+        Self::of_usual(measured, options, &problem, &best_model(&problem), judgement, left_out)
+    }
+
+    /// The model of `fitted`. Where a term of it that is no cause that is told came out at a size that cannot be, that of a search without
+    /// the term, if it is one.
+    fn of_usual(
+        measured: MeasuredRobot<'_>,
+        options: &DiagnosisOptions,
+        problem: &SearchProblem<'_>,
+        fitted: &FittedModel<'_>,
+        judgement: &Judgement,
+        left_out: Vec<LeftOut>,
+    ) -> Self {
+        let found = identify(measured, fitted, options);
+        let Err(NoModel::Beyond { cause, n, .. }) = &found else { return Self { found, left_out } };
+        let Judgement { verdict, causes, .. } = judgement;
+        let is_told = causes.iter().any(|told| (told.key(), told.n) == (*cause, *n));
+        // What takes a structure of no cause once takes it again, under another name.
+        let is_explained = !matches!(verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
+        let beyond = left_out.iter().filter(|left_out| left_out.code == BEYOND_USUAL).count();
+        if is_told || !is_explained || beyond == MOST_BEYOND {
+            return Self { found, left_out };
+        }
+        let others = problem.candidates.iter().filter(|c| (c.cause_key(), c.variant.n) != (*cause, *n));
+        let candidates: Vec<Candidate> = others.cloned().collect();
+        let why = found.as_ref().err().map(ToString::to_string).unwrap_or_default();
+        let beyond = LeftOut { code: BEYOND_USUAL, why, what: "it".to_owned() };
+        let more = left_out.iter().cloned().chain([beyond]).collect();
+        let problem = SearchProblem { candidates: &candidates, ..*problem };
+        let without = Self::of_usual(measured, options, &problem, &best_model(&problem), judgement, more);
+        if without.found.is_ok() { without } else { Self { found, left_out } }
     }
 
     /// That there is no model, and why.

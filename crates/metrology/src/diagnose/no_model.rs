@@ -1,7 +1,7 @@
 //! What is no model: terms of sizes that cannot be, and an arm that does not stand where it was measured.
 
 use super::dataset::{Dataset, Twist, scaled};
-use super::effects::Candidate;
+use super::effects::{Candidate, CauseKey};
 use super::heldout::{floor_m, independent_floor_m};
 use super::linearise::shift_m;
 use super::model::FittedModel;
@@ -39,6 +39,10 @@ pub(super) enum NoModel {
         "{term} came out at {times:.0} times its usual size: it takes what is something else, or these poses do not tell it"
     )]
     Beyond {
+        /// Whose term it is.
+        cause: CauseKey,
+        /// Periods per turn of a gear line.
+        n: Option<u32>,
         /// The term in words.
         term: String,
         /// How many times its usual size it came out at.
@@ -110,7 +114,13 @@ pub(super) fn is_usual(
     });
     for (candidate, times) in in_model.chain(lines) {
         if times > candidate.effect().furthest_sigmas() {
-            return Err(NoModel::Beyond { term: describe_candidate(candidate, columns.dataset), times });
+            let term = describe_candidate(candidate, columns.dataset);
+            return Err(NoModel::Beyond {
+                cause: candidate.cause_key(),
+                n: candidate.variant.n,
+                term,
+                times,
+            });
         }
     }
     for term in identified.terms.iter().filter(|term| term.cause) {
