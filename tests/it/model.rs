@@ -137,6 +137,7 @@ fn a_program_is_solved_for_every_effect_at_once_and_executed_on_that_robot() {
     assert!(codes.contains(&"model::left-out"), "{codes:?}");
     let left_out =
         reported["warnings"].as_array().unwrap().iter().find(|w| w["code"] == "model::left-out").unwrap();
+    assert!(codes.contains(&"model::base-and-tool"), "{codes:?}");
     for name in ["instrument_scale", "base_step at minute", "tool_step at minute"] {
         assert!(left_out["message"].as_str().unwrap().contains(name), "{left_out}");
     }

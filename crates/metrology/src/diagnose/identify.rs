@@ -172,7 +172,8 @@ impl Refit<'_> {
                 holds(rms_m(&left, |_| true), rms_m(&before, |_| true), self.fitted, self.options.sigma_m)?;
             }
         }
-        identified.terms.retain(|term| !is_of_mounting(term));
+        // Base and target are registered again wherever the model is used.
+        identified.terms.retain(|term| !term.kind.is_of_mounting());
         Ok(())
     }
 }
@@ -197,14 +198,6 @@ fn by_the_clock(stations: &Stations, dataset: &Dataset) -> Stations {
     stations
 }
 
-/// Base and target are registered again wherever the model is used.
-fn is_of_mounting(term: &Term) -> bool {
-    matches!(
-        term.kind,
-        EffectKind::BaseDrift | EffectKind::BaseStep | EffectKind::ToolDrift | EffectKind::ToolStep
-    )
-}
-
 /// Whether `chosen` has a drift of the arm by the order of rows: such a clock means nothing to another file.
 pub(super) fn drifts_by_rows(dataset: &Dataset, candidates: &[Candidate], chosen: &[ChosenCause]) -> bool {
     let mut chosen = chosen.iter().map(|cause| &candidates[cause.candidate]);
@@ -222,7 +215,7 @@ pub(super) fn is_by_rows(dataset: &Dataset, candidate: &Candidate) -> bool {
 /// Leaves what has stepped at some row as it stood at the end; the last such step of the arm, if any.
 fn without_clock(model: &mut Identified) -> Option<f64> {
     let mut last = None;
-    for term in model.terms.iter_mut().filter(|term| !is_of_mounting(term)) {
+    for term in model.terms.iter_mut().filter(|term| !term.kind.is_of_mounting()) {
         if let Growth::Step { t0_min } = term.growth {
             last = Some(last.map_or(t0_min, |last: f64| last.max(t0_min)));
             term.growth = Growth::Always;

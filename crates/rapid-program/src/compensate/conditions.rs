@@ -145,10 +145,29 @@ pub(super) fn check_model(model: &Model<'_>, schedule: Option<&Schedule>, messag
         let text = format!("of the model {}", model.left_out.join("; "));
         messages.add(None, Diagnostic::warning("model::left-out", text));
     }
+    warn_of_mounting(model, messages);
     warmer(model, messages);
     if let Some(schedule) = schedule {
         check_schedule(model, schedule, messages);
     }
+}
+
+/// Warns of terms that may be the instrument's or the reflector's: measurements show base and instrument, tool and reflector as one.
+fn warn_of_mounting(model: &Model<'_>, messages: &mut Messages) {
+    let Some(identified) = &model.identified else { return };
+    let mut names: Vec<&str> =
+        identified.terms.iter().filter(|t| t.kind.is_of_mounting()).map(|t| t.kind.name()).collect();
+    names.dedup();
+    if names.is_empty() {
+        return;
+    }
+    let text = format!(
+        "{} of the model is taken for the robot's: programs are corrected for it as for the arm itself",
+        names.join(", ")
+    );
+    let help = "right where the robot's base or its tool moved; where it was the instrument's stand or the reflector, take the term out of \
+                the model first";
+    messages.add(None, Diagnostic::warning("model::base-and-tool", text).help(help));
 }
 
 /// Warns where the joints are said to be warmer or colder than they were measured.

@@ -189,6 +189,12 @@ impl EffectKind {
                 | Self::PayloadMass
         )
     }
+
+    /// Whether it moves the robot's base or what is on the flange, which measurements show as one with the instrument and its target.
+    #[must_use]
+    pub fn is_of_mounting(self) -> bool {
+        matches!(self, Self::BaseDrift | Self::BaseStep | Self::ToolDrift | Self::ToolStep)
+    }
 }
 
 impl fmt::Display for EffectKind {
