@@ -1,6 +1,7 @@
 //! `diagnose`, `synth` and `exam` as scripts rely on them: bad input, the same bytes at any number of threads,
 //! files written, and a small fixed exam.
 
+mod held_out;
 mod outside_the_library;
 mod told_apart;
 mod unrecorded;

@@ -5,7 +5,7 @@ use super::linear_fit::solve;
 use super::linearise::shift_m;
 use super::model::FittedModel;
 use super::outcome::{ErrorReduction, HeldOutBlock};
-use super::search::ALARM_NATS;
+use super::search::{ALARM_NATS, ChosenCause, Library};
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -151,7 +151,7 @@ fn held_out(fitted: &mut FittedModel<'_>, folds: &Folds, groups: &[usize]) -> Ve
     let train: Vec<usize> = all.iter().copied().filter(|a| !groups.contains(a)).collect();
     // Evidence grows with the number of rows: what passes with all of them passes with a share of it here.
     let alarm = ALARM_NATS * workspace.design.rows(&train) as f64 / workspace.design.rows(&all) as f64;
-    let chosen = workspace.library.search(
+    let found = workspace.library.search(
         &mut workspace.design,
         &train,
         model.noise,
@@ -159,6 +159,8 @@ fn held_out(fitted: &mut FittedModel<'_>, folds: &Folds, groups: &[usize]) -> Ve
         alarm,
         &model.chosen,
     );
+    let is_kept = |station: usize| !groups.contains(&folds.group_of[station]) && !model.outliers[station];
+    let chosen = with_moments_of(&model.chosen, found, &workspace.library, is_kept);
     let ratio = Some(model.peak.geometry_ratio);
     let fits = [
         solve(&workspace.design, &train, &[], None),
@@ -175,6 +177,38 @@ fn held_out(fitted: &mut FittedModel<'_>, folds: &Folds, groups: &[usize]) -> Ve
             HeldOutSquares { station, before_m2, causes_m2, after_m2 }
         })
         .collect()
+}
+
+/// The causes `found` from the stations kept, a step at its moment among the causes of `all` where no station kept lies between the two: those
+/// kept do not tell them apart, and nothing else is measured in that moment. Either side would be right for half of the poses held out next
+/// to it, whose distances would be those of a step that the model has not missed.
+fn with_moments_of(
+    all: &[ChosenCause],
+    found: Vec<ChosenCause>,
+    library: &Library<'_>,
+    is_kept: impl Fn(usize) -> bool,
+) -> Vec<ChosenCause> {
+    let candidate = |cause: &ChosenCause| &library.candidates[cause.candidate];
+    let moment = |cause: &ChosenCause| candidate(cause).variant.t0_min();
+    let observations = &library.dataset.observations;
+    let is_told = |a: f64, b: f64| {
+        let between = |clock: f64| a.min(b) < clock && clock < a.max(b);
+        (0..observations.len()).any(|station| is_kept(station) && between(observations[station].clock()))
+    };
+    let at_moment = |cause: ChosenCause| {
+        let same = all.iter().find(|of_all| {
+            let moments = moment(of_all).zip(moment(&cause));
+            candidate(of_all).cause_key() == candidate(&cause).cause_key()
+                && moments.is_some_and(|(a, b)| !is_told(a, b))
+        });
+        match same {
+            Some(of_all) => {
+                ChosenCause { candidate: of_all.candidate, columns: of_all.columns.clone(), ..cause }
+            }
+            None => cause,
+        }
+    };
+    found.into_iter().map(at_moment).collect()
 }
 
 /// What is left of the stations of a block, rms; `None` of none.
