@@ -5,6 +5,7 @@
 
 use super::dataset::{Dataset, Twist};
 use super::effects::{Candidate, Motion};
+use super::holding_torque::with_holding_torques;
 use super::linearise::{Linearised, rms_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
@@ -37,7 +38,7 @@ pub(super) fn identify(
 ) -> Result<Identified, NoModel> {
     let MeasuredRobot { robot, measurements, stations } = measured;
     let FittedModel { linear, model, workspace } = fitted;
-    let dataset = &linear.dataset;
+    let dataset = &*with_holding_torques(fitted);
     let candidates = workspace.library.candidates;
     let lines = spectrum::spectra(candidates, &model.chosen);
     let in_spectrum = |c: &&ChosenCause| {

@@ -18,6 +18,7 @@ mod gp_alternative;
 mod gp_features;
 mod gp_over_time;
 mod heldout;
+mod holding_torque;
 mod identification;
 mod identify;
 mod iterated_search;

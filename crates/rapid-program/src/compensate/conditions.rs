@@ -37,10 +37,7 @@ pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolve
 /// What hangs on the flange in a motion with such a tool, where the model depends on it: the tool's load data (RAPID gives its
 /// centre in the flange's frame) and what is gripped (its centre in the tool's frame), where that is known.
 pub(super) fn payload_under(tool: Option<&ToolData>, motion: &Motion, model: &Model<'_>) -> Payload {
-    let needs_load = model.identified.as_ref().is_some_and(|identified| {
-        identified.needs_load() || identified.terms.iter().any(|term| term.held_above_n_m.is_some())
-    });
-    if !needs_load {
+    if !model.identified.as_ref().is_some_and(|identified| identified.needs_load()) {
         return Payload::default();
     }
     payload_of(tool, motion.setup.grip.unwrap_or_default(), model.payload_kg)

@@ -72,7 +72,7 @@ impl DeformedArm {
         let terms = Terms {
             nominal: frames.chain(&FrameOffsets::default()),
             frames,
-            needs_load: model.needs_load() || model.terms.iter().any(|t| t.held_above_n_m.is_some()),
+            needs_load: model.needs_load(),
             fixed_frames: model.terms.iter().all(|t| t.kind.only_turns() || !t.kind.needs_load()),
             robot: Arc::clone(robot),
             model: Arc::clone(model),

@@ -26,7 +26,7 @@ impl DeformedSerialArm {
         Self {
             nominal: frames.chain(&SerialOffsets::default()),
             frames,
-            needs_load: model.needs_load() || model.terms.iter().any(|t| t.held_above_n_m.is_some()),
+            needs_load: model.needs_load(),
             arm: Arc::clone(arm),
             model: Arc::clone(model),
         }

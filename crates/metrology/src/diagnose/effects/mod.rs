@@ -30,7 +30,7 @@ mod tool_drift;
 mod tool_step;
 
 pub(in crate::diagnose) use backlash::held_above_n_m;
-pub(super) use effect::{Candidate, CauseKey, EffectVariant};
+pub(super) use effect::{Candidate, CauseKey, EffectVariant, GravityHold};
 pub(super) use gear_harmonic::OVERTONE_WEIGHT;
 pub(super) use gear_mesh::line_with_overtone;
 pub(super) use library::{TestableEffects, UntestableEffect, effect, testable_effects};

@@ -190,10 +190,10 @@ impl Identified {
         self.terms.iter().any(|t| matches!(t.growth, Growth::Temperature { .. }))
     }
 
-    /// Whether any term depends on the load.
+    /// Whether any term depends on the load; play does where gravity holds it.
     #[must_use]
     pub fn needs_load(&self) -> bool {
-        self.terms.iter().any(|t| t.kind.needs_load())
+        self.terms.iter().any(|t| t.kind.needs_load() || t.held_above_n_m.is_some())
     }
 
     /// Whether any term depends on the direction from which a joint came.
