@@ -213,7 +213,7 @@ pub(super) fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseG
     let Some(first) = cause_groups.first() else { return };
     let mut probabilities: Vec<f64> = cause_groups.iter().map(|g| g.probability).collect();
     let shared: Vec<bool> = kinds.iter().map(|&kind| shapes_in_doubt(kinds[0], kind)).collect();
-    raise_rivals(&mut probabilities, &shared, SHAPE_KNOWN_TO, first.gain_nats);
+    raise_alternatives(&mut probabilities, &shared, SHAPE_KNOWN_TO, first.gain_nats);
     for (group, probability) in cause_groups.iter_mut().zip(probabilities) {
         group.probability = probability;
     }
@@ -260,7 +260,7 @@ fn gives_under_load(kind: EffectKind) -> bool {
 /// The probabilities of causes, the first the likeliest, where the shape of the first's or of a `shared` alternative's signal is known to
 /// a share `s` only: such a shape leaves s² of the `gain_nats` unexplained whichever of the two is true, so an alternative's odds grow by
 /// exp(s² gain), to the first's own at most. The sum stays.
-fn raise_rivals(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f64) {
+fn raise_alternatives(probabilities: &mut [f64], shared: &[bool], s: f64, gain_nats: f64) {
     let before: f64 = probabilities.iter().sum();
     let Some((&mut first, alternatives)) = probabilities.split_first_mut() else { return };
     let odds = (s * s * gain_nats.max(0.0)).exp();
@@ -321,13 +321,13 @@ pub(super) fn scan(fitted: &FittedModel<'_>, chosen: &[ChosenCause], without: Op
 
 #[cfg(test)]
 mod tests {
-    use super::raise_rivals;
+    use super::raise_alternatives;
 
     /// A gain of 100 ln 2 nats and a shape known to a tenth double an alternative's odds: .6 : .2 : .2 becomes .6 : .4 : .2.
     #[test]
-    fn a_rough_shape_gives_its_rivals_back_their_odds() {
+    fn a_rough_shape_gives_its_alternatives_back_their_odds() {
         let mut probabilities = [0.6, 0.2, 0.2];
-        raise_rivals(&mut probabilities, &[true, true, false], 0.1, 100.0 * 2.0_f64.ln());
+        raise_alternatives(&mut probabilities, &[true, true, false], 0.1, 100.0 * 2.0_f64.ln());
         for (p, by_hand) in probabilities.iter().zip([0.5, 1.0 / 3.0, 1.0 / 6.0]) {
             assert!((p - by_hand).abs() < 1e-12, "{probabilities:?}");
         }
@@ -337,10 +337,10 @@ mod tests {
     #[test]
     fn a_rival_comes_level_at_most() {
         let mut level = [0.9, 0.1];
-        raise_rivals(&mut level, &[true, true], 0.1, 1e6);
+        raise_alternatives(&mut level, &[true, true], 0.1, 1e6);
         assert!((level[0] - 0.5).abs() < 1e-12 && (level[1] - 0.5).abs() < 1e-12, "{level:?}");
         let mut kept = [0.9, 0.1];
-        raise_rivals(&mut kept, &[true, true], 0.1, -5.0);
+        raise_alternatives(&mut kept, &[true, true], 0.1, -5.0);
         assert_eq!(kept, [0.9, 0.1]);
     }
 }
