@@ -10,6 +10,9 @@ pub(super) const FALSE_SIGMAS: f64 = 4.5;
 const NEAREST: usize = 3;
 /// Two errors point the same way, or one along a joint's motion, from this cosine on.
 const ALONG: f64 = 0.7;
+/// A station that is off by less than this share of another's error says nothing of it: near a false reading of millimetres some noise points
+/// its way by chance.
+const COMPARABLE: f64 = 0.2;
 
 /// Weight of each station beside that of its repeats, and whether it is set aside as false.
 #[derive(Clone)]
@@ -59,9 +62,10 @@ impl RobustWeights {
 fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
     let observations = &linear.dataset.observations;
     let here = &residuals[i];
+    let least_m = least_alike_m(here, limit_m);
     let alike = |k: usize| {
         let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
-        shift_m(&residuals[k]) > 0.5 * limit_m && along > ALONG * shift_m(here) * shift_m(&residuals[k])
+        shift_m(&residuals[k]) > least_m && along > ALONG * shift_m(here) * shift_m(&residuals[k])
     };
     // Most of the nearest: two false rows that happen to lie side by side do not excuse each other.
     let same_visit =
@@ -83,19 +87,25 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
     place || time() || turned_alike(linear, residuals, i, limit_m)
 }
 
+/// From how far off on another station can be off as one is that is off by `here`, metres.
+fn least_alike_m(here: &Twist, limit_m: f64) -> f64 {
+    (0.5 * limit_m).max(COMPARABLE * shift_m(here))
+}
+
 /// Whether some joint, turned a little, would put the station `i` where it was measured, and likewise most of those at which that
 /// joint stood nearest: then it is what the joint does there, at its end or in the middle, wherever the arm was.
 fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
     let observations = &linear.dataset.observations;
     let visits = &linear.dataset.visits;
     let visit = visits.iter().find(|visit| visit.contains(&i)).map_or(&[][..], Vec::as_slice);
+    let least_m = least_alike_m(&residuals[i], limit_m);
     // Turn and share of the distance that it leaves none of, where the station is far off.
     let turn = |k: usize, joint: usize| {
         let twist = observations[k].jacobian_column(joint);
         let along = (0..3).map(|x| twist[x] * residuals[k][x]).sum::<f64>();
         let lever = shift_m(&twist);
         let far = shift_m(&residuals[k]);
-        (lever > 0.0 && far > 0.5 * limit_m && along.abs() > ALONG * lever * far).then_some(along)
+        (lever > 0.0 && far > least_m && along.abs() > ALONG * lever * far).then_some(along)
     };
     (0..linear.dataset.joints()).any(|joint| {
         let Some(here) = turn(i, joint) else { return false };
@@ -122,6 +132,31 @@ mod tests {
     use crate::diagnose::dataset::evenly_spread;
     use crate::measure::Registration;
     use nalgebra::{Isometry3, Vector3};
+
+    /// Two readings one after the other are false by 4 mm, the one before them is off by 0.1 mm in their direction, twice the noise: it
+    /// does not excuse them. Off by 1 mm it does: what swells within some rows is no false reading.
+    #[test]
+    fn noise_beside_false_readings_does_not_excuse_them() {
+        let aside = |before_m: f64| {
+            let dataset = evenly_spread(60);
+            let off_m = |i: usize| match i {
+                11 => before_m,
+                12 | 13 => 4e-3,
+                _ => [2e-5, -3e-5, 1e-5, -2e-5][i % 4],
+            };
+            let small = |i: usize, k: usize| [1e-5, -3e-5, 2e-5, 4e-5, -2e-5][(i + 2 * k) % 5];
+            let residuals: Vec<Twist> = (0..60)
+                .map(|i| Twist([small(i, 0), off_m(i) + small(i, 1), small(i, 2), 0.0, 0.0, 0.0]))
+                .collect();
+            let registration =
+                Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
+            let linear = Linearised { dataset, nominal: residuals.clone(), residuals, registration };
+            let robust = RobustWeights::of(&linear, &linear.residuals, &[1.0; 60]);
+            (0..60).filter(|&i| robust.outliers[i]).collect::<Vec<usize>>()
+        };
+        assert_eq!(aside(6e-5), [12, 13]);
+        assert!(!aside(1e-3).iter().any(|i| [12, 13].contains(i)));
+    }
 
     /// At four places, apart from each other, joint 4 stands near its end and 3 mrad off; one other row is off by as much, alone.
     #[test]
