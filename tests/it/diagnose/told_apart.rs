@@ -322,3 +322,27 @@ fn narrow_deg(k: usize) -> [f64; 6] {
     let share = |j: usize| ((k + 1) as f64 * 0.618_034_f64.powi(j as i32 + 1)).fract();
     std::array::from_fn(|j| middle_deg[j] + [15.0, 20.0, 20.0, 30.0, 40.0, 40.0][j] * (2.0 * share(j) - 1.0))
 }
+
+/// Sixty rows of a gear that is no pure sine: a sixth of its line at twice, a twentieth at three times its periods, each of a phase of its own. That is
+/// one line, without steps or corners; a square wave has a third at three times.
+#[test]
+fn a_line_with_harmonics_of_its_own_has_no_corners() {
+    let chain = chain();
+    let of = |shape: &dyn Fn(f64) -> f64| {
+        let csv = file(60, |k| {
+            let q_deg = anywhere_deg(k);
+            let q_rad = q_deg.map(f64::to_radians);
+            let hand_m = turned(&chain, q_rad, 1, 3.6e-4 * shape(52.0 * q_rad[1]));
+            (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + 0.04 * noise(3 * k + axis)))
+        });
+        diagnose(csv.as_bytes(), &[])
+    };
+    for phase in [0.0, 1.2, 2.4, 3.6, 4.8] {
+        let (_, text, found) =
+            of(&|x| x.sin() + 0.166 * (2.0 * x + phase).sin() + 0.05 * (3.0 * x + 1.7 * phase).sin());
+        assert_eq!(verdict(&found), "explained", "{phase}: {text}");
+        assert_eq!(periods(&found.unwrap()), [(1, 52)], "{phase}");
+    }
+    let (_, text, found) = of(&|x| x.sin().signum());
+    assert!(verdict(&found).starts_with("unexplained"), "{text}");
+}

@@ -61,6 +61,12 @@ impl Effect for GearMesh {
     }
 }
 
+/// The line of `n` periods per turn of `joint`.
+pub(crate) fn line(joint: Axis, n: u32) -> Candidate {
+    let variant = EffectVariant { n: Some(n), ..EffectVariant::of_joint(joint.index()) };
+    Candidate::new(EffectKind::GearMesh, variant, vec![1e-4, 1e-4])
+}
+
 /// The line of `n` periods per turn of `joint` with its own double frequency, of about [`OVERTONE`] of its size.
 pub(crate) fn line_with_overtone(joint: Axis, n: u32) -> Candidate {
     let variant = EffectVariant { n: Some(n), refined: true, ..EffectVariant::of_joint(joint.index()) };

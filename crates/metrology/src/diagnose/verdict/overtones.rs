@@ -1,27 +1,34 @@
 //! A gear line's own double frequency: part of the gear, and no second cause.
 
-use crate::diagnose::effects::{OVERTONE_WEIGHT, line_with_overtone};
+use crate::diagnose::design::Design;
+use crate::diagnose::effects::{OVERTONE_WEIGHT, line, line_with_overtone};
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::linear_fit::{LinearFit, solve};
+use crate::diagnose::linearise::Linearised;
 use crate::diagnose::marginal::log_sum;
-use crate::diagnose::model::FittedModel;
+use crate::diagnose::model::{FittedModel, Model};
 use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 
 /// Largest size of a double frequency that is the gear's own, over the line's: the upper end of what is usual, see
 /// `OVERTONE` in `effects/gear_harmonic.rs`.
 const LARGEST: f64 = 0.2;
+/// Third harmonic of what has steps or corners, over its first: a third of a square wave's or a sawtooth's.
+const LEAST_OF_CORNERS: f64 = 0.25;
+/// Size of a harmonic over its prior's that is as good as free.
+const FREE_RATIO: f64 = 100.0;
 
 /// Places in `chosen` of lines at twice the periods of another line of the same gear, of a fifth of its size or less.
 #[must_use]
 pub(super) fn overtones(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec<usize> {
     let FittedModel { model, workspace, .. } = fitted;
-    let line = |one: &ChosenCause| {
+    let line_of = |one: &ChosenCause| {
         let candidate = &workspace.library.candidates[one.candidate];
         let joint_and_n = candidate.variant.joint.zip(candidate.variant.n);
         joint_and_n.filter(|_| candidate.kind == EffectKind::GearMesh)
     };
-    let lines: Vec<_> = chosen.iter().map(line).collect();
+    let lines: Vec<_> = chosen.iter().map(line_of).collect();
     let doubles = |i: usize, k: usize| {
         lines[i].zip(lines[k]).is_some_and(|((joint, n), (of, m))| joint == of && m == 2 * n)
     };
@@ -44,6 +51,34 @@ pub(super) fn overtones(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec
     };
     let is_own = |&(i, k): &(usize, usize)| size(&fit, k) <= LARGEST * size(&fit, i) + sigma(k);
     pairs.into_iter().filter(is_own).map(|(_, k)| k).collect()
+}
+
+/// Whether what turns `joint` `n` times per turn has steps or corners: beside `others` its third harmonic may be a quarter of the first or more.
+#[must_use]
+pub(super) fn has_corners(
+    (linear, model, design): (&Linearised, &Model, &Design),
+    others: &[ChosenCause],
+    (joint, n): (Axis, u32),
+) -> bool {
+    let mut design = design.clone();
+    let harmonics: Vec<ChosenCause> = (1..=3)
+        .map(|k| {
+            let columns = design.columns_of(&linear.dataset, &line(joint, k * n));
+            let columns = design.append(&columns).collect();
+            // As free as the data leave it.
+            ChosenCause { candidate: 0, columns, gain_nats: 0.0, size_ratio: FREE_RATIO / model.peak.sigma_m }
+        })
+        .collect();
+    let chosen: Vec<ChosenCause> = others.iter().chain(&harmonics).cloned().collect();
+    let fit = solve(&design, &design.all_groups(), &chosen, Some(model.peak.geometry_ratio));
+    let size =
+        |k: usize| harmonics[k].columns.iter().map(|c| fit.coefficients[c - 1].powi(2)).sum::<f64>().sqrt();
+    let variance = |column: &usize| {
+        fit.columns.iter().position(|c| c == column).map_or(0.0, |at| fit.covariance[(at, at)].max(0.0))
+    };
+    let third_sigma =
+        model.peak.sigma_m * harmonics[2].columns.iter().map(variance).fold(0.0, f64::max).sqrt();
+    size(2) + 2.0 * third_sigma >= LEAST_OF_CORNERS * size(0)
 }
 
 /// ln odds of the line in place `i` of `chosen` over nothing beside `nuisance`, as its gear may have a double frequency of its own; of

@@ -1,7 +1,7 @@
 //! Structure of no named cause beside the causes: is there any, where, and could it replace them.
 
 use super::cycles;
-use super::overtones::{line_odds, overtones};
+use super::overtones::{has_corners, line_odds, overtones};
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
@@ -111,6 +111,14 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
         workspace.library.candidates.iter().find(variant).map_or(0.0, |c| c.weight)
     };
     for (joint, n) in periods {
+        let of_joint = |cause: &&ChosenCause| {
+            let variant = workspace.library.candidates[cause.candidate].variant;
+            variant.joint == Some(joint) && variant.n.is_some()
+        };
+        let others: Vec<ChosenCause> = chosen.iter().filter(|cause| !of_joint(cause)).cloned().collect();
+        if !has_corners((linear, model, &workspace.design), &others, (joint, n)) {
+            continue;
+        }
         let weight = 0.5 * PERIOD_WEIGHT * of_line(joint, n);
         list.extend(
             [GpAlternative::Periodic(joint, n), GpAlternative::SquareWave(joint, n)]
