@@ -1,14 +1,24 @@
-//! The torque above which gravity, not the last motion, decides on which side of its play a joint lies: between the torques that the search
-//! tries, where the rows between those fit best.
+//! The torque above which gravity, not the last motion, decides on which side of its play a joint lies: between the rows' torques, where all
+//! rows fit best.
 
-use super::dataset::{Dataset, scaled};
+use super::dataset::{Dataset, Observation, scaled};
 use super::effects::{Candidate, GravityHold};
 use super::linear_fit::solve;
 use super::linearise::shift_m;
 use super::model::FittedModel;
 use std::borrow::Cow;
 
-/// The dataset of `fitted`, with the torques that hold its play as the rows near them say.
+/// Sums of squares that differ by less than this share are the same.
+const SAME: f64 = 1e-9;
+
+/// What a row leaves, square metres, where gravity holds its play and where the last motion decides.
+struct HeldRow {
+    torque_n_m: f64,
+    held_m2: f64,
+    free_m2: f64,
+}
+
+/// The dataset of `fitted`, with the torques that hold its play as the rows say.
 #[must_use]
 pub(super) fn with_holding_torques<'a>(fitted: &FittedModel<'a>) -> Cow<'a, Dataset> {
     let FittedModel { linear, model, workspace } = fitted;
@@ -23,45 +33,76 @@ pub(super) fn with_holding_torques<'a>(fitted: &FittedModel<'a>) -> Cow<'a, Data
         let candidate = &workspace.library.candidates[cause.candidate];
         let GravityHold::Above { limit, .. } = candidate.variant.gravity_hold else { continue };
         let Some((joint, &column)) = candidate.variant.joint.zip(cause.columns.first()) else { continue };
+        let j = joint.index();
         let size = fit.coefficients[column - 1] * candidate.prior_sigma[0];
-        let torques_n_m = between_neighbours(&dataset, &model.outliers, joint.index(), limit);
-        // What the rows near it leave with the play held above `torque_n_m`, square metres.
-        let left_m2 = |torque_n_m: f64| -> f64 {
-            let mut tried = linear.dataset.clone();
-            tried.torque_limit_n_m[joint.index()][limit] = torque_n_m;
-            let of_row = |&(row, _): &(usize, f64)| {
-                let observation = &linear.dataset.observations[row];
-                let [now, then] = [&linear.dataset, &tried].map(|dataset| {
-                    let mut signature = Vec::new();
-                    candidate.effect().signature(&candidate.variant, dataset.at(observation), &mut signature);
-                    scaled(signature[0], size)
-                });
-                let mut left = model.residuals[row];
+        let above = |torque_n_m: f64| {
+            let mut dataset = linear.dataset.clone();
+            dataset.torque_limit_n_m[j][limit] = torque_n_m;
+            dataset
+        };
+        let (always, never) = (above(0.0), above(f64::INFINITY));
+        let moved = |dataset: &Dataset, observation: &Observation| {
+            let mut signature = Vec::new();
+            candidate.effect().signature(&candidate.variant, dataset.at(observation), &mut signature);
+            scaled(signature[0], size)
+        };
+        let row = |i: usize| {
+            let observation = &linear.dataset.observations[i];
+            let now = moved(&linear.dataset, observation);
+            let left_m2 = |then: &Dataset| {
+                let then = moved(then, observation);
+                let mut left = model.residuals[i];
                 left.iter_mut().zip(now.iter().zip(then.iter())).for_each(|(left, (a, b))| *left += a - b);
                 shift_m(&left).powi(2)
             };
-            torques_n_m.iter().map(of_row).sum()
+            HeldRow {
+                torque_n_m: observation.loads.torque_n_m[j].abs(),
+                held_m2: left_m2(&always),
+                free_m2: left_m2(&never),
+            }
         };
-        let midway = torques_n_m.windows(2).map(|pair| 0.5 * (pair[0].1 + pair[1].1));
-        let best =
-            midway.map(|torque_n_m| (left_m2(torque_n_m), torque_n_m)).min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((_, torque_n_m)) = best {
-            dataset.to_mut().torque_limit_n_m[joint.index()][limit] = torque_n_m;
+        let kept = (0..model.residuals.len()).filter(|&i| !model.outliers[i]);
+        if let Some(torque_n_m) = holding_torque_n_m(kept.map(row).collect()) {
+            dataset.to_mut().torque_limit_n_m[j][limit] = torque_n_m;
         }
     }
     dataset
 }
 
-/// Rows that are not set aside and lie between the torques of joint `j` tried before and after `limit`, with their torques, ascending.
-fn between_neighbours(dataset: &Dataset, outliers: &[bool], j: usize, limit: usize) -> Vec<(usize, f64)> {
-    let limits = &dataset.torque_limit_n_m[j];
-    let below = limits.iter().copied().filter(|other| *other < limits[limit]).fold(0.0, f64::max);
-    let above = limits.iter().copied().filter(|other| *other > limits[limit]).fold(f64::INFINITY, f64::min);
-    let torque = |row: usize| dataset.observations[row].loads.torque_n_m[j].abs();
-    let mut rows: Vec<(usize, f64)> = (0..dataset.observations.len())
-        .filter(|&row| !outliers[row] && (below..=above).contains(&torque(row)))
-        .map(|row| (row, torque(row)))
-        .collect();
-    rows.sort_by(|a, b| a.1.total_cmp(&b.1));
-    rows
+/// The torque above which play is best held, N.m: in the middle of those between which no row says anything; `None` of a row or none.
+fn holding_torque_n_m(mut rows: Vec<HeldRow>) -> Option<f64> {
+    rows.sort_by(|a, b| a.torque_n_m.total_cmp(&b.torque_n_m));
+    // What all rows leave where the first k of them are free.
+    let mut left_m2: f64 = rows.iter().map(|row| row.held_m2).sum();
+    let mut sums = Vec::new();
+    for row in rows.iter().take(rows.len().saturating_sub(1)) {
+        left_m2 += row.free_m2 - row.held_m2;
+        sums.push(left_m2);
+    }
+    let least = sums.iter().copied().reduce(f64::min)?;
+    let is_least = |sum: &f64| *sum <= least + SAME * least.abs();
+    let first = sums.iter().position(is_least)?;
+    let last = first + sums[first..].iter().take_while(|sum| is_least(sum)).count() - 1;
+    Some(0.5 * (rows[first].torque_n_m + rows[last + 1].torque_n_m))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of 1 to 10 N.m. Those up to 3 say that they are free, those from 8 on that they are held, and the others nothing.
+    #[test]
+    fn where_no_row_says_anything_the_torque_is_in_the_middle() {
+        let row = |k: u32| {
+            let (held_m2, free_m2) = match k {
+                1..=3 => (2.0, 1.0),
+                8.. => (1.0, 2.0),
+                _ => (1.0, 1.0),
+            };
+            HeldRow { torque_n_m: f64::from(k), held_m2, free_m2 }
+        };
+        let found = holding_torque_n_m((1..=10).rev().map(row).collect());
+        assert_eq!(found, Some(0.5 * (3.0 + 8.0)));
+        assert_eq!(holding_torque_n_m(vec![row(1)]), None);
+    }
 }

@@ -100,7 +100,7 @@ impl Identification {
         left_out: Vec<LeftOut>,
     ) -> Self {
         let found = identify(measured, fitted, options);
-        let Err(NoModel::Beyond { cause, n, .. }) = &found else { return Self { found, left_out } };
+        let Err(NoModel::Beyond { cause, n, term, times }) = &found else { return Self { found, left_out } };
         let Judgement { verdict, causes, .. } = judgement;
         let is_told = causes.iter().any(|told| (told.key(), told.n) == (*cause, *n));
         // What takes a structure of no cause once takes it again, under another name.
@@ -111,7 +111,7 @@ impl Identification {
         }
         let others = problem.candidates.iter().filter(|c| (c.cause_key(), c.variant.n) != (*cause, *n));
         let candidates: Vec<Candidate> = others.cloned().collect();
-        let why = found.as_ref().err().map(ToString::to_string).unwrap_or_default();
+        let why = format!("{term} came out at {times:.0} times its usual size");
         let beyond = LeftOut { code: BEYOND_USUAL, why, what: "it".to_owned() };
         let more = left_out.iter().cloned().chain([beyond]).collect();
         let problem = SearchProblem { candidates: &candidates, ..*problem };

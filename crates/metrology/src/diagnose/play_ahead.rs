@@ -35,8 +35,9 @@ pub(super) fn play_ahead(fitted: &FittedModel<'_>, causes: &[Cause]) -> Option<W
     (!ahead.is_empty()).then(|| Warning {
         code: "diagnose::play-ahead",
         message: format!(
-            "the play of joint {} stands ahead of the last motion, where play leaves a joint behind it: {} may hold the side that the joint \
+            "the play of joint{} {} stands ahead of the last motion, where play leaves a joint behind it: {} may hold the side that the joint \
              came from (the sign of its last motion is asked for), or the controller takes back more play than there is",
+            if ahead.len() == 1 { "" } else { "s" },
             list(""),
             list("dir")
         ),

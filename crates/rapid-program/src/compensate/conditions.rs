@@ -154,12 +154,13 @@ fn warn_of_mounting(model: &Model<'_>, messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
     let mut names: Vec<&str> =
         identified.terms.iter().filter(|t| t.kind.is_of_mounting()).map(|t| t.kind.name()).collect();
+    names.sort_unstable();
     names.dedup();
     if names.is_empty() {
         return;
     }
     let text = format!(
-        "{} of the model is taken for the robot's: programs are corrected for it as for the arm itself",
+        "the model's terms of base and tool ({}) are taken for the robot's: programs are corrected for them as for the arm itself",
         names.join(", ")
     );
     let help = "right where the robot's base or its tool moved; where it was the instrument's stand or the reflector, take the term out of \
