@@ -35,38 +35,49 @@ pub(super) fn with_holding_torques<'a>(fitted: &FittedModel<'a>) -> Cow<'a, Data
         let Some((joint, &column)) = candidate.variant.joint.zip(cause.columns.first()) else { continue };
         let j = joint.index();
         let size = fit.coefficients[column - 1] * candidate.prior_sigma[0];
-        let above = |torque_n_m: f64| {
-            let mut dataset = linear.dataset.clone();
-            dataset.torque_limit_n_m[j][limit] = torque_n_m;
-            dataset
-        };
-        let (always, never) = (above(0.0), above(f64::INFINITY));
-        let moved = |dataset: &Dataset, observation: &Observation| {
-            let mut signature = Vec::new();
-            candidate.effect().signature(&candidate.variant, dataset.at(observation), &mut signature);
-            scaled(signature[0], size)
-        };
-        let row = |i: usize| {
-            let observation = &linear.dataset.observations[i];
-            let now = moved(&linear.dataset, observation);
-            let left_m2 = |then: &Dataset| {
-                let then = moved(then, observation);
-                let mut left = model.residuals[i];
-                left.iter_mut().zip(now.iter().zip(then.iter())).for_each(|(left, (a, b))| *left += a - b);
-                shift_m(&left).powi(2)
-            };
-            HeldRow {
-                torque_n_m: observation.loads.torque_n_m[j].abs(),
-                held_m2: left_m2(&always),
-                free_m2: left_m2(&never),
-            }
-        };
-        let kept = (0..model.residuals.len()).filter(|&i| !model.outliers[i]);
-        if let Some(torque_n_m) = holding_torque_n_m(kept.map(row).collect()) {
+        let rows = held_rows(fitted, candidate, (j, limit), size);
+        if let Some(torque_n_m) = holding_torque_n_m(rows) {
             dataset.to_mut().torque_limit_n_m[j][limit] = torque_n_m;
         }
     }
     dataset
+}
+
+/// What the rows that are not set aside leave where the play of joint `j`, held above its `limit` and of this `size`, is held and where it is free.
+fn held_rows(
+    fitted: &FittedModel<'_>,
+    candidate: &Candidate,
+    (j, limit): (usize, usize),
+    size: f64,
+) -> Vec<HeldRow> {
+    let FittedModel { linear, model, .. } = fitted;
+    let above = |torque_n_m: f64| {
+        let mut dataset = linear.dataset.clone();
+        dataset.torque_limit_n_m[j][limit] = torque_n_m;
+        dataset
+    };
+    let (always, never) = (above(0.0), above(f64::INFINITY));
+    let moved = |dataset: &Dataset, observation: &Observation| {
+        let mut signature = Vec::new();
+        candidate.effect().signature(&candidate.variant, dataset.at(observation), &mut signature);
+        scaled(signature[0], size)
+    };
+    let row = |i: usize| {
+        let observation = &linear.dataset.observations[i];
+        let now = moved(&linear.dataset, observation);
+        let left_m2 = |then: &Dataset| {
+            let then = moved(then, observation);
+            let mut left = model.residuals[i];
+            left.iter_mut().zip(now.iter().zip(then.iter())).for_each(|(left, (a, b))| *left += a - b);
+            shift_m(&left).powi(2)
+        };
+        HeldRow {
+            torque_n_m: observation.loads.torque_n_m[j].abs(),
+            held_m2: left_m2(&always),
+            free_m2: left_m2(&never),
+        }
+    };
+    (0..model.residuals.len()).filter(|&i| !model.outliers[i]).map(row).collect()
 }
 
 /// The torque above which play is best held, N.m: in the middle of those between which no row says anything; `None` of a row or none.

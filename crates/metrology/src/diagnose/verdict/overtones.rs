@@ -56,11 +56,11 @@ pub(super) fn overtones(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec
 /// Whether what turns `joint` `n` times per turn has steps or corners: beside `others` its third harmonic may be a quarter of the first or more.
 #[must_use]
 pub(super) fn has_corners(
-    (linear, model, design): (&Linearised, &Model, &Design),
+    (linear, model, design): (&Linearised, &Model, &mut Design),
     others: &[ChosenCause],
     (joint, n): (Axis, u32),
 ) -> bool {
-    let mut design = design.clone();
+    let width = design.width();
     let harmonics: Vec<ChosenCause> = (1..=3)
         .map(|k| {
             let columns = design.columns_of(&linear.dataset, &line(joint, k * n));
@@ -70,7 +70,8 @@ pub(super) fn has_corners(
         })
         .collect();
     let chosen: Vec<ChosenCause> = others.iter().chain(&harmonics).cloned().collect();
-    let fit = solve(&design, &design.all_groups(), &chosen, Some(model.peak.geometry_ratio));
+    let fit = solve(design, &design.all_groups(), &chosen, Some(model.peak.geometry_ratio));
+    design.truncate(width);
     let size =
         |k: usize| harmonics[k].columns.iter().map(|c| fit.coefficients[c - 1].powi(2)).sum::<f64>().sqrt();
     let variance = |column: &usize| {

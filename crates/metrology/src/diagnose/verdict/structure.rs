@@ -5,12 +5,12 @@ use super::overtones::{has_corners, line_odds, overtones};
 use super::size::total_rms_m;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
-use crate::diagnose::gp_alternative::{self, Ball, GpAlternative};
+use crate::diagnose::gp_alternative::{self, Ball, GpAlternative, WeightedAlternative};
 use crate::diagnose::gp_over_time;
 use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
-use crate::diagnose::model::{FittedModel, Workspace};
+use crate::diagnose::model::{FittedModel, Model, Workspace};
 use crate::diagnose::outcome::{Location, Region};
 use crate::diagnose::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
@@ -90,11 +90,14 @@ pub(super) fn likeliest_structure(
     Some(LikeliestStructure { gain_nats, gp_alternative })
 }
 
-/// Structure that no effect takes: everywhere, and round the causes that were found.
-pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
-    let FittedModel { model, workspace, linear } = fitted;
-    let (dataset, chosen) = (&linear.dataset, model.chosen.as_slice());
-    let mut list = gp_alternative::gp_alternatives(dataset.joints());
+/// Steps and teeth of the gears that lines were found of, each at the periods of its lines and at what these have in common.
+fn shapes_of_gears(
+    linear: &Linearised,
+    model: &Model,
+    workspace: &mut Workspace<'_>,
+) -> Vec<WeightedAlternative> {
+    let chosen = model.chosen.as_slice();
+    let mut list = Vec::new();
     let mut periods: BTreeSet<(Axis, u32)> = BTreeSet::new();
     for (joint, lines) in
         lines_by_joint(workspace, chosen).into_iter().filter(|(_, l)| l.len() <= MOST_OVERTONES)
@@ -116,7 +119,7 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
             variant.joint == Some(joint) && variant.n.is_some()
         };
         let others: Vec<ChosenCause> = chosen.iter().filter(|cause| !of_joint(cause)).cloned().collect();
-        if !has_corners((linear, model, &workspace.design), &others, (joint, n)) {
+        if !has_corners((linear, model, &mut workspace.design), &others, (joint, n)) {
             continue;
         }
         let weight = 0.5 * PERIOD_WEIGHT * of_line(joint, n);
@@ -125,6 +128,15 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
                 .map(|shape| shape.weighing(weight)),
         );
     }
+    list
+}
+
+/// Structure that no effect takes: everywhere, and round the causes that were found.
+pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
+    let FittedModel { model, workspace, linear } = fitted;
+    let (dataset, chosen) = (&linear.dataset, model.chosen.as_slice());
+    let mut list = gp_alternative::gp_alternatives(dataset.joints());
+    list.extend(shapes_of_gears(linear, model, workspace));
     // A step has its course already; varied, it is all that base or target could do over the rows.
     let is_no_step =
         |i: &usize| workspace.library.candidates[chosen[*i].candidate].variant.t0_min().is_none();
