@@ -26,6 +26,13 @@ fn json(file: &str) -> Value {
     serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap()
 }
 
+/// The header of `csv` and its rows whose number, from 0, is to be kept.
+pub(super) fn rows_where(csv: &str, is_kept: impl Fn(usize) -> bool) -> String {
+    let (header, rows) = csv.split_once('\n').unwrap();
+    let kept: Vec<&str> = rows.lines().enumerate().filter(|(i, _)| is_kept(*i)).map(|(_, row)| row).collect();
+    format!("{header}\n{}\n", kept.join("\n"))
+}
+
 #[test]
 fn what_is_found_in_some_rows_holds_in_rows_not_seen() {
     let dir = tempfile::tempdir().unwrap();
@@ -33,10 +40,8 @@ fn what_is_found_in_some_rows_holds_in_rows_not_seen() {
     let effects = "joint_compliance:2,gear_mesh:3:20";
     done(&["synth", &at("set"), "--effects", effects, "--n", "200", "--rho", "5", "--seed", "7"]);
     let csv = std::fs::read_to_string(at("set/set_0000/measurements.csv")).unwrap();
-    let lines: Vec<&str> = csv.lines().collect();
-    let part = |rows: &[&str]| format!("{}\n{}\n", lines[0], rows.join("\n"));
-    std::fs::write(at("seen.csv"), part(&lines[1..151])).unwrap();
-    std::fs::write(at("unseen.csv"), part(&lines[151..])).unwrap();
+    std::fs::write(at("seen.csv"), rows_where(&csv, |i| i < 150)).unwrap();
+    std::fs::write(at("unseen.csv"), rows_where(&csv, |i| i >= 150)).unwrap();
     done(&["diagnose", &at("seen.csv"), "--model-out", &at("model.toml")]);
     let model = std::fs::read_to_string(at("model.toml")).unwrap();
     assert!(model.contains("effect = \"joint_compliance\"\njoint = 2\n"), "{model}");
@@ -63,8 +68,8 @@ fn what_is_found_in_some_rows_holds_in_rows_not_seen() {
     assert_eq!(tight.status.code(), Some(1));
 }
 
-/// Play that gravity holds where its torque about the joint is large: from how much on is told by the rows near it, not by the twentieth of the
-/// rows in which the search looks. Two rows in three are diagnosed, the third is held against the model.
+/// Play that gravity holds where its torque about the joint is large: from how much on is told by all rows, not by the twentieth of them
+/// in which the search looks. Two rows in three are diagnosed, the third is held against the model.
 #[test]
 fn play_that_gravity_holds_is_held_from_the_same_torque_on_in_rows_not_seen() {
     let dir = tempfile::tempdir().unwrap();
@@ -72,18 +77,8 @@ fn play_that_gravity_holds_is_held_from_the_same_torque_on_in_rows_not_seen() {
     let effects = "backlash:2,joint_offset:3";
     done(&["synth", &at("set"), "--effects", effects, "--n", "160", "--rho", "4", "--seed", "5"]);
     let csv = std::fs::read_to_string(at("set/set_0000/measurements.csv")).unwrap();
-    let (header, rows) = csv.split_once('\n').unwrap();
-    let part = |is_unseen: bool| {
-        let rows: Vec<&str> = rows
-            .lines()
-            .enumerate()
-            .filter(|(i, _)| i.is_multiple_of(3) == is_unseen)
-            .map(|(_, row)| row)
-            .collect();
-        format!("{header}\n{}\n", rows.join("\n"))
-    };
-    std::fs::write(at("seen.csv"), part(false)).unwrap();
-    std::fs::write(at("unseen.csv"), part(true)).unwrap();
+    std::fs::write(at("seen.csv"), rows_where(&csv, |i| !i.is_multiple_of(3))).unwrap();
+    std::fs::write(at("unseen.csv"), rows_where(&csv, |i| i.is_multiple_of(3))).unwrap();
     done(&["diagnose", &at("seen.csv"), "--sigma-mm", "0.02", "--model-out", &at("model.toml")]);
     assert!(std::fs::read_to_string(at("model.toml")).unwrap().contains("held_above_n_m"));
     done(&["validate", &at("unseen.csv"), "--model", &at("model.toml"), "--json", &at("v.json")]);

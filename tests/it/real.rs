@@ -1,5 +1,6 @@
 //! Reports on measurements of real robots, word by word; and models carried from one measurement to another.
 
+use super::model::rows_where;
 use assert_cmd::Command;
 use serde_json::Value;
 use std::fs;
@@ -103,14 +104,11 @@ fn a_model_of_one_season_holds_in_the_next() {
 fn four_fifths_of_an_arms_rows_make_a_model_for_the_last() {
     let folder = PathBuf::from(std::env::var("DRIFTPOST_MEASUREMENTS").unwrap()).join("irb120_faro");
     let csv = fs::read_to_string(folder.join("measurements.csv")).unwrap();
-    let (header, rows) = csv.split_once('\n').unwrap();
     let dir = tempfile::tempdir().unwrap();
     let part = |name: &str, is_held_out: bool| {
-        let is_here = |(i, _): &(usize, &str)| ((i * 101 % 691) % 5 == 1) == is_held_out;
-        let rows: Vec<&str> = rows.lines().enumerate().filter(is_here).map(|(_, row)| row).collect();
         fs::create_dir(dir.path().join(name)).unwrap();
-        fs::write(dir.path().join(name).join("measurements.csv"), format!("{header}\n{}\n", rows.join("\n")))
-            .unwrap();
+        let rows = rows_where(&csv, |i| ((i * 101 % 691) % 5 == 1) == is_held_out);
+        fs::write(dir.path().join(name).join("measurements.csv"), rows).unwrap();
         dir.path().join(name)
     };
     let found = carried_over(&part("seen", false), &part("unseen", true), &folder.join("robot.toml"));

@@ -191,7 +191,7 @@ fn with_moments_of(
     let candidate = |cause: &ChosenCause| &library.candidates[cause.candidate];
     let moment = |cause: &ChosenCause| candidate(cause).variant.t0_min();
     let observations = &library.dataset.observations;
-    let is_told = |a: f64, b: f64| {
+    let are_told_apart = |a: f64, b: f64| {
         let between = |clock: f64| a.min(b) < clock && clock < a.max(b);
         (0..observations.len()).any(|station| is_kept(station) && between(observations[station].clock()))
     };
@@ -199,7 +199,7 @@ fn with_moments_of(
         let same = all.iter().find(|of_all| {
             let moments = moment(of_all).zip(moment(&cause));
             candidate(of_all).cause_key() == candidate(&cause).cause_key()
-                && moments.is_some_and(|(a, b)| !is_told(a, b))
+                && moments.is_some_and(|(a, b)| !are_told_apart(a, b))
         });
         match same {
             Some(of_all) => {

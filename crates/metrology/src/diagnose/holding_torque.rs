@@ -3,7 +3,6 @@
 
 use super::dataset::{Dataset, Observation, scaled};
 use super::effects::{Candidate, GravityHold};
-use super::linear_fit::solve;
 use super::linearise::shift_m;
 use super::model::FittedModel;
 use std::borrow::Cow;
@@ -27,8 +26,7 @@ pub(super) fn with_holding_torques<'a>(fitted: &FittedModel<'a>) -> Cow<'a, Data
     if !model.chosen.iter().any(|cause| is_held(&workspace.library.candidates[cause.candidate])) {
         return dataset;
     }
-    let groups = workspace.design.all_groups();
-    let fit = solve(&workspace.design, &groups, &model.chosen, Some(model.peak.geometry_ratio));
+    let fit = fitted.fit(&model.chosen);
     for cause in &model.chosen {
         let candidate = &workspace.library.candidates[cause.candidate];
         let GravityHold::Above { limit, .. } = candidate.variant.gravity_hold else { continue };

@@ -89,7 +89,7 @@ impl Identification {
         Self::of_usual(measured, options, &problem, &best_model(&problem), judgement, left_out)
     }
 
-    /// The model of `fitted`. Where a term of it that is no cause that is told came out at a size that cannot be, that of a search without
+    /// The model of `fitted`. Where a term of it that is none of the causes named came out at a size that cannot be, that of a search without
     /// the term, if it is one.
     fn of_usual(
         measured: MeasuredRobot<'_>,
@@ -102,11 +102,11 @@ impl Identification {
         let found = identify(measured, fitted, options);
         let Err(NoModel::Beyond { cause, n, term, times }) = &found else { return Self { found, left_out } };
         let Judgement { verdict, causes, .. } = judgement;
-        let is_told = causes.iter().any(|told| (told.key(), told.n) == (*cause, *n));
+        let is_named = causes.iter().any(|named| (named.key(), named.n) == (*cause, *n));
         // What takes a structure of no cause once takes it again, under another name.
         let is_explained = !matches!(verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
         let beyond = left_out.iter().filter(|left_out| left_out.code == BEYOND_USUAL).count();
-        if is_told || !is_explained || beyond == MOST_BEYOND {
+        if is_named || !is_explained || beyond == MOST_BEYOND {
             return Self { found, left_out };
         }
         let others = problem.candidates.iter().filter(|c| (c.cause_key(), c.variant.n) != (*cause, *n));

@@ -3,7 +3,7 @@
 use super::dataset::{Dataset, Twist};
 use super::design::{Design, SlowColumns};
 use super::evidence::{EvidencePeak, NuisanceModel};
-use super::linear_fit::solve;
+use super::linear_fit::{LinearFit, solve};
 use super::linearise::Linearised;
 use super::marginal::NoisePrior;
 use super::search::{ChosenCause, Library, NULL_PRIOR};
@@ -81,12 +81,18 @@ pub(super) struct FittedModel<'a> {
 const SLOW_PRIOR: f64 = 0.1;
 
 impl FittedModel<'_> {
+    /// Registration, geometry and `chosen` fitted to all stations, with the slow noise beside them.
+    #[must_use]
+    pub(super) fn fit(&self, chosen: &[ChosenCause]) -> LinearFit {
+        let Self { model, workspace: Workspace { design, .. }, .. } = self;
+        solve(design, &design.all_groups(), chosen, Some(model.peak.geometry_ratio))
+    }
+
     /// What registration, geometry and `chosen` leave at each station, with all that is slow.
     #[must_use]
     pub(super) fn residuals_beside(&self, chosen: &[ChosenCause]) -> Vec<Twist> {
-        let Self { model, workspace: Workspace { design, .. }, .. } = self;
-        let fit = solve(design, &design.all_groups(), chosen, Some(model.peak.geometry_ratio));
-        design.residuals(&fit.without_slow(design).coefficients)
+        let design = &self.workspace.design;
+        design.residuals(&self.fit(chosen).without_slow(design).coefficients)
     }
 
     /// ln odds of all that the model holds over nothing, one after the other.

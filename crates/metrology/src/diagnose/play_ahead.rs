@@ -1,32 +1,28 @@
 //! Play that stands ahead of its joint's last motion. Play lags: the side that the file gives may be the one that the joint came from.
 
 use super::cause::Cause;
-use super::linear_fit::solve;
 use super::model::FittedModel;
 use super::outcome::Warning;
+use super::verdict::CERTAIN;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
-/// Play is named as one of the causes from this probability on.
-const NAMED: f64 = 0.9;
-
-/// A warning for the joints whose play, named among `causes`, stands ahead of the motion.
+/// A warning for the joints whose play, certain among `causes`, stands ahead of the motion.
 #[must_use]
 pub(super) fn play_ahead(fitted: &FittedModel<'_>, causes: &[Cause]) -> Option<Warning> {
     let FittedModel { model, workspace, .. } = fitted;
-    let is_named = |joint: Axis| {
+    let is_certain = |joint: Axis| {
         let is_this = |c: &&Cause| c.effect == EffectKind::Backlash && c.joint == Some(joint);
-        causes.iter().find(is_this).is_some_and(|cause| cause.posterior >= NAMED)
+        causes.iter().find(is_this).is_some_and(|cause| cause.posterior >= CERTAIN)
     };
-    let groups = workspace.design.all_groups();
-    let fit = solve(&workspace.design, &groups, &model.chosen, Some(model.peak.geometry_ratio));
+    let fit = fitted.fit(&model.chosen);
     let ahead: Vec<Axis> = model
         .chosen
         .iter()
         .filter(|c| workspace.library.candidates[c.candidate].kind == EffectKind::Backlash)
         .filter(|c| c.columns.first().is_some_and(|column| fit.coefficients[column - 1] > 0.0))
         .filter_map(|c| workspace.library.candidates[c.candidate].variant.joint)
-        .filter(|joint| is_named(*joint))
+        .filter(|joint| is_certain(*joint))
         .collect();
     let list = |before: &str| {
         let names: Vec<String> = ahead.iter().map(|joint| format!("{before}{joint}")).collect();

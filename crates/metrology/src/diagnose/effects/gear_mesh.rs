@@ -39,12 +39,8 @@ impl Effect for GearMesh {
             let lowest = (0.6 * TAU / (high - low).max(1e-3)).ceil().max(f64::from(LOWEST));
             let lowest = if lowest > f64::from(HIGHEST) { continue } else { lowest as u32 };
             for n in lowest..=HIGHEST {
-                let variant = EffectVariant { n: Some(n), ..EffectVariant::of_joint(j) };
                 // Low orders are commoner than high ones.
-                all.push(Candidate {
-                    weight: 1.0 / f64::from(n),
-                    ..Candidate::new(EffectKind::GearMesh, variant, vec![1e-4, 1e-4])
-                });
+                all.push(Candidate { weight: 1.0 / f64::from(n), ..line(Axis::at(j), n) });
             }
         }
         all

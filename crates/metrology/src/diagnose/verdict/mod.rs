@@ -24,5 +24,5 @@ pub(super) use cause_group::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
 pub(super) use judge::judge;
 pub(super) use judgement::Judgement;
 pub(super) use size::reported;
-pub(super) use wording::describe_candidate;
+pub(super) use wording::{CERTAIN, describe_candidate};
 pub use wording::{GearBand, describe, gear_bands};

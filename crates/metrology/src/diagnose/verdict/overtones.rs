@@ -1,4 +1,4 @@
-//! A gear line's own double frequency: part of the gear, and no second cause.
+//! A gear line's own harmonics: its double frequency is part of the gear and no second cause, and without a large third it has no corners.
 
 use crate::diagnose::design::Design;
 use crate::diagnose::effects::{OVERTONE_WEIGHT, line, line_with_overtone};
@@ -41,16 +41,22 @@ pub(super) fn overtones(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec
     }
     let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
-    // Prior sigmas are the same for all lines.
-    let size = |fit: &LinearFit, i: usize| {
-        chosen[i].columns.iter().map(|c| fit.coefficients[c - 1].powi(2)).sum::<f64>().sqrt()
+    let is_own = |&(i, k): &(usize, usize)| {
+        let sigma = amplitude_sigma(&fit, &chosen[k], model.peak.sigma_m);
+        amplitude(&fit, &chosen[k]) <= LARGEST * amplitude(&fit, &chosen[i]) + sigma
     };
-    let sigma = |k: usize| {
-        let at = fit.columns.iter().position(|c| Some(c) == chosen[k].columns.first());
-        model.peak.sigma_m * at.map_or(0.0, |at| fit.covariance[(at, at)].max(0.0).sqrt())
-    };
-    let is_own = |&(i, k): &(usize, usize)| size(&fit, k) <= LARGEST * size(&fit, i) + sigma(k);
     pairs.into_iter().filter(is_own).map(|(_, k)| k).collect()
+}
+
+/// Amplitude of a line, over the prior's, which is the same for all lines.
+fn amplitude(fit: &LinearFit, line: &ChosenCause) -> f64 {
+    line.columns.iter().map(|c| fit.coefficients[c - 1].powi(2)).sum::<f64>().sqrt()
+}
+
+/// Its standard deviation where the noise is `sigma_m`.
+fn amplitude_sigma(fit: &LinearFit, line: &ChosenCause, sigma_m: f64) -> f64 {
+    let at = fit.columns.iter().position(|c| Some(c) == line.columns.first());
+    sigma_m * at.map_or(0.0, |at| fit.covariance[(at, at)].max(0.0).sqrt())
 }
 
 /// Whether what turns `joint` `n` times per turn has steps or corners: beside `others` its third harmonic may be a quarter of the first or more.
@@ -72,14 +78,8 @@ pub(super) fn has_corners(
     let chosen: Vec<ChosenCause> = others.iter().chain(&harmonics).cloned().collect();
     let fit = solve(design, &design.all_groups(), &chosen, Some(model.peak.geometry_ratio));
     design.truncate(width);
-    let size =
-        |k: usize| harmonics[k].columns.iter().map(|c| fit.coefficients[c - 1].powi(2)).sum::<f64>().sqrt();
-    let variance = |column: &usize| {
-        fit.columns.iter().position(|c| c == column).map_or(0.0, |at| fit.covariance[(at, at)].max(0.0))
-    };
-    let third_sigma =
-        model.peak.sigma_m * harmonics[2].columns.iter().map(variance).fold(0.0, f64::max).sqrt();
-    size(2) + 2.0 * third_sigma >= LEAST_OF_CORNERS * size(0)
+    let third_sigma = amplitude_sigma(&fit, &harmonics[2], model.peak.sigma_m);
+    amplitude(&fit, &harmonics[2]) + 2.0 * third_sigma >= LEAST_OF_CORNERS * amplitude(&fit, &harmonics[0])
 }
 
 /// ln odds of the line in place `i` of `chosen` over nothing beside `nuisance`, as its gear may have a double frequency of its own; of

@@ -223,7 +223,7 @@ pub fn gear_bands(causes: &[Cause]) -> (Vec<GearBand>, Vec<&Cause>) {
 }
 
 /// Likelier than this, and alone in its place, a cause is certain.
-const CERTAIN: f64 = 0.9;
+pub(in crate::diagnose) const CERTAIN: f64 = 0.9;
 
 /// What is certain and what is one of several, the largest at the tool first; of many only the first few.
 #[must_use]
