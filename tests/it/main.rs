@@ -48,6 +48,7 @@ mod oracle;
 mod oracle_of_two;
 mod paper;
 mod plan;
+mod play;
 mod program;
 mod real;
 mod real_cell;

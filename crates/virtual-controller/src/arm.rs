@@ -20,8 +20,8 @@ use solving::configuration;
 
 /// Numbers from here on mean "not used" in RAPID (9E9).
 const NOT_USED: f64 = 8.9e9;
-/// Joints that turn by less have not moved, radians.
-const MIN_MOTION_RAD: f64 = 1e-7;
+/// Joints that turn by less have not moved, radians: what targets are rounded to moves those that stand still by up to 1e-6.
+const MIN_MOTION_RAD: f64 = 1e-5;
 
 /// A move that was executed.
 #[derive(Clone, Debug)]
@@ -44,6 +44,8 @@ pub struct Move {
     pub start_q_rad: Option<[f64; 6]>,
     /// Joints at the circle point of an arc, radians.
     pub via_q_rad: Option<[f64; 6]>,
+    /// Joints shortly before the end of a line or an arc, radians.
+    pub before_end_q_rad: Option<[f64; 6]>,
     /// Joints at its end, radians; `None` where the controller could not go there.
     pub q_rad: Option<[f64; 6]>,
     /// The steady clock at its beginning, seconds.
@@ -52,6 +54,8 @@ pub struct Move {
     pub steady_s: f64,
     /// Sign of each joint's last motion up to its end; 0 = not known.
     pub direction: [i8; 6],
+    /// The same up to its circle point.
+    pub via_direction: [i8; 6],
 }
 
 impl Move {
@@ -60,6 +64,22 @@ impl Move {
     pub fn conditions(&self) -> Conditions {
         Conditions { payload: self.setup.payload, direction: self.direction }
     }
+
+    /// Load and direction at its circle point.
+    #[must_use]
+    pub fn via_conditions(&self) -> Conditions {
+        Conditions { payload: self.setup.payload, direction: self.via_direction }
+    }
+}
+
+/// The sign of each joint's last motion after it went on from one place to another, radians.
+fn turned(mut direction: [i8; 6], from: Option<[f64; 6]>, to: &[f64; 6]) -> [i8; 6] {
+    for (sign, (to, from)) in direction.iter_mut().zip(to.iter().zip(from.unwrap_or(*to))) {
+        if (to - from).abs() > MIN_MOTION_RAD {
+            *sign = if *to > from { 1 } else { -1 };
+        }
+    }
+    direction
 }
 
 /// How much slower than written the arm moves.
@@ -156,13 +176,12 @@ impl ControllerArm {
 
     pub(super) fn record(&mut self, mut done: Move, tool: Value, wobj: Value) {
         if let Some(q) = done.q_rad {
-            if let Some(from) = done.via_q_rad.or(self.q_rad) {
-                for (sign, (to, from)) in self.direction.iter_mut().zip(q.iter().zip(from)) {
-                    if (to - from).abs() > MIN_MOTION_RAD {
-                        *sign = if *to > from { 1 } else { -1 };
-                    }
-                }
+            if let Some(via) = done.via_q_rad {
+                self.direction = turned(self.direction, self.q_rad, &via);
+                done.via_direction = self.direction;
             }
+            let from = done.before_end_q_rad.or(done.via_q_rad).or(self.q_rad);
+            self.direction = turned(self.direction, from, &q);
             self.q_rad = Some(q);
         }
         done.direction = self.direction;

@@ -4,7 +4,7 @@ use super::arm::Move;
 use super::path::{CartesianPath, PathKind};
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::counted;
-use robot_model::deform::DeformedArm;
+use robot_model::deform::{ArmUnder, DeformedArm};
 use robot_model::kinematics::{Chain, ClosedForm};
 use robot_model::robot::Axis;
 use robot_model::units::deg_from_rad;
@@ -127,11 +127,18 @@ impl MoveComparator<'_> {
     /// Both are seen in the work object, so that a stationary tool is compared as well.
     #[must_use]
     pub fn pose_error(&self, truth: &DeformedArm, intended: &Move, executed: &Move) -> Option<PoseError> {
-        let end = self.point_error(truth, intended, &intended.q_rad?, executed, &executed.q_rad?);
+        let conditions = executed.conditions();
+        let end = self.point_error(
+            truth.under(&conditions),
+            (intended, &intended.q_rad?),
+            (executed, &executed.q_rad?),
+        );
         Some(match (intended.via_q_rad, executed.via_q_rad) {
             // The tool turns evenly from start to end: how it is turned at the circle point nobody asks for.
             (Some(a), Some(b)) => {
-                end.worse(PoseError { angle_rad: 0.0, ..self.point_error(truth, intended, &a, executed, &b) })
+                let conditions = executed.via_conditions();
+                let via = self.point_error(truth.under(&conditions), (intended, &a), (executed, &b));
+                end.worse(PoseError { angle_rad: 0.0, ..via })
             }
             _ => end,
         })
@@ -139,14 +146,12 @@ impl MoveComparator<'_> {
 
     fn point_error(
         &self,
-        truth: &DeformedArm,
-        intended: &Move,
-        a: &[f64; 6],
-        executed: &Move,
-        b: &[f64; 6],
+        truth: ArmUnder<'_>,
+        (intended, a): (&Move, &[f64; 6]),
+        (executed, b): (&Move, &[f64; 6]),
     ) -> PoseError {
         PoseError::between(
-            &executed.setup.object_from_tcp(&truth.under(&executed.conditions()).forward(b)),
+            &executed.setup.object_from_tcp(&truth.forward(b)),
             &intended.setup.object_from_tcp(&self.nominal.forward(a)),
         )
     }

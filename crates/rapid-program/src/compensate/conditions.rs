@@ -1,22 +1,19 @@
-//! What an identified model asks of each motion besides its joints: the load from the tool, the direction from the
-//! program's own order of motions; and warnings where a motion leaves the ranges in which the model was found.
+//! What an identified model asks of each motion besides its joints and their directions: the load from the tool; and warnings where
+//! a motion leaves the ranges in which the model was found.
 
 use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::resolved::Resolved;
 use crate::program::Program;
 use crate::program::data::{LoadData, ToolData};
-use crate::program::motion::{Motion, MotionId};
+use crate::program::motion::Motion;
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::EffectKind;
 use robot_model::deform::{Conditions, Payload};
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
-/// Joints that turn by less have not moved, radians.
-const STILL_RAD: f64 = 1e-7;
 /// Joints this far outside the ranges seen are still inside, degrees.
 const SLACK_DEG: f64 = 1.0;
 /// The same for temperatures, degrees Celsius.
@@ -24,13 +21,10 @@ const SLACK_C: f64 = 1.0;
 /// The same for the payload, kg.
 const SLACK_KG: f64 = 0.1;
 
-/// Fills in load and direction of every point, where the model depends on them.
+/// Fills in the load of every point, where the model depends on it.
 pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
-    let Some(identified) = &model.identified else { return };
-    let directions = if identified.needs_direction() { directions(program, resolved) } else { Vec::new() };
-    for (i, (motion, resolved)) in program.motions.iter().zip(resolved).enumerate() {
-        let payload = payload_under(motion.setup.tool.as_ref(), motion, model);
-        resolved.set_conditions(payload, directions.get(i).map_or(&[][..], Vec::as_slice));
+    for (motion, resolved) in program.motions.iter().zip(resolved) {
+        resolved.set_payload(payload_under(motion.setup.tool.as_ref(), motion, model));
     }
 }
 
@@ -59,65 +53,10 @@ pub(super) fn payload_of(tool: Option<&ToolData>, grip: LoadData, given_kg: Opti
     Payload { mass_kg, cog_m: cog_m.into() }
 }
 
-/// For each motion and each of its points the sign of each joint's last motion; 0 where nothing says it.
-fn directions(program: &Program, resolved: &[Resolved]) -> Vec<Vec<[i8; 6]>> {
-    let previous =
-        |i: usize| program.motions.get(i)?.previous.map(MotionId::index).filter(|&p| p < resolved.len());
-    let mut done: Vec<Option<Vec<[i8; 6]>>> = vec![None; resolved.len()];
-    for first in 0..resolved.len() {
-        if done[first].is_some() {
-            continue;
-        }
-        // Back along the motions before, then forward again.
-        let mut way = vec![first];
-        while let Some(previous) = way.last().and_then(|&i| previous(i))
-            && done.get(previous).is_some_and(Option::is_none)
-            && !way.contains(&previous)
-        {
-            way.push(previous);
-        }
-        for &i in way.iter().rev() {
-            let before = previous(i);
-            let mut last =
-                before.and_then(|p| done[p].as_ref()).and_then(|d| d.last()).copied().unwrap_or_default();
-            let mut from = before.and_then(|p| resolved[p].exit_q_rad());
-            let mut of_motion = Vec::new();
-            for q_rad in resolved[i].q_rad() {
-                if let Some(from) = from {
-                    for (sign, (to, from)) in last.iter_mut().zip(q_rad.iter().zip(from)) {
-                        if (to - from).abs() > STILL_RAD {
-                            *sign = if *to > from { 1 } else { -1 };
-                        }
-                    }
-                }
-                from = Some(*q_rad);
-                of_motion.push(last);
-            }
-            if of_motion.is_empty() {
-                // It stays as it is: where it ends is known, so is the way there.
-                if let (Some(from), Some(to)) = (from, resolved[i].exit_q_rad()) {
-                    for (sign, (to, from)) in last.iter_mut().zip(to.iter().zip(from)) {
-                        if (to - from).abs() > STILL_RAD {
-                            *sign = if *to > from { 1 } else { -1 };
-                        }
-                    }
-                } else {
-                    last = [0; 6];
-                }
-                of_motion.push(last);
-            }
-            done[i] = Some(of_motion);
-        }
-    }
-    done.into_iter().map(Option::unwrap_or_default).collect()
-}
-
 /// Warns of what the model does not know of a program's motions.
 pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved], messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
-    let playing: Vec<Axis> =
-        identified.terms.iter().filter(|t| t.kind == EffectKind::Backlash).filter_map(|t| t.joint).collect();
     for (motion, resolved) in program.motions.iter().zip(resolved) {
         if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
             let text = format!(
@@ -130,7 +69,7 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
             messages.add(Some(motion.setup.routine), message.help(help));
         }
         for (k, q_rad) in resolved.q_rad().iter().enumerate() {
-            check_point(motion, (q_rad, &resolved.conditions_at(k)), model, &playing, messages);
+            check_point(motion, (q_rad, &resolved.conditions_at(k)), model, messages);
         }
     }
 }
@@ -188,7 +127,6 @@ fn check_point(
     motion: &Motion,
     (q_rad, conditions): (&[f64; 6], &Conditions),
     model: &Model<'_>,
-    playing: &[Axis],
     messages: &mut Messages,
 ) {
     let Some(identified) = &model.identified else { return };
@@ -221,13 +159,6 @@ fn check_point(
             "model::payload",
             format!("the load is {kg} kg; the model was found with {low} to {high} kg"),
             "measure with that load too, or name the load with --payload-kg",
-        );
-    }
-    if let Some(axis) = playing.iter().find(|axis| conditions.direction[axis.index()] == 0) {
-        warn(
-            "model::direction",
-            format!("from which side axis {axis} comes is not known; its play is taken at the middle"),
-            "a joint move before it, from a known place, would say it",
         );
     }
 }

@@ -11,6 +11,7 @@ pub mod compare;
 mod conditions;
 mod correct;
 mod corrector;
+mod directions;
 mod drift;
 mod error;
 mod figures;

@@ -196,16 +196,18 @@ impl Resolved {
         all.get(value).or(all.last()).copied().unwrap_or_default()
     }
 
-    /// Fills in the load, and for each value the direction it is come to in.
-    pub(super) fn set_conditions(&mut self, payload: Payload, directions: &[[i8; 6]]) {
-        let at = |k: usize| Conditions { payload, direction: directions.get(k).copied().unwrap_or_default() };
-        let count = self.joints.len();
-        let last = directions.last().copied().unwrap_or_default();
-        let conditions: Box<[Conditions]> = match self.skip_reason {
-            None => (0..count).map(at).collect(),
-            Some(_) => Box::new([Conditions { payload, direction: last }]),
-        };
-        let asked = conditions.iter().any(|conditions| *conditions != Conditions::default());
-        self.conditions = asked.then_some(conditions);
+    /// Fills in the load at all its values.
+    pub(super) fn set_payload(&mut self, payload: Payload) {
+        let loaded = payload != Payload::default();
+        self.conditions = loaded.then(|| Box::from([Conditions { payload, direction: Default::default() }]));
+    }
+
+    /// Fills in the direction in which each value is come to; of one that stays as it is the last one counts.
+    pub(super) fn set_directions(&mut self, directions: &[[i8; 6]]) {
+        let payload = self.conditions_at(0).payload;
+        if directions.iter().flatten().any(|direction| *direction != 0) {
+            let at = |&direction: &[i8; 6]| Conditions { payload, direction };
+            self.conditions = Some(directions.iter().map(at).collect());
+        }
     }
 }

@@ -15,6 +15,9 @@ const SAMPLE_RAD: f64 = 0.1;
 /// A joint that turns by more from one sample to the next is looked at: does it go on, or does it jump?
 const JUMP_RAD: f64 = 1.0;
 
+/// The last part of a line or an arc, over which a joint's last motion is taken: it may turn round on the way.
+const LAST_SHARE: f64 = 1.0 / 16.0;
+
 /// A search looks so often whether it touches, metres, and finds where to this share of its way.
 const SEARCH_STEP_M: f64 = 0.0005;
 const SEARCH_EXACT: f64 = 1e-9;
@@ -25,6 +28,8 @@ const MOST_CACHED: usize = 20_000;
 #[derive(Clone, Debug)]
 pub(crate) struct SolvedMove {
     pub via_q_rad: Option<[f64; 6]>,
+    /// Shortly before the end of a line or an arc: the joints' last motion is from there.
+    pub before_end_q_rad: Option<[f64; 6]>,
     pub q_rad: [f64; 6],
     pub length_m: f64,
     pub turn_rad: f64,
@@ -116,6 +121,8 @@ impl ControllerArm {
         let complaint = if self.conf_l { self.complaint(&conf, &q_rad) } else { None };
         let mut solved = self.solved(via_q_rad, q_rad, setup, complaint);
         solved.length_m = tcp_path.length_m();
+        let before_end = setup.base_from_flange(&tcp_path.at(1.0 - LAST_SHARE));
+        solved.before_end_q_rad = self.closed.nearest(&before_end, &q_rad).map(|s| s.q_rad);
         Ok(Ok(solved))
     }
 
@@ -205,6 +212,7 @@ impl ControllerArm {
         });
         SolvedMove {
             via_q_rad,
+            before_end_q_rad: None,
             q_rad,
             length_m: tcp_path.as_ref().map_or(0.0, CartesianPath::length_m),
             turn_rad: tcp_path.as_ref().map_or(0.0, CartesianPath::turn_rad),

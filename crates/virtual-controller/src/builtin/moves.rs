@@ -181,10 +181,12 @@ pub(crate) fn execute(
         setup,
         start_q_rad,
         via_q_rad: solved.as_ref().and_then(|s| s.via_q_rad),
+        before_end_q_rad: solved.as_ref().and_then(|s| s.before_end_q_rad),
         q_rad: solved.as_ref().map(|s| s.q_rad),
         began_s,
         steady_s: vm.machine.calendar.steady_s(),
         direction: [0; 6],
+        via_direction: [0; 6],
     };
     if let Some(arm) = vm.arm.as_deref_mut() {
         arm.record(done, tool, object);
