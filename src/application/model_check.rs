@@ -3,7 +3,7 @@
 use super::named::model_of_another_robot;
 use crate::report::validation as report;
 use metrology::diagnose::{RefitScope, ValidateError, Validation, validate};
-use metrology::measure::{Measurements, check_rows};
+use metrology::measure::{Channels, Measurements, check_rows};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
@@ -41,9 +41,40 @@ impl ModelCheck {
     pub fn run(&self, measurements: &Measurements) -> Result<ModelChecked, ValidateError> {
         let validation = validate(measurements, &self.robot, &self.model, self.refit)?;
         let of_rows = check_rows(measurements, &self.robot).warnings;
-        let warnings = measurements.warnings.iter().cloned().chain(of_rows).collect();
+        let missing = missing_columns(&self.model, measurements.channels);
+        let warnings = measurements.warnings.iter().cloned().chain(of_rows).chain(missing).collect();
         Ok(ModelChecked { validation, warnings, limit_mm: self.limit_mm })
     }
+}
+
+/// What says that the model asks for what the file does not record: where it misses then, that is not the model's fault.
+fn missing_columns(model: &Identified, channels: Channels) -> Option<Diagnostic> {
+    let seen = &model.measured_range;
+    let loaded = seen.payload_kg.is_some_and(|[_, most]| most > 0.0);
+    let missing: Vec<&str> = [
+        (
+            model.needs_direction() && !channels.direction,
+            "play asks from which side a joint came (dir1, ...): it is taken at the middle",
+        ),
+        (
+            model.needs_load() && loaded && !channels.payload,
+            "what gives way under load asks for payload_kg: the arm is taken as unloaded",
+        ),
+        (
+            model.moves_with_time() && seen.t_min.is_some() && !channels.time,
+            "what moves with time asks for t_min: all rows are taken at minute 0",
+        ),
+        (
+            model.needs_temperature() && !channels.joint_temperature,
+            "what moves with temperature asks for temp_j1_c, ...: the joints are taken as cold",
+        ),
+    ]
+    .into_iter()
+    .filter_map(|(is_missing, what)| is_missing.then_some(what))
+    .collect();
+    let text = format!("the file lacks columns that the model asks for; {}", missing.join("; "));
+    let help = "record them, or take what is left for more than the model's own error";
+    (!missing.is_empty()).then(|| Diagnostic::warning("model::columns", text).help(help))
 }
 
 /// What a model leaves of measurements that it has not seen.

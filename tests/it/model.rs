@@ -88,6 +88,41 @@ fn play_that_gravity_holds_is_held_from_the_same_torque_on_in_rows_not_seen() {
     assert!(rms < 0.04 && nominal > 0.13, "{rms} of {nominal}");
 }
 
+/// The same rows without the columns whose names begin so.
+fn without_columns(csv: &str, prefix: &str) -> String {
+    let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
+    let cells = |line: &str| {
+        let cells = line.split(',').zip(&header).filter(|(_, name)| !name.starts_with(prefix));
+        cells.map(|(cell, _)| cell.to_owned()).collect::<Vec<String>>().join(",")
+    };
+    csv.lines().map(|line| cells(line) + "\n").collect()
+}
+
+/// A model is held against a file that does not record what it asks for: that is said, and not taken for the model's error.
+#[test]
+fn columns_that_a_model_asks_for_and_a_file_lacks_are_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    done(&["synth", &at("set"), "--effects", "backlash:2", "--n", "20", "--rho", "5", "--seed", "7"]);
+    let csv = std::fs::read_to_string(at("set/set_0000/measurements.csv")).unwrap();
+    let told = |prefix: &str| {
+        std::fs::write(at("lacks.csv"), without_columns(&csv, prefix)).unwrap();
+        let output = driftpost(&["validate", &at("lacks.csv"), "--model", EVERY]);
+        String::from_utf8_lossy(&output.stderr).replace("\n", " ")
+    };
+    for (prefix, what) in [
+        ("dir", "play asks from which side a joint came"),
+        ("payload_kg", "what gives way under load asks for payload_kg"),
+        ("t_min", "what moves with time asks for t_min"),
+        ("temp_j", "what moves with temperature asks for temp_j1_c"),
+    ] {
+        let stderr = told(prefix);
+        assert!(stderr.contains("model::columns") && stderr.contains(what), "{prefix}: {stderr}");
+    }
+    let stderr = told("no column begins so");
+    assert!(!stderr.contains("model::columns"), "{stderr}");
+}
+
 /// The same rows with the signs of all directions turned round.
 fn with_directions_turned(csv: &str) -> String {
     let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
