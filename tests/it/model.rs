@@ -98,6 +98,25 @@ fn without_columns(csv: &str, prefix: &str) -> String {
     csv.lines().map(|line| cells(line) + "\n").collect()
 }
 
+/// A base that moved at some row of a file without times is no part of a model, which is then the nominal arm: that is said.
+#[test]
+fn a_base_that_moved_at_a_row_without_a_time_is_said_to_be_in_no_model() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    done(&["synth", &at("set"), "--effects", "base_step:90", "--n", "120", "--rho", "5", "--seed", "3"]);
+    let csv = std::fs::read_to_string(at("set/set_0000/measurements.csv")).unwrap();
+    for (prefix, is_told) in [("t_min", true), ("temp_air_c", false)] {
+        std::fs::write(at("m.csv"), without_columns(&csv, prefix)).unwrap();
+        let made = driftpost(&["diagnose", &at("m.csv"), "--model-out", &at("m.toml")]);
+        let (stdout, stderr) = (String::from_utf8_lossy(&made.stdout), String::from_utf8_lossy(&made.stderr));
+        assert!(made.status.success() && stdout.starts_with("Explained: base_step"), "{stdout}{stderr}");
+        assert_eq!(stderr.contains("diagnose::untimed"), is_told, "{stderr}");
+        let model = std::fs::read_to_string(at("m.toml")).unwrap();
+        assert_eq!(!model.contains("[[effect]]"), is_told, "{model}");
+        std::fs::remove_file(at("m.toml")).unwrap();
+    }
+}
+
 /// A model is held against a file that does not record what it asks for: that is said, and not taken for the model's error.
 #[test]
 fn columns_that_a_model_asks_for_and_a_file_lacks_are_named() {

@@ -132,3 +132,24 @@ fn where_passes_come_from_different_sides_that_is_said() {
     let (stderr, worst_mm) = compensated_and_executed(dir.path(), &play(1, -0.1), &from_below);
     assert!(!stderr.contains("model::either-side") && worst_mm < 0.001, "{worst_mm}: {stderr}");
 }
+
+/// Play of 3 deg is more than a correction may bridge: the motions are kept for that, and not because nothing moves.
+#[test]
+fn play_that_is_too_large_is_the_reason_why_nothing_is_corrected() {
+    let dir = tempfile::tempdir().unwrap();
+    let [program, model] =
+        ["p.mod", "m.toml"].map(|name| dir.path().join(name).to_string_lossy().into_owned());
+    let moves = [HOME, [0.0, 10.0, 0.0, 0.0, 40.0, 0.0]].map(to_joints).join("\n");
+    std::fs::write(&program, format!("MODULE M\n{TOOL}\nPROC main()\n{moves}\nENDPROC\nENDMODULE\n"))
+        .unwrap();
+    std::fs::write(&model, format!("{HEAD}{}", play(2, -3.0))).unwrap();
+    let made = Command::cargo_bin("driftpost")
+        .unwrap()
+        .args(["compensate", &program, "--robot", "irb140", "--model", &model])
+        .output()
+        .unwrap();
+    let stderr = String::from_utf8_lossy(&made.stderr);
+    assert_eq!(made.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains("axis 2 would change by 1.500 deg, more than the 1 deg"), "{stderr}");
+    assert!(stderr.contains("targets that can be corrected drift by at most 0.0000 mm"), "{stderr}");
+}

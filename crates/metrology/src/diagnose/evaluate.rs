@@ -97,7 +97,10 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     let not_carried = judgement.hold_against(&shrink);
     let identification = wants_model.then(|| match not_carried {
         Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),
-        None => Identification::of(measured, prepared.options, &problem, &fitted, &judgement),
+        None => {
+            let held_out = (&judgement, &folds, shrink.region_block);
+            Identification::of(measured, prepared.options, &problem, &fitted, held_out)
+        }
     });
     let mut diagnosis = consequences(prepared, shrink, &mut fitted, judgement);
     diagnosis.untestable_detail = visible.untestable;

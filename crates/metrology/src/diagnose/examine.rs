@@ -17,7 +17,7 @@ use nalgebra::{Isometry3, Point3};
 use robot_model::deform::identified::{FoundBy, Identified};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
-use robot_model::units::{m_from_mm, mm_from_m};
+use robot_model::units::mm_from_m;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -39,12 +39,8 @@ pub fn diagnose_and_identify(
     options: &DiagnosisOptions,
 ) -> (Findings, Option<Identified>) {
     let Evaluation { diagnosis, identified } = examine(measurements, robot, options, true);
-    let region = diagnosis.shrink.region_block.as_ref();
-    let identified = identified.map(|model| Identified {
-        found_by: Some(FoundBy::Diagnosis(diagnosis.verdict)),
-        region_held_out_m: region.map(|r| [r.before_rms_mm, r.after_rms_mm].map(m_from_mm)),
-        ..model
-    });
+    let found_by = Some(FoundBy::Diagnosis(diagnosis.verdict));
+    let identified = identified.map(|model| Identified { found_by, ..model });
     (diagnosis, identified)
 }
 

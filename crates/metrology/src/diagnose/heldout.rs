@@ -105,7 +105,7 @@ pub(super) fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduct
     let Some(whole) = block(&all) else { return ErrorReduction::default() };
     let ratio = if whole.before_rms_mm > 0.0 { whole.after_rms_mm / whole.before_rms_mm } else { 1.0 };
     let time_block = folds.time.as_ref().and_then(|groups| block(&held_out(fitted, folds, groups)));
-    let region_block = block(&held_out(fitted, folds, &folds.region));
+    let region_block = region_block(fitted, folds);
     let observations = &fitted.linear.dataset.observations;
     let pose_of = |station: usize| observations[station].pose;
     ErrorReduction {
@@ -118,6 +118,12 @@ pub(super) fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduct
         time_block,
         region_block,
     }
+}
+
+/// Holds out a region of the workspace.
+#[must_use]
+pub(super) fn region_block(fitted: &mut FittedModel<'_>, folds: &Folds) -> Option<HeldOutBlock> {
+    block(&held_out(fitted, folds, &folds.region))
 }
 
 /// What noise alone leaves on a station, 3-D.

@@ -1,7 +1,8 @@
-//! The model that is made of what was found: what of it cannot be in one, and why there is none.
+//! The model that is made of what was found: what of it cannot be in one, what stands there then, and why there is none.
 
 use super::effects::Candidate;
 use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
+use super::heldout::{self, Folds};
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
 use super::linearise::rms_m;
@@ -9,10 +10,11 @@ use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds};
 use super::options::DiagnosisOptions;
-use super::outcome::{Verdict, Warning};
+use super::outcome::{HeldOutBlock, Verdict, Warning};
 use super::spectrum;
-use super::verdict::Judgement;
+use super::verdict::{Judgement, describe_candidate};
 use robot_model::deform::identified::Identified;
+use robot_model::units::m_from_mm;
 
 /// Why a drift over rows is in no model.
 const UNTIMED: &str = "what drifts from row to row cannot be carried to another file without times (t_min)";
@@ -28,6 +30,15 @@ pub(super) struct Identification {
     pub found: Result<Identified, NoModel>,
     /// What was found and is not in it.
     left_out: Vec<LeftOut>,
+    /// What it has and was not found beside all others: without what is left out something else may take its place.
+    in_place: Vec<String>,
+}
+
+/// A fit of which a model may be made.
+struct Fit<'f, 'a> {
+    fitted: &'f FittedModel<'a>,
+    /// What it leaves of a region held out, without and with it.
+    region: Option<HeldOutBlock>,
 }
 
 /// What a model is made without, although it was found.
@@ -49,7 +60,7 @@ impl Identification {
         options: &DiagnosisOptions,
         problem: &SearchProblem<'_>,
         fitted: &FittedModel<'_>,
-        judgement: &Judgement,
+        (judgement, folds, region): (&Judgement, &Folds, Option<HeldOutBlock>),
     ) -> Self {
         let linear = problem.linear;
         let mut left_out = Vec::new();
@@ -82,47 +93,19 @@ impl Identification {
             // Nor steps: together they would climb as the drift does.
             candidates.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
         }
-        if left_out.is_empty() {
-            return Self::of_usual(measured, options, problem, fitted, judgement, left_out);
-        }
-        let problem = SearchProblem { candidates: &candidates, ..*problem };
-        Self::of_usual(measured, options, &problem, &best_model(&problem), judgement, left_out)
-    }
-
-    /// The model of `fitted`. Where a term of it that is none of the causes named came out at a size that cannot be, that of a search without
-    /// the term, if it is one.
-    fn of_usual(
-        measured: MeasuredRobot<'_>,
-        options: &DiagnosisOptions,
-        problem: &SearchProblem<'_>,
-        fitted: &FittedModel<'_>,
-        judgement: &Judgement,
-        left_out: Vec<LeftOut>,
-    ) -> Self {
-        let found = identify(measured, fitted, options);
-        let Err(NoModel::Beyond { cause, n, term, times }) = &found else { return Self { found, left_out } };
-        let Judgement { verdict, causes, .. } = judgement;
-        let is_named = causes.iter().any(|named| (named.key(), named.n) == (*cause, *n));
-        // What takes a structure of no cause once takes it again, under another name.
-        let is_explained = !matches!(verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
-        let beyond = left_out.iter().filter(|left_out| left_out.code == BEYOND_USUAL).count();
-        if is_named || !is_explained || beyond == MOST_BEYOND {
-            return Self { found, left_out };
-        }
-        let others = problem.candidates.iter().filter(|c| (c.cause_key(), c.variant.n) != (*cause, *n));
-        let candidates: Vec<Candidate> = others.cloned().collect();
-        let why = format!("{term} came out at {times:.0} times its usual size");
-        let beyond = LeftOut { code: BEYOND_USUAL, why, what: "it".to_owned() };
-        let more = left_out.iter().cloned().chain([beyond]).collect();
-        let problem = SearchProblem { candidates: &candidates, ..*problem };
-        let without = Self::of_usual(measured, options, &problem, &best_model(&problem), judgement, more);
-        if without.found.is_ok() { without } else { Self { found, left_out } }
+        let making = Making { measured, options, judgement, folds, first: fitted };
+        let mut made = match left_out.is_empty() {
+            true => making.of_usual(problem, &Fit { fitted, region }, left_out),
+            false => making.without(&SearchProblem { candidates: &candidates, ..*problem }, left_out),
+        };
+        made.left_out.extend(untimed_mounting(fitted));
+        made
     }
 
     /// That there is no model, and why.
     #[must_use]
     pub(super) fn none(why: NoModel) -> Self {
-        Self { found: Err(why), left_out: Vec::new() }
+        Self { found: Err(why), left_out: Vec::new(), in_place: Vec::new() }
     }
 
     /// Why there is none, for people.
@@ -136,11 +119,103 @@ impl Identification {
     /// What the model is made without.
     pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
         let left_out = self.left_out.iter().filter(|_| self.found.is_ok());
-        left_out.map(|LeftOut { code, why, what }| Warning {
+        let in_place = match self.in_place.as_slice() {
+            [] => String::new(),
+            others => format!("; in its place stands {}", others.join(" and ")),
+        };
+        left_out.map(move |LeftOut { code, why, what }| Warning {
             code,
-            message: format!("{why}: the model is fitted without {what}"),
+            message: format!("{why}: the model is fitted without {what}{in_place}"),
         })
     }
+}
+
+/// What models of one diagnosis have in common.
+struct Making<'m, 'a> {
+    measured: MeasuredRobot<'m>,
+    options: &'m DiagnosisOptions,
+    judgement: &'m Judgement,
+    folds: &'m Folds,
+    /// What was found at first, with all candidates.
+    first: &'m FittedModel<'a>,
+}
+
+impl Making<'_, '_> {
+    /// The model of a search among the candidates of `problem`, which lack what is left out.
+    fn without(&self, problem: &SearchProblem<'_>, left_out: Vec<LeftOut>) -> Identification {
+        let mut fitted = best_model(problem);
+        let region = heldout::region_block(&mut fitted, self.folds);
+        let in_place = self.not_found_before(&fitted);
+        let made = self.of_usual(problem, &Fit { fitted: &fitted, region }, left_out);
+        // Of a search after this one, without still more, that one says it.
+        if made.in_place.is_empty() { Identification { in_place, ..made } } else { made }
+    }
+
+    /// The model of a fit. Where a term of it that is none of the causes named came out at a size that cannot be, that of a search without
+    /// the term, if it is one.
+    fn of_usual(
+        &self,
+        problem: &SearchProblem<'_>,
+        fit: &Fit<'_, '_>,
+        left_out: Vec<LeftOut>,
+    ) -> Identification {
+        let found = identify(self.measured, fit.fitted, self.options);
+        let Err(NoModel::Beyond { cause, n, term, times }) = &found else {
+            let region = fit.region.as_ref();
+            let region_held_out_m = region.map(|r| [r.before_rms_mm, r.after_rms_mm].map(m_from_mm));
+            let found = found.map(|model| Identified { region_held_out_m, ..model });
+            return Identification { found, left_out, in_place: Vec::new() };
+        };
+        let Judgement { verdict, causes, .. } = self.judgement;
+        let is_named = causes.iter().any(|named| (named.key(), named.n) == (*cause, *n));
+        // What takes a structure of no cause once takes it again, under another name.
+        let is_explained = !matches!(verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
+        let beyond = left_out.iter().filter(|left_out| left_out.code == BEYOND_USUAL).count();
+        if is_named || !is_explained || beyond == MOST_BEYOND {
+            return Identification { found, left_out, in_place: Vec::new() };
+        }
+        let others = problem.candidates.iter().filter(|c| (c.cause_key(), c.variant.n) != (*cause, *n));
+        let candidates: Vec<Candidate> = others.cloned().collect();
+        let why = format!("{term} came out at {times:.0} times its usual size");
+        let beyond = LeftOut { code: BEYOND_USUAL, why, what: "it".to_owned() };
+        let more = left_out.iter().cloned().chain([beyond]).collect();
+        let without = self.without(&SearchProblem { candidates: &candidates, ..*problem }, more);
+        match without.found.is_ok() {
+            true => without,
+            false => Identification { found, left_out, in_place: Vec::new() },
+        }
+    }
+
+    /// The causes of a later fit that the first one has not, in words.
+    fn not_found_before(&self, later: &FittedModel<'_>) -> Vec<String> {
+        let of = |fitted: &FittedModel<'_>| -> Vec<Candidate> {
+            let chosen = fitted.model.chosen.iter();
+            chosen.map(|cause| fitted.workspace.library.candidates[cause.candidate].clone()).collect()
+        };
+        let before = of(self.first);
+        let is_new = |cause: &&Candidate| {
+            !before.iter().any(|b| (b.cause_key(), b.variant.n) == (cause.cause_key(), cause.variant.n))
+        };
+        let later_causes = of(later);
+        let new = later_causes.iter().filter(is_new);
+        new.map(|candidate| describe_candidate(candidate, &later.linear.dataset)).collect()
+    }
+}
+
+/// A base or target that moved at some row of a file without times: it is registered again wherever a model is used.
+fn untimed_mounting(fitted: &FittedModel<'_>) -> Option<LeftOut> {
+    let dataset = &fitted.linear.dataset;
+    let candidates = fitted.workspace.library.candidates;
+    let mut chosen = fitted.model.chosen.iter().map(|cause| &candidates[cause.candidate]);
+    let moved = chosen.find(|c| c.kind.is_of_mounting() && dataset.time_min.is_none())?;
+    Some(LeftOut {
+        code: "diagnose::untimed",
+        why: format!(
+            "{} has no time, and base and target are registered again wherever a model is used",
+            describe_candidate(moved, dataset)
+        ),
+        what: "it".to_owned(),
+    })
 }
 
 /// That a model would leave more of its own rows than the noise that is stated, as far as that shows before one is made.

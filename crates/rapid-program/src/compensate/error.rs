@@ -51,8 +51,8 @@ pub enum CompensateError {
     },
     /// The targets do not drift.
     #[error(
-        "there is nothing to correct: the program's targets drift by at most {drift_mm:.4} mm, within the tolerance of \
-         {tolerance_mm} mm"
+        "there is nothing to correct: the program's targets that can be corrected drift by at most {drift_mm:.4} mm, within the \
+         tolerance of {tolerance_mm} mm"
     )]
     NoDrift {
         /// The largest drift, mm.
@@ -102,6 +102,14 @@ impl CompensateError {
             Self::NoMotion => "compensate::no-motion",
             Self::NothingToCompensate { .. } => "compensate::nothing",
         }
+    }
+
+    /// With what there is to be said about the motions beside the table or the model: that some are kept, and why.
+    pub(super) fn with(mut self, of_motions: Vec<Diagnostic>) -> Self {
+        if let Self::NoDrift { diagnostics, .. } = &mut self {
+            diagnostics.extend(of_motions);
+        }
+        self
     }
 }
 

@@ -81,7 +81,8 @@ pub fn plan(
     // Of targets that only run time tells nothing is known of their drift.
     let known = motions.iter().any(|motion| motion.error_m.is_some());
     if known && !motions.iter().any(|motion| matches!(motion.status, Status::Refused(_))) {
-        plausible::check_drift(&summary, options.tolerance_m, &mut of_plan)?;
+        plausible::check_drift(&summary, options.tolerance_m, &mut of_plan)
+            .map_err(|error| error.with(kept_messages(program, &motions, messages.clone())))?;
     }
     of_plan.add_schedule(&chosen, &summary, options);
     conditions::check_model(&model, Some(&chosen.schedule), &mut of_plan);
@@ -188,6 +189,16 @@ fn samples<'a>(program: &Program, points: &ProgramPoints<'a>) -> Vec<Sample<'a>>
         Some(Sample { point: points.at((motion, value))?, by_joints })
     };
     some.filter_map(sample).collect()
+}
+
+/// What is said of the motions that stay as they are, and of the others.
+fn kept_messages(program: &Program, motions: &[PlannedMotion], mut messages: Messages) -> Vec<Diagnostic> {
+    for (motion, planned) in program.motions.iter().zip(motions) {
+        if let Some(why) = skip_reason(planned) {
+            messages.add_skipped(motion, why);
+        }
+    }
+    messages.finish()
 }
 
 /// Why nothing can be compensated; `reason` gives each motion's.
