@@ -1,6 +1,6 @@
 //! The verdict on a model without a cause: noise, slow noise, structure of no cause, scatter, or geometry.
 
-use super::cause_group::{OpenSlot, SlotScan, cause_groups};
+use super::cause_group::{OpenSlot, SlotScan, spoken_for_first};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
 use super::noise::{
@@ -19,7 +19,7 @@ use crate::diagnose::search::ALARM_NATS;
 /// Judges what is left where the search chose nothing.
 pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {
     let ranking = &rest.ranking;
-    let cause_groups = cause_groups(&fitted.workspace, ranking);
+    let cause_groups = spoken_for_first(&fitted.workspace, ranking);
     let mut causes = Vec::new();
     for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > WORTH_SAYING) {
         causes.push(cause(fitted, &[], None, cause_group));
