@@ -58,7 +58,7 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
         totals.kept,
         totals.refused,
     )?;
-    if !has_known_targets(totals) {
+    if !has_known_targets(review) {
         return writeln!(
             out,
             "no target is known before the program runs, so no TCP error is worked out here; `driftpost simulate` executes the program"
@@ -78,8 +78,9 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
 }
 
 /// Whether there is a compensated motion whose target is known, so that figures say something.
-fn has_known_targets(totals: &Totals) -> bool {
-    totals.by_form[2] < totals.compensated
+fn has_known_targets(review: &Review<'_>) -> bool {
+    // One that asks the model is known too where its drift was worked out.
+    review.totals.by_form[2] < review.totals.compensated || review.summary.worst_before_m > 0.0
 }
 
 fn write_provenance(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
@@ -100,7 +101,7 @@ fn write_figures(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> {
             writeln!(out, "largest step of the TCP from one bucket to the next: {jump} mm")?;
         }
         Some(functions) => {
-            if has_known_targets(review.totals) {
+            if has_known_targets(review) {
                 writeln!(out, "one scaled work-object shift instead would leave {rigid} mm")?;
             }
             writeln!(out, "corrections are scaled by {}", scale(functions))?;

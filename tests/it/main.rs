@@ -28,6 +28,7 @@ mod executed;
 mod faults;
 mod fit;
 mod folders;
+mod forms;
 mod function_lengths;
 mod fuzzed;
 mod golden;

@@ -26,6 +26,8 @@ const COMMON: &str = include_str!("clock/common.mod");
 const TWO_STAGE: &str = include_str!("clock/two_stage.mod");
 const ONE_LAG: &str = include_str!("clock/one_lag.mod");
 const LAGS: &str = include_str!("clock/lags.mod");
+const PART: &str = include_str!("clock/part.mod");
+const LN: &str = include_str!("clock/ln.mod");
 const ELAPSED: &str = include_str!("clock/elapsed.mod");
 const SENSOR: &str = include_str!("clock/sensor.mod");
 
@@ -187,11 +189,15 @@ impl CoreText<'_> {
     #[must_use]
     pub(super) fn routines(&self, names: &Names) -> Vec<String> {
         let shares = matches!(&self.choice, Choice::Scale(scaled) if scaled.functions.course.is_of_share());
+        // Between knots a part of the way is asked for, whatever the clock.
+        let scales = matches!(&self.choice, Choice::Scale(_));
         let law = match self.law {
-            Law::TwoStage { .. } => [STARTS, COMMON, TWO_STAGE, LAGS].as_slice(),
-            Law::OneLag { .. } => &[STARTS, COMMON, ONE_LAG, LAGS],
-            Law::Elapsed if shares => &[STARTS, COMMON, ELAPSED, LAGS],
+            Law::TwoStage { .. } => [STARTS, COMMON, TWO_STAGE, LAGS, PART, LN].as_slice(),
+            Law::OneLag { .. } => &[STARTS, COMMON, ONE_LAG, LAGS, PART, LN],
+            Law::Elapsed if shares => &[STARTS, COMMON, ELAPSED, LAGS, PART, LN],
+            Law::Elapsed if scales => &[STARTS, COMMON, ELAPSED, PART],
             Law::Elapsed => &[STARTS, COMMON, ELAPSED],
+            Law::Sensor { .. } if scales => &[COMMON, SENSOR, PART],
             Law::Sensor { .. } => &[COMMON, SENSOR],
         };
         let asked: Vec<String> = match &self.choice {

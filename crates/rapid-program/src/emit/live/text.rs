@@ -53,12 +53,18 @@ pub(super) struct Body {
 pub(super) struct Triple {
     names: [String; 3],
     written: [bool; 3],
+    /// What is zero now has been something: its variable still holds that.
+    stale: [bool; 3],
 }
 
 impl Triple {
     /// Zero, in variables of these names with x, y and z at the end.
     pub(super) fn zero(stem: &str) -> Self {
-        Self { names: ["x", "y", "z"].map(|axis| format!("{stem}{axis}")), written: [false; 3] }
+        Self {
+            names: ["x", "y", "z"].map(|axis| format!("{stem}{axis}")),
+            written: [false; 3],
+            stale: [false; 3],
+        }
     }
 
     /// A component, where it is not known to be zero.
@@ -156,6 +162,7 @@ impl Body {
         let mut late = Vec::new();
         for (at, &k) in changed.iter().enumerate() {
             of.written[k] = !rows[k].is_empty();
+            of.stale[k] |= was.written[k];
             let needed =
                 changed[at + 1..].iter().any(|&i| rows[i].iter().any(|(_, name)| *name == was.names[k]));
             if !of.written[k] {
@@ -171,6 +178,13 @@ impl Body {
         }
         for (k, name) in late {
             self.line(format!("{}:={name};", was.names[k]));
+        }
+    }
+
+    /// Has the variables of what is zero hold zero, where what follows reads all three.
+    pub(super) fn zero_stale(&mut self, of: &Triple) {
+        for k in (0..3).filter(|&k| of.stale[k] && !of.written[k]) {
+            self.line(format!("{}:=0;", of.names[k]));
         }
     }
 
@@ -226,6 +240,16 @@ mod tests {
         body.turn(&mut of, 2, 1.0, ["tcS", "tcC"]);
         body.turn(&mut of, 1, -1.0, ["tcS", "tcC"]);
         assert_eq!(lines(body), ["tcUz:=1;", "tcUx:=-tcS*tcUz;", "tcUz:=tcC*tcUz;"]);
+    }
+
+    /// A quarter turn about y of what has a z alone: z is zero then, and its variable is told so before it is read.
+    #[test]
+    fn what_has_become_zero_is_written_before_it_is_read() {
+        let (mut body, mut of) = (Body::default(), Triple::zero("tcD"));
+        body.increase(&mut of, 2, &[(5.0, String::new())]);
+        body.rotate(&mut of, &[[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
+        body.zero_stale(&of);
+        assert_eq!(lines(body), ["tcDz:=5;", "tcDx:=-tcDz;", "tcDz:=0;"]);
     }
 
     #[test]

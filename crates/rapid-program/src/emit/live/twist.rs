@@ -137,6 +137,8 @@ fn frames(model: &LiveModel, body: &mut Body, (loads, kept): (bool, bool)) {
         }
         body.increase(&mut turn, axis, &own);
     }
+    // The tool's lever asks for all six.
+    [&shift, &turn].into_iter().for_each(|carried| body.zero_stale(carried));
 }
 
 /// What the twist is more at the joints `tcJ` than at `tcQ`, of the turns that are steep.
