@@ -382,7 +382,7 @@ fn false_readings_side_by_side_are_no_step() {
 fn what_the_data_say_nothing_of_is_no_first_candidate() {
     let dir = tempfile::tempdir().unwrap();
     synth(dir.path(), &["--effects", "weak", "--seed", "6", "--sets", "6"]);
-    let csv = std::fs::read(dir.path().join("sets/set_0005/measurements.csv")).unwrap();
+    let csv = fs::read(dir.path().join("sets/set_0005/measurements.csv")).unwrap();
     let (_, answer, json) = diagnose(&csv, &[]);
     let json = json.unwrap();
     assert_eq!(json["verdict"], "geometry", "{answer}");
