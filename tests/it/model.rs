@@ -374,6 +374,52 @@ fn what_a_program_cannot_know_is_asked_for() {
     assert!(String::from_utf8_lossy(&refused.stderr).contains("model::temperature"));
 }
 
+/// Most robot files have no links' masses. Their virtual robots weigh something all the same, and their sag is that of their links, not of what hangs
+/// on the flange; the diagnosis guesses other masses.
+#[test]
+fn the_links_of_a_virtual_robot_weigh_something_whatever_its_file_says() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    let q_deg = |k: usize| -> [f64; 6] {
+        // Even over what the arm can do, without a period in common.
+        let part = |by: f64| (0.5 + by * k as f64).fract() - 0.5;
+        [
+            140.0 * part(0.618),
+            60.0 * part(0.414),
+            50.0 * part(0.732),
+            180.0 * part(0.236),
+            60.0 + 50.0 * part(0.541),
+            240.0 * part(0.359),
+        ]
+    };
+    let moves: String = (1..=30)
+        .map(|k| format!("MoveAbsJ [{:?},[9E9,9E9,9E9,9E9,9E9,9E9]],v200,fine,tool0;\n", q_deg(k)))
+        .collect();
+    std::fs::write(at("p.mod"), format!("MODULE M\nPROC main()\n{moves}ENDPROC\nENDMODULE\n")).unwrap();
+    for (robot, effect, name) in
+        [("irb2600", "joint_compliance:3", "joint_compliance"), ("irb6700-2.65", "base_tilt", "base_tilt")]
+    {
+        let arguments = ["closed-loop", &at("p.mod"), "--robot", robot, "--inject", effect, "--seed", "21"];
+        let output =
+            driftpost(&[&arguments[..], &["--json", &at("r.json"), "--model-out", &at("m.toml")]].concat());
+        let message = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{robot}: {message}{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+        assert!(
+            std::fs::read_to_string(at("m.toml")).unwrap().contains(&format!("effect = \"{name}\"")),
+            "{message}"
+        );
+        let r = json(&at("r.json"));
+        let true_mm = |when: &str| r[when]["true_rms_mm"].as_f64().unwrap();
+        assert!(true_mm("before") > 0.05 && true_mm("after") < 0.012, "{message}");
+        std::fs::remove_file(at("m.toml")).unwrap();
+    }
+}
+
 /// The whole loop on a virtual robot whose physics is not that of the diagnosis: withhold, measure, diagnose, compensate,
 /// measure again.
 #[test]
