@@ -16,6 +16,7 @@ mod drift;
 mod error;
 mod figures;
 mod follow_paths;
+mod held_play;
 mod hinted_branch;
 mod joints_hint;
 mod later_frames;
