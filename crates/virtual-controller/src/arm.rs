@@ -72,10 +72,14 @@ impl Move {
     }
 }
 
-/// The sign of each joint's last motion after it went on from one place to another, radians.
-fn turned(mut direction: [i8; 6], from: Option<[f64; 6]>, to: &[f64; 6]) -> [i8; 6] {
+/// Joints turn round on a line or an arc where they turn by more than this over its last part, or from or to its circle point, radians: those
+/// that stand still at both ends are moved a little in between.
+const MIN_LAST_RAD: f64 = 2e-4;
+
+/// The sign of each joint's last motion after it went on from one place to another, radians; less than `min_rad` is none.
+fn turned(mut direction: [i8; 6], from: Option<[f64; 6]>, to: &[f64; 6], min_rad: f64) -> [i8; 6] {
     for (sign, (to, from)) in direction.iter_mut().zip(to.iter().zip(from.unwrap_or(*to))) {
-        if (to - from).abs() > MIN_MOTION_RAD {
+        if (to - from).abs() > min_rad {
             *sign = if *to > from { 1 } else { -1 };
         }
     }
@@ -177,11 +181,12 @@ impl ControllerArm {
     pub(super) fn record(&mut self, mut done: Move, tool: Value, wobj: Value) {
         if let Some(q) = done.q_rad {
             if let Some(via) = done.via_q_rad {
-                self.direction = turned(self.direction, self.q_rad, &via);
+                self.direction = turned(self.direction, self.q_rad, &via, MIN_LAST_RAD);
                 done.via_direction = self.direction;
             }
-            let from = done.before_end_q_rad.or(done.via_q_rad).or(self.q_rad);
-            self.direction = turned(self.direction, from, &q);
+            let min_rad = if done.via_q_rad.is_some() { MIN_LAST_RAD } else { MIN_MOTION_RAD };
+            self.direction = turned(self.direction, done.via_q_rad.or(self.q_rad), &q, min_rad);
+            self.direction = turned(self.direction, done.before_end_q_rad, &q, MIN_LAST_RAD);
             self.q_rad = Some(q);
         }
         done.direction = self.direction;

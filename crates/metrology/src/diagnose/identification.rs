@@ -30,8 +30,9 @@ pub(super) struct Identification {
     pub found: Result<Identified, NoModel>,
     /// What was found and is not in it.
     left_out: Vec<LeftOut>,
-    /// What it has and was not found beside all others: without what is left out something else may take its place.
-    in_place: Vec<String>,
+    /// What it has and was not found beside all others, of a search after the first: without what is left out something else may take its
+    /// place.
+    in_place: Option<Vec<String>>,
 }
 
 /// A fit of which a model may be made.
@@ -98,14 +99,14 @@ impl Identification {
             true => making.of_usual(problem, &Fit { fitted, region }, left_out),
             false => making.without(&SearchProblem { candidates: &candidates, ..*problem }, left_out),
         };
-        made.left_out.extend(untimed_mounting(fitted));
+        made.left_out.splice(0..0, untimed_mounting(fitted));
         made
     }
 
     /// That there is no model, and why.
     #[must_use]
     pub(super) fn none(why: NoModel) -> Self {
-        Self { found: Err(why), left_out: Vec::new(), in_place: Vec::new() }
+        Self { found: Err(why), left_out: Vec::new(), in_place: None }
     }
 
     /// Why there is none, for people.
@@ -119,13 +120,15 @@ impl Identification {
     /// What the model is made without.
     pub(super) fn warnings(&self) -> impl Iterator<Item = Warning> {
         let left_out = self.left_out.iter().filter(|_| self.found.is_ok());
-        let in_place = match self.in_place.as_slice() {
-            [] => String::new(),
-            others => format!("; in its place stands {}", others.join(" and ")),
+        let in_place = match self.in_place.as_deref() {
+            None | Some([]) => String::new(),
+            Some(others) => format!("; in its place stands {}", others.join(" and ")),
         };
-        left_out.map(move |LeftOut { code, why, what }| Warning {
-            code,
-            message: format!("{why}: the model is fitted without {what}{in_place}"),
+        // What was left out last is what the last search was without.
+        let last = self.left_out.len().saturating_sub(1);
+        left_out.enumerate().map(move |(at, LeftOut { code, why, what })| {
+            let in_place = if at == last { in_place.as_str() } else { "" };
+            Warning { code, message: format!("{why}: the model is fitted without {what}{in_place}") }
         })
     }
 }
@@ -148,7 +151,7 @@ impl Making<'_, '_> {
         let in_place = self.not_found_before(&fitted);
         let made = self.of_usual(problem, &Fit { fitted: &fitted, region }, left_out);
         // Of a search after this one, without still more, that one says it.
-        if made.in_place.is_empty() { Identification { in_place, ..made } } else { made }
+        Identification { in_place: made.in_place.or(Some(in_place)), ..made }
     }
 
     /// The model of a fit. Where a term of it that is none of the causes named came out at a size that cannot be, that of a search without
@@ -164,7 +167,7 @@ impl Making<'_, '_> {
             let region = fit.region.as_ref();
             let region_held_out_m = region.map(|r| [r.before_rms_mm, r.after_rms_mm].map(m_from_mm));
             let found = found.map(|model| Identified { region_held_out_m, ..model });
-            return Identification { found, left_out, in_place: Vec::new() };
+            return Identification { found, left_out, in_place: None };
         };
         let Judgement { verdict, causes, .. } = self.judgement;
         let is_named = causes.iter().any(|named| (named.key(), named.n) == (*cause, *n));
@@ -172,7 +175,7 @@ impl Making<'_, '_> {
         let is_explained = !matches!(verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
         let beyond = left_out.iter().filter(|left_out| left_out.code == BEYOND_USUAL).count();
         if is_named || !is_explained || beyond == MOST_BEYOND {
-            return Identification { found, left_out, in_place: Vec::new() };
+            return Identification { found, left_out, in_place: None };
         }
         let others = problem.candidates.iter().filter(|c| (c.cause_key(), c.variant.n) != (*cause, *n));
         let candidates: Vec<Candidate> = others.cloned().collect();
@@ -182,7 +185,7 @@ impl Making<'_, '_> {
         let without = self.without(&SearchProblem { candidates: &candidates, ..*problem }, more);
         match without.found.is_ok() {
             true => without,
-            false => Identification { found, left_out, in_place: Vec::new() },
+            false => Identification { found, left_out, in_place: None },
         }
     }
 

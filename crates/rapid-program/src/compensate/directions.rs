@@ -17,12 +17,17 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{Conditions, DeformedArm, EffectKind};
 use robot_model::robot::Axis;
-use robot_model::units::mm_from_m;
+use robot_model::units::{deg_from_rad, mm_from_m};
+use std::collections::VecDeque;
 
 /// Joints that turn by less have not moved, radians: what targets are rounded to moves those that stand still by up to 1e-6.
 const STILL_RAD: f64 = 1e-5;
-/// On a line or an arc a joint may turn round on the way: its last motion is that over the last part of it.
+/// On a line or an arc a joint may turn round on the way: its last motion is that over the last part of it, where it turns by so much there,
+/// radians. Joints that stand still at both ends are moved a little in between, where what is corrected turns the tool.
 const LAST_SHARE: f64 = 1.0 / 16.0;
+const LAST_MIN_RAD: f64 = 2e-4;
+/// The moments at which the sides have to be the same, minutes: drifts of several laws may turn a joint round between cold and settled.
+const LOOKED_AT_MIN: [f64; 5] = [0.0, 5.0, 15.0, 45.0, 120.0];
 /// A joint's side matters where the arm with one and with the other is farther apart than this, metres and radians.
 const SAME: f64 = 1e-9;
 
@@ -31,8 +36,15 @@ pub(super) struct UnknownSide {
     motion: MotionId,
     axis: Axis,
     why: Why,
-    /// By how much the TCP is off where the joint comes from one of its sides, and not at the middle, metres.
-    off_m: f64,
+    /// By how much the TCP is off where it, and others of which the same is not known, come from a side, and not at the middle.
+    off: Off,
+}
+
+/// How far a TCP is off, metres and radians.
+#[derive(Clone, Copy, Debug, Default)]
+struct Off {
+    far_m: f64,
+    turned_rad: f64,
 }
 
 /// Why a joint's side is not known.
@@ -104,16 +116,20 @@ pub(super) fn fill(
     let Some(identified) = model.identified.as_ref().filter(|identified| identified.needs_direction()) else {
         return Vec::new();
     };
-    let arms = [Moment::Minute(0.0), Moment::Settled].map(|moment| model.arm(moment));
+    let settled = model.arm(Moment::Settled);
     let ways = Ways { program, model, start_rad, half_gap_rad: half_gaps_rad(identified), resolved };
-    let [cold, warm] = arms.each_ref().map(|arm| ways.passings(arm));
-    let sides: Vec<Vec<[Side; 6]>> = cold.iter().zip(&warm).map(|(cold, warm)| common(cold, warm)).collect();
+    let mut sides = sides_of(&ways.passings(&settled));
+    for t_min in LOOKED_AT_MIN {
+        let then = sides_of(&ways.passings(&model.arm(Moment::Minute(t_min))));
+        let both = sides.iter_mut().flatten().flatten().zip(then.iter().flatten().flatten());
+        both.for_each(|(side, then)| *side = common(*side, *then));
+    }
     for (resolved, sides) in resolved.iter_mut().zip(&sides) {
         let directions: Vec<[i8; 6]> =
             sides.iter().map(|sides| sides.map(|side| side.unwrap_or_default())).collect();
         resolved.set_directions(&directions);
     }
-    unknown_sides(program, model, (&*resolved, &sides), &arms[1])
+    unknown_sides(program, model, (&*resolved, &sides), &settled)
 }
 
 /// Half the play of each joint, radians.
@@ -127,16 +143,22 @@ fn half_gaps_rad(identified: &Identified) -> [f64; 6] {
     half_gap_rad
 }
 
-/// The sides that hold at both moments.
-fn common(cold: &Passing, warm: &Passing) -> Vec<[Side; 6]> {
-    let known = |side: Option<Side>| side.unwrap_or(Err(Why::Start));
-    let both = |cold: Option<Side>, warm: Option<Side>| match (known(cold), known(warm)) {
-        (Ok(cold), Ok(warm)) if cold != warm => Err(Why::WarmUp),
-        (Ok(_), Err(why)) => Err(why),
-        (cold, _) => cold,
+/// The sides of all targets; nothing comes to where none is known.
+fn sides_of(passings: &[Passing]) -> Vec<Vec<[Side; 6]>> {
+    let of_passing = |passing: &Passing| -> Vec<[Side; 6]> {
+        let known = |side: Option<Side>| side.unwrap_or(Err(Why::Start));
+        passing.sides.iter().map(|sides| sides.map(known)).collect()
     };
-    let sides = cold.sides.iter().zip(&warm.sides);
-    sides.map(|(cold, warm)| std::array::from_fn(|j| both(cold[j], warm[j]))).collect()
+    passings.iter().map(of_passing).collect()
+}
+
+/// The side that holds at two moments.
+fn common(side: Side, then: Side) -> Side {
+    match (side, then) {
+        (Ok(side), Ok(then)) if side != then => Err(Why::WarmUp),
+        (Ok(_), Err(why)) => Err(why),
+        (side, _) => side,
+    }
 }
 
 /// The ways of a program between its targets.
@@ -153,24 +175,32 @@ impl Ways<'_> {
     /// from those before it, until nothing changes.
     fn passings(&self, arm: &DeformedArm) -> Vec<Passing> {
         let mut passings = self.stands(arm);
-        let edges: Vec<Vec<Edge>> =
-            (0..passings.len()).map(|i| self.edges_to(MotionId::new(i), &passings)).collect();
-        loop {
+        let count = passings.len();
+        let edges: Vec<Vec<Edge>> = (0..count).map(|i| self.edges_to(MotionId::new(i), &passings)).collect();
+        let mut after: Vec<Vec<usize>> = vec![Vec::new(); count];
+        for (i, edges) in edges.iter().enumerate() {
+            edges.iter().filter_map(|edge| edge.before).for_each(|before| after[before].push(i));
+        }
+        let (mut waiting, mut waits): (VecDeque<usize>, Vec<bool>) =
+            ((0..count).collect(), vec![true; count]);
+        while let Some(i) = waiting.pop_front() {
+            waits[i] = false;
             let mut changed = false;
-            for (i, edges) in edges.iter().enumerate() {
-                for edge in edges {
-                    let sides = edge.sides_along(&passings[i].stands, &passings);
-                    for (known, new) in passings[i].sides.iter_mut().flatten().zip(sides.iter().flatten()) {
-                        let merged = merged(*known, *new);
-                        changed |= merged != *known;
-                        *known = merged;
-                    }
+            for edge in &edges[i] {
+                let sides = edge.sides_along(&passings[i].stands, &passings);
+                for (known, new) in passings[i].sides.iter_mut().flatten().zip(sides.iter().flatten()) {
+                    let merged = merged(*known, *new);
+                    changed |= merged != *known;
+                    *known = merged;
                 }
             }
-            if !changed {
-                return passings;
+            for &next in after[i].iter().filter(|_| changed) {
+                if !std::mem::replace(&mut waits[next], true) {
+                    waiting.push_back(next);
+                }
             }
         }
+        passings
     }
 
     /// Where each motion's targets are, with no side yet; of one that stays as it is the last one, where it is known.
@@ -227,7 +257,10 @@ impl Ways<'_> {
             in_order: !from_anywhere,
         };
         let exit = |before: MotionId| {
-            let known = self.resolved[before.index()].exit_q_rad().is_some() && !from_anywhere;
+            let resolved = &self.resolved[before.index()];
+            // Under a displacement it ends elsewhere than its target says, near enough to tell the branch and no more.
+            let ends = resolved.skip_reason.is_none() || resolved.ends_at_target;
+            let known = resolved.exit_q_rad().is_some() && ends && !from_anywhere;
             passings[before.index()].stands.last().filter(|_| known).copied()
         };
         let mut edges: Vec<Edge> = predecessors(self.program, id)
@@ -287,10 +320,14 @@ impl Edge {
         let mut of_targets = Vec::with_capacity(stands.len());
         for (k, to) in stands.iter().enumerate() {
             let last_rad = self.last_rad.filter(|_| k + 1 == stands.len());
+            // Up to and from a circle point: on the way to it, the tool is turned by what is corrected at both ends.
+            let still_rad = if stands.len() == 1 { STILL_RAD } else { LAST_MIN_RAD };
             for (j, side) in sides.iter_mut().enumerate() {
                 *side = match &from {
                     None => side.map(|_| Err(Why::Start)),
-                    Some(from) => side.map(|side| side_at(from, side, to, last_rad.map(|l| l[j]), j)),
+                    Some(from) => {
+                        side.map(|side| side_at((from, side), to, (last_rad.map(|l| l[j]), still_rad), j))
+                    }
                 };
             }
             of_targets.push(sides);
@@ -301,8 +338,13 @@ impl Edge {
 }
 
 /// The side from which joint `j` comes from one place to the next, given its side at the first; `last_rad` is how far it turns over
-/// the last part of the way, where that is no joint move.
-fn side_at(from: &Stand, side: Side, to: &Stand, last_rad: Option<f64>, j: usize) -> Side {
+/// the last part of the way, where that is no joint move, and less than `still_rad` is no motion.
+fn side_at(
+    (from, side): (&Stand, Side),
+    to: &Stand,
+    (last_rad, still_rad): (Option<f64>, f64),
+    j: usize,
+) -> Side {
     let before = f64::from(side.unwrap_or_default());
     let bridged_rad = from.half_gap_rad[j] * before;
     let from_rad = match (from.is_corrected, to.is_corrected) {
@@ -315,13 +357,10 @@ fn side_at(from: &Stand, side: Side, to: &Stand, last_rad: Option<f64>, j: usize
     };
     let whole_rad = to.q_rad[j] - from_rad;
     let (moved_rad, share) = match last_rad {
-        None => (whole_rad, 1.0),
-        Some(last_rad) => {
-            let corrected_rad = whole_rad - (to.nominal_rad[j] - from.nominal_rad[j]);
-            (last_rad + LAST_SHARE * corrected_rad, LAST_SHARE)
-        }
+        Some(last_rad) if last_rad.abs() > LAST_MIN_RAD => (last_rad, LAST_SHARE),
+        _ => (whole_rad, 1.0),
     };
-    if moved_rad.abs() <= STILL_RAD {
+    if moved_rad.abs() <= still_rad {
         return side;
     }
     let sign = moved_rad.signum();
@@ -329,9 +368,8 @@ fn side_at(from: &Stand, side: Side, to: &Stand, last_rad: Option<f64>, j: usize
         return Ok(sign as i8);
     }
     // The joint itself goes farther than the link where play lags, and less far or back where it leads.
-    let from_bridged_rad = if from.is_corrected { bridged_rad } else { 0.0 };
     let goes_with = |sign: f64| {
-        let joint_rad = moved_rad - share * (to.half_gap_rad[j] * sign - from_bridged_rad);
+        let joint_rad = moved_rad - share * (to.half_gap_rad[j] * sign - bridged_rad);
         joint_rad * sign > STILL_RAD
     };
     match to.half_gap_rad[j] > 0.0 {
@@ -364,14 +402,21 @@ fn side_matters(point: &Point<'_>, j: usize, arm: &DeformedArm) -> bool {
     far_m > SAME || below.rotation.angle_to(&above.rotation) > SAME
 }
 
-/// How far a point's TCP is from where it is meant to be where the arm comes from a side of joint `j`, in place of the middle, metres.
-fn off_middle_m(point: &Point<'_>, j: usize, arm: &DeformedArm) -> f64 {
-    let at = |side: i8| {
-        let mut truly = point.clone();
-        truly.conditions.direction[j] = side;
-        truly.miss_m(arm, &point.q_rad)
+/// How far a point's TCP is off at most where the arm comes from sides of these joints, in place of the middle.
+fn off_middle(point: &Point<'_>, joints: &[usize], arm: &DeformedArm) -> Off {
+    let at = |choice: Option<u32>| {
+        let mut conditions = point.conditions;
+        for (bit, &j) in joints.iter().enumerate() {
+            conditions.direction[j] = choice.map_or(0, |choice| if choice >> bit & 1 == 1 { 1 } else { -1 });
+        }
+        let arm = arm.under(&conditions);
+        (arm.point_m(&point.q_rad, &point.flange_point_m), arm.forward(&point.q_rad).rotation)
     };
-    [-1, 1].map(|side| (at(side) - at(0)).norm()).into_iter().fold(0.0, f64::max)
+    let middle = at(None);
+    (0..1_u32 << joints.len()).map(|choice| at(Some(choice))).fold(Off::default(), |most, there| Off {
+        far_m: most.far_m.max((there.0 - middle.0).norm()),
+        turned_rad: most.turned_rad.max(there.1.angle_to(&middle.1)),
+    })
 }
 
 /// The joints whose side matters where it is not known, by motion.
@@ -384,10 +429,17 @@ fn unknown_sides(
     let mut unknown = Vec::new();
     for (i, ((motion, resolved), sides)) in program.motions.iter().zip(resolved).zip(sides).enumerate() {
         for (point, sides) in resolved.points(motion, model).zip(sides) {
-            let first = sides.iter().enumerate().find_map(|(j, side)| {
-                let why = side.err().filter(|_| side_matters(&point, j, arm))?;
-                let off_m = off_middle_m(&point, j, arm);
-                Some(UnknownSide { motion: MotionId::new(i), axis: Axis::at(j), why, off_m })
+            let whys: Vec<(usize, Why)> = sides
+                .iter()
+                .enumerate()
+                .filter_map(|(j, side)| Some((j, side.err().filter(|_| side_matters(&point, j, arm))?)))
+                .collect();
+            let joints: Vec<usize> = whys.iter().map(|(j, _)| *j).collect();
+            let first = whys.first().map(|&(j, why)| UnknownSide {
+                motion: MotionId::new(i),
+                axis: Axis::at(j),
+                why,
+                off: off_middle(&point, &joints, arm),
             });
             unknown.extend(first);
         }
@@ -397,15 +449,18 @@ fn unknown_sides(
 
 /// Warns of play whose side is not known.
 pub(super) fn report(program: &Program, unknown: &[UnknownSide], messages: &mut Messages) {
-    for UnknownSide { motion, axis, why, off_m } in unknown {
+    for UnknownSide { motion, axis, why, off } in unknown {
         let Some(motion) = program.motion(*motion) else { continue };
         let (code, help) = why.code_and_help();
         let reason = why.reason(*axis);
-        let text = format!(
-            "line {}: {reason}; its play is taken at the middle, {:.3} mm from either end",
-            motion.line,
-            mm_from_m(*off_m)
-        );
+        let far_mm = mm_from_m(off.far_m);
+        // A tool whose centre lies on the axis is turned alone.
+        let far = match far_mm < 0.0005 {
+            true => format!("{:.3} deg", deg_from_rad(off.turned_rad)),
+            false => format!("{far_mm:.3} mm"),
+        };
+        let text =
+            format!("line {}: {reason}; its play is taken at the middle, {far} from either end", motion.line);
         let message = Diagnostic::warning(code, text).at(span_of(motion)).help(help);
         messages.add(Some(motion.setup.routine), message);
     }

@@ -62,9 +62,8 @@ impl Arms {
     fn of(robot: &Robot, play: &Term) -> Self {
         let model = Arc::new(Identified { terms: vec![play.clone()], ..Identified::default() });
         let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c: None };
-        let arm = |robot: Robot| {
-            DeformedArm::of_model(&Arc::new(robot), &FrameOffsets::default(), &model, when.clone())
-        };
+        let arm =
+            |robot: Robot| DeformedArm::of_model(&Arc::new(robot), &FrameOffsets::default(), &model, when);
         let believed = links(robot.geometry());
         let weighing = |k: usize, times: f64| {
             let mut own = std::array::from_fn(|i| believed[i]);
