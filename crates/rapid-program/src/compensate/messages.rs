@@ -128,7 +128,7 @@ impl Messages {
                 format!("buckets of {width_min} minutes leave up to {left_mm:.4} mm, more than the tolerance")
             }
             Width::Tolerance => format!(
-                "the drift goes on after minute {}: the last bucket leaves up to {left_mm:.4} mm in the end",
+                "the drift goes on after minute {}: the last bucket leaves up to {left_mm:.4} mm",
                 chosen.until_min
             ),
         };
