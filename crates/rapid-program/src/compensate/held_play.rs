@@ -15,8 +15,10 @@ use robot_model::robot::{Axis, Robot};
 use robot_model::units::mm_from_m;
 use std::sync::Arc;
 
-/// A link's mass is known to this share of it: the least that a diagnosis allows as well.
-const MASS_KNOWN_TO: f64 = 0.3;
+/// How much lighter and heavier a link may be: by 30 %, as a diagnosis allows; by half and twice where the file has no masses and they are a
+/// guess from the arm's size.
+const KNOWN: [f64; 2] = [0.7, 1.3];
+const GUESSED: [f64; 2] = [0.5, 2.0];
 /// Play that turns round moves the tool by more than this, metres.
 const TURNED_M: f64 = 1e-6;
 
@@ -25,12 +27,13 @@ pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved],
     let Some(identified) = &model.identified else { return };
     for term in identified.terms.iter().filter(|term| is_held(term)) {
         let Some(axis) = term.joint else { continue };
-        let arms = Arms::of(model.robot(), term);
+        let may_weigh = if model.robot().links.is_some() { KNOWN } else { GUESSED };
+        let arms = Arms::of(model.robot(), term, may_weigh);
         for (motion, resolved) in program.motions.iter().zip(resolved) {
             let turned_m = resolved.points(motion, model).map(|point| arms.turned_m(&point));
             let turned_m = turned_m.fold(0.0, f64::max);
             if turned_m > TURNED_M {
-                let message = warning(motion.line, axis, turned_m).at(span_of(motion));
+                let message = warning(motion.line, axis, turned_m, may_weigh).at(span_of(motion));
                 messages.add(Some(motion.setup.routine), message);
             }
         }
@@ -41,11 +44,11 @@ fn is_held(term: &Term) -> bool {
     term.kind == EffectKind::Backlash && term.held_above_n_m.is_some()
 }
 
-fn warning(line: u32, axis: Axis, turned_m: f64) -> Diagnostic {
-    let percent = 100.0 * MASS_KNOWN_TO;
+fn warning(line: u32, axis: Axis, turned_m: f64, may_weigh: [f64; 2]) -> Diagnostic {
+    let [lighter, heavier] = may_weigh;
     let text = format!(
-        "line {line}: on which side of its play gravity holds axis {axis} a link's mass {percent:.0} % off would change: the likelier is taken, {:.3} mm \
-         from the other",
+        "line {line}: gravity would hold axis {axis} on another side of its play if a link weighed {lighter} or {heavier} times what is believed: the \
+         likelier is taken, {:.3} mm from the other",
         mm_from_m(turned_m)
     );
     let help = "measure there, or have the target where the joint is held for sure: farther out, or come to from one side";
@@ -59,7 +62,7 @@ struct Arms {
 }
 
 impl Arms {
-    fn of(robot: &Robot, play: &Term) -> Self {
+    fn of(robot: &Robot, play: &Term, may_weigh: [f64; 2]) -> Self {
         let model = Arc::new(Identified { terms: vec![play.clone()], ..Identified::default() });
         let when = ThermalState { t_min: f64::INFINITY, joint_temperature_c: None };
         let arm =
@@ -70,8 +73,7 @@ impl Arms {
             own[k].mass_kg *= times;
             arm(Robot { links: Some(own), ..robot.clone() })
         };
-        let times = [1.0 + MASS_KNOWN_TO, 1.0 - MASS_KNOWN_TO];
-        let others = (0..6).flat_map(|k| times.map(|times| weighing(k, times))).collect();
+        let others = (0..6).flat_map(|k| may_weigh.map(|times| weighing(k, times))).collect();
         Self { believed: arm(robot.clone()), others }
     }
 
