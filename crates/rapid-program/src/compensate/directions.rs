@@ -88,7 +88,7 @@ type Side = Result<i8, Why>;
 
 /// The joints at a target, radians.
 #[derive(Clone, Copy, Debug)]
-struct Stand {
+struct TargetJoints {
     /// As programmed.
     nominal_rad: [f64; 6],
     /// Where the motion is corrected, those that are wanted of the links; else as programmed.
@@ -100,8 +100,8 @@ struct Stand {
 
 /// A motion at a moment: where its targets are, and from which side they are come to.
 #[derive(Clone, Debug, Default)]
-struct Passing {
-    stands: Vec<Stand>,
+struct SidesOfMotion {
+    at_targets: Vec<TargetJoints>,
     /// For each target; `None` where nothing has come there yet.
     sides: Vec<[Option<Side>; 6]>,
 }
@@ -118,9 +118,9 @@ pub(super) fn fill(
     };
     let settled = model.arm(Moment::Settled);
     let ways = Ways { program, model, start_rad, half_gap_rad: half_gaps_rad(identified), resolved };
-    let mut sides = sides_of(&ways.passings(&settled));
+    let mut sides = sides_of(&ways.sides(&settled));
     for t_min in LOOKED_AT_MIN {
-        let then = sides_of(&ways.passings(&model.arm(Moment::Minute(t_min))));
+        let then = sides_of(&ways.sides(&model.arm(Moment::Minute(t_min))));
         let both = sides.iter_mut().flatten().flatten().zip(then.iter().flatten().flatten());
         both.for_each(|(side, then)| *side = common(*side, *then));
     }
@@ -144,12 +144,12 @@ fn half_gaps_rad(identified: &Identified) -> [f64; 6] {
 }
 
 /// The sides of all targets; nothing comes to where none is known.
-fn sides_of(passings: &[Passing]) -> Vec<Vec<[Side; 6]>> {
-    let of_passing = |passing: &Passing| -> Vec<[Side; 6]> {
+fn sides_of(motions: &[SidesOfMotion]) -> Vec<Vec<[Side; 6]>> {
+    let of_motion = |motion_sides: &SidesOfMotion| -> Vec<[Side; 6]> {
         let known = |side: Option<Side>| side.unwrap_or(Err(Why::Start));
-        passing.sides.iter().map(|sides| sides.map(known)).collect()
+        motion_sides.sides.iter().map(|sides| sides.map(known)).collect()
     };
-    passings.iter().map(of_passing).collect()
+    motions.iter().map(of_motion).collect()
 }
 
 /// The side that holds at two moments.
@@ -173,10 +173,10 @@ struct Ways<'a> {
 impl Ways<'_> {
     /// From which sides the targets are come to where `arm` is corrected for. Motions run in loops: what is known of one follows
     /// from those before it, until nothing changes.
-    fn passings(&self, arm: &DeformedArm) -> Vec<Passing> {
-        let mut passings = self.stands(arm);
-        let count = passings.len();
-        let edges: Vec<Vec<Edge>> = (0..count).map(|i| self.edges_to(MotionId::new(i), &passings)).collect();
+    fn sides(&self, arm: &DeformedArm) -> Vec<SidesOfMotion> {
+        let mut motions = self.at_targets(arm);
+        let count = motions.len();
+        let edges: Vec<Vec<Edge>> = (0..count).map(|i| self.edges_to(MotionId::new(i), &motions)).collect();
         let mut after: Vec<Vec<usize>> = vec![Vec::new(); count];
         for (i, edges) in edges.iter().enumerate() {
             edges.iter().filter_map(|edge| edge.before).for_each(|before| after[before].push(i));
@@ -187,8 +187,8 @@ impl Ways<'_> {
             waits[i] = false;
             let mut changed = false;
             for edge in &edges[i] {
-                let sides = edge.sides_along(&passings[i].stands, &passings);
-                for (known, new) in passings[i].sides.iter_mut().flatten().zip(sides.iter().flatten()) {
+                let sides = edge.sides_along(&motions[i].at_targets, &motions);
+                for (known, new) in motions[i].sides.iter_mut().flatten().zip(sides.iter().flatten()) {
                     let merged = merged(*known, *new);
                     changed |= merged != *known;
                     *known = merged;
@@ -200,35 +200,40 @@ impl Ways<'_> {
                 }
             }
         }
-        passings
+        motions
     }
 
     /// Where each motion's targets are, with no side yet; of one that stays as it is the last one, where it is known.
-    fn stands(&self, arm: &DeformedArm) -> Vec<Passing> {
+    fn at_targets(&self, arm: &DeformedArm) -> Vec<SidesOfMotion> {
         let placed = self.program.motions.iter().zip(self.resolved);
         let points: Vec<Vec<Point<'_>>> =
             placed.map(|(motion, resolved)| resolved.points(motion, self.model).collect()).collect();
         let corrected = warm_joints_of(&points.iter().flatten().collect::<Vec<_>>(), arm, self.model);
         let mut corrected = corrected.into_iter();
-        let mut passing = |(points, resolved): (&Vec<Point<'_>>, &Resolved)| {
-            let mut stands: Vec<Stand> = points
+        let mut motion_sides = |(points, resolved): (&Vec<Point<'_>>, &Resolved)| {
+            let mut at_targets: Vec<TargetJoints> = points
                 .iter()
                 .map(|point| {
                     let q_rad = corrected.next().and_then(Result::ok);
-                    self.stand(point.q_rad, q_rad, self.plays_at(point, arm))
+                    self.joints_at(point.q_rad, q_rad, self.plays_at(point, arm))
                 })
                 .collect();
             if points.is_empty() {
-                stands.extend(resolved.exit_q_rad().map(|q_rad| self.stand(q_rad, None, [true; 6])));
+                at_targets.extend(resolved.exit_q_rad().map(|q_rad| self.joints_at(q_rad, None, [true; 6])));
             }
-            Passing { sides: vec![[None; 6]; stands.len().max(1)], stands }
+            SidesOfMotion { sides: vec![[None; 6]; at_targets.len().max(1)], at_targets }
         };
-        points.iter().zip(self.resolved).map(&mut passing).collect()
+        points.iter().zip(self.resolved).map(&mut motion_sides).collect()
     }
 
-    fn stand(&self, nominal_rad: [f64; 6], corrected: Option<[f64; 6]>, plays: [bool; 6]) -> Stand {
+    fn joints_at(
+        &self,
+        nominal_rad: [f64; 6],
+        corrected: Option<[f64; 6]>,
+        plays: [bool; 6],
+    ) -> TargetJoints {
         let half_gap_rad = std::array::from_fn(|j| if plays[j] { self.half_gap_rad[j] } else { 0.0 });
-        Stand {
+        TargetJoints {
             nominal_rad,
             q_rad: corrected.unwrap_or(nominal_rad),
             is_corrected: corrected.is_some(),
@@ -242,15 +247,15 @@ impl Ways<'_> {
     }
 
     /// How a motion is come to; none where nothing at all leads to it.
-    fn edges_to(&self, id: MotionId, passings: &[Passing]) -> Vec<Edge> {
+    fn edges_to(&self, id: MotionId, motions: &[SidesOfMotion]) -> Vec<Edge> {
         let i = id.index();
         let (Some(motion), Some(resolved)) = (self.program.motion(id), self.resolved.get(i)) else {
             return Vec::new();
         };
         // Which of its values it goes to, and in which order, only run time tells.
-        let from_anywhere = resolved.indexed || passings[i].stands.is_empty();
+        let from_anywhere = resolved.indexed || motions[i].at_targets.is_empty();
         let known = (!from_anywhere).then_some(motion);
-        let from = |from: Option<Stand>, before: Option<usize>| Edge {
+        let from = |from: Option<TargetJoints>, before: Option<usize>| Edge {
             before,
             from,
             last_rad: known.zip(from).and_then(|(motion, from)| self.last_rad(motion, resolved, &from)),
@@ -261,7 +266,7 @@ impl Ways<'_> {
             // Under a displacement it ends elsewhere than its target says, near enough to tell the branch and no more.
             let ends = resolved.skip_reason.is_none() || resolved.ends_at_target;
             let known = resolved.exit_q_rad().is_some() && ends && !from_anywhere;
-            passings[before.index()].stands.last().filter(|_| known).copied()
+            motions[before.index()].at_targets.last().filter(|_| known).copied()
         };
         let mut edges: Vec<Edge> = predecessors(self.program, id)
             .filter(|before| before.index() < self.resolved.len())
@@ -270,14 +275,14 @@ impl Ways<'_> {
         let anywhere = self.program.also_anywhere.contains(&id);
         if motion.from_start || anywhere || edges.is_empty() {
             let start_rad = self.start_rad.filter(|_| motion.from_start && !anywhere && !from_anywhere);
-            edges.push(from(start_rad.map(|q_rad| self.stand(q_rad, None, [true; 6])), None));
+            edges.push(from(start_rad.map(|q_rad| self.joints_at(q_rad, None, [true; 6])), None));
         }
         edges
     }
 
     /// How far each joint turns over the last part of a line or an arc as programmed, radians; `None` for a joint move, and where the
     /// way is not known.
-    fn last_rad(&self, motion: &Motion, resolved: &Resolved, from: &Stand) -> Option<[f64; 6]> {
+    fn last_rad(&self, motion: &Motion, resolved: &Resolved, from: &TargetJoints) -> Option<[f64; 6]> {
         if matches!(motion.setup.path, Path::Joint | Path::AbsJoint) {
             return None;
         }
@@ -297,7 +302,7 @@ struct Edge {
     /// The motion before it, by its position.
     before: Option<usize>,
     /// Where that leaves the arm, where it is known.
-    from: Option<Stand>,
+    from: Option<TargetJoints>,
     /// How far each joint turns over the last part of the way, where it is no joint move, radians.
     last_rad: Option<[f64; 6]>,
     /// Its targets are gone to one after the other.
@@ -306,22 +311,22 @@ struct Edge {
 
 impl Edge {
     /// The sides from which a motion's targets are come to along this edge; `None` where nothing has come to its beginning yet.
-    fn sides_along(&self, stands: &[Stand], passings: &[Passing]) -> Vec<[Option<Side>; 6]> {
-        let mut sides = match self.before.and_then(|before| passings[before].sides.last()) {
+    fn sides_along(&self, at_targets: &[TargetJoints], motions: &[SidesOfMotion]) -> Vec<[Option<Side>; 6]> {
+        let mut sides = match self.before.and_then(|before| motions[before].sides.last()) {
             Some(sides) => *sides,
             None => [Some(Err(Why::Start)); 6],
         };
-        if stands.is_empty() || !self.in_order {
+        if at_targets.is_empty() || !self.in_order {
             let nothing_yet = sides.iter().all(Option::is_none);
             let unknown = (!nothing_yet).then_some(Err(Why::Start));
-            return vec![[unknown; 6]; stands.len().max(1)];
+            return vec![[unknown; 6]; at_targets.len().max(1)];
         }
         let mut from = self.from;
-        let mut of_targets = Vec::with_capacity(stands.len());
-        for (k, to) in stands.iter().enumerate() {
-            let last_rad = self.last_rad.filter(|_| k + 1 == stands.len());
+        let mut of_targets = Vec::with_capacity(at_targets.len());
+        for (k, to) in at_targets.iter().enumerate() {
+            let last_rad = self.last_rad.filter(|_| k + 1 == at_targets.len());
             // Up to and from a circle point: on the way to it, the tool is turned by what is corrected at both ends.
-            let still_rad = if stands.len() == 1 { STILL_RAD } else { LAST_MIN_RAD };
+            let still_rad = if at_targets.len() == 1 { STILL_RAD } else { LAST_MIN_RAD };
             for (j, side) in sides.iter_mut().enumerate() {
                 *side = match &from {
                     None => side.map(|_| Err(Why::Start)),
@@ -340,8 +345,8 @@ impl Edge {
 /// The side from which joint `j` comes from one place to the next, given its side at the first; `last_rad` is how far it turns over
 /// the last part of the way, where that is no joint move, and less than `still_rad` is no motion.
 fn side_at(
-    (from, side): (&Stand, Side),
-    to: &Stand,
+    (from, side): (&TargetJoints, Side),
+    to: &TargetJoints,
     (last_rad, still_rad): (Option<f64>, f64),
     j: usize,
 ) -> Side {
