@@ -1,5 +1,6 @@
 //! Every form of correction with every clock and law of growth: what a module calls it declares, and what is executed stands where it is meant to.
 
+use super::play::HEAD;
 use assert_cmd::Command;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -7,9 +8,6 @@ use std::path::Path;
 
 const CUBE: &str = "fixtures/robodk/irc5/Cube45.mod";
 const FORMS: [&str; 4] = ["schedule", "ramp", "live", "auto"];
-const MODEL: &str = "format = 1\nrobot = \"ABB IRB 140-6/0.8\"\nverdict = \"explained\"\n\n[data]\nfile = \"m.csv\"\nsha256 = \"\"\nrows = 100\n\
-                     sigma_mm = 0.02\n\n[seen]\nq_deg = [[-180, 180], [-90, 110], [-230, 50], [-200, 200], [-115, 115], [-400, 400]]\n\
-                     t_min = [0.0, 240.0]\n\n[[effect]]\n";
 
 /// A deformation table: nothing in its first row, then all joints' frames shifted and turned, not in proportion.
 fn table(index: &str, at: [u32; 3]) -> String {
@@ -123,7 +121,7 @@ fn each_form_holds_models_of_one_effect() {
         "effect = \"joint_offset\"\njoint = 5\noffset_deg = 0.03\n",
     ] {
         let model = dir.path().join("m.toml");
-        std::fs::write(&model, format!("{MODEL}{effect}")).unwrap();
+        std::fs::write(&model, format!("{HEAD}\n[[effect]]\n{effect}")).unwrap();
         holds(dir.path(), &["--model", &model.to_string_lossy()], &[], "0,50,120,239,300", 0.006);
     }
 }

@@ -5,10 +5,10 @@ use assert_cmd::Command;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// What a model needs beside its effects.
-const HEAD: &str = "format = 1\nrobot = \"ABB IRB 140-6/0.8\"\nverdict = \"explained\"\n\n[data]\nfile = \"m.csv\"\nsha256 = \"\"\nrows = 100\n\
+/// What a model of the IRB 140 needs beside its effects.
+pub(super) const HEAD: &str = "format = 1\nrobot = \"ABB IRB 140-6/0.8\"\nverdict = \"explained\"\n\n[data]\nfile = \"m.csv\"\nsha256 = \"\"\nrows = 100\n\
                     sigma_mm = 0.02\n\n[seen]\nq_deg = [[-180, 180], [-90, 110], [-230, 50], [-200, 200], [-115, 115], [-400, 400]]\n\
-                    payload_kg = [0.0, 3.0]\n\n[mounting]\nbase_mm = [0.0, 0.0, 0.0]\nbase_wxyz = [1.0, 0.0, 0.0, 0.0]\ntools_mm = [0.0, 0.0, 100.0]\n\
+                    payload_kg = [0.0, 3.0]\nt_min = [0.0, 240.0]\n\n[mounting]\nbase_mm = [0.0, 0.0, 0.0]\nbase_wxyz = [1.0, 0.0, 0.0, 0.0]\ntools_mm = [0.0, 0.0, 100.0]\n\
                     payload_mm = [0.0, 0.0, 50.0]\n";
 const TOOL: &str = "PERS tooldata tA := [TRUE,[[0,0,100],[1,0,0,0]],[2,[0,0,50],[1,0,0,0],0,0,0.005]];";
 const KEPT: &str = "CONST jointtarget jKept := [[0,0,0,0,90,0],[9E+09,9E+09,9E+09,9E+09,9E+09,9E+09]];";

@@ -98,8 +98,8 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     let identification = wants_model.then(|| match not_carried {
         Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),
         None => {
-            let held_out = (&judgement, &folds, shrink.region_block);
-            Identification::of(measured, prepared.options, &problem, &fitted, held_out)
+            let judged = (&judgement, &folds, shrink.region_block);
+            Identification::of(measured, prepared.options, &problem, &fitted, judged)
         }
     });
     let mut diagnosis = consequences(prepared, shrink, &mut fitted, judgement);

@@ -94,10 +94,10 @@ impl Identification {
             // Nor steps: together they would climb as the drift does.
             candidates.retain(|candidate| !is_by_rows(&linear.dataset, candidate));
         }
-        let making = Making { measured, options, judgement, folds, first: fitted };
+        let maker = ModelMaker { measured, options, judgement, folds, first: fitted };
         let mut made = match left_out.is_empty() {
-            true => making.of_usual(problem, &Fit { fitted, region }, left_out),
-            false => making.without(&SearchProblem { candidates: &candidates, ..*problem }, left_out),
+            true => maker.of_usual(problem, &Fit { fitted, region }, left_out),
+            false => maker.without(&SearchProblem { candidates: &candidates, ..*problem }, left_out),
         };
         made.left_out.splice(0..0, untimed_mounting(fitted));
         made
@@ -133,8 +133,8 @@ impl Identification {
     }
 }
 
-/// What models of one diagnosis have in common.
-struct Making<'m, 'a> {
+/// Makes models of one diagnosis, each of a search of its own.
+struct ModelMaker<'m, 'a> {
     measured: MeasuredRobot<'m>,
     options: &'m DiagnosisOptions,
     judgement: &'m Judgement,
@@ -143,7 +143,7 @@ struct Making<'m, 'a> {
     first: &'m FittedModel<'a>,
 }
 
-impl Making<'_, '_> {
+impl ModelMaker<'_, '_> {
     /// The model of a search among the candidates of `problem`, which lack what is left out.
     fn without(&self, problem: &SearchProblem<'_>, left_out: Vec<LeftOut>) -> Identification {
         let mut fitted = best_model(problem);

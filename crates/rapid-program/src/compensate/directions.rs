@@ -5,99 +5,24 @@
 //! corrected targets, before play is added.
 
 use super::back_edges::predecessors;
-use super::messages::{Messages, span_of};
+use super::joint_side::{
+    LAST_MIN_RAD, LAST_SHARE, STILL_RAD, Side, TargetJoints, Why, common, merged, side_at,
+};
 use super::model::Model;
 use super::resolved::{Point, Resolved};
 use super::track::Track;
+use super::unknown_sides::{UnknownSide, side_matters, unknown_sides};
 use super::warm_joints::warm_joints_of;
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Path};
 use crate::schedule::Moment;
-use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
-use robot_model::deform::{Conditions, DeformedArm, EffectKind};
-use robot_model::robot::Axis;
-use robot_model::units::{deg_from_rad, mm_from_m};
+use robot_model::deform::{DeformedArm, EffectKind};
 use std::collections::VecDeque;
 
-/// Joints that turn by less have not moved, radians: what targets are rounded to moves those that stand still by up to 1e-6.
-const STILL_RAD: f64 = 1e-5;
-/// On a line or an arc a joint may turn round on the way: its last motion is that over the last part of it, where it turns by so much there,
-/// radians. Joints that stand still at both ends are moved a little in between, where what is corrected turns the tool.
-const LAST_SHARE: f64 = 1.0 / 16.0;
-const LAST_MIN_RAD: f64 = 2e-4;
-/// The moments at which the sides have to be the same, minutes: drifts of several laws may turn a joint round between cold and settled.
+/// The moments at which the sides have to be the same beside the settled one, minutes (degrees above the lowest where the arm deforms by temperature):
+/// drifts of several laws may turn a joint round between cold and settled.
 const LOOKED_AT_MIN: [f64; 5] = [0.0, 5.0, 15.0, 45.0, 120.0];
-/// A joint's side matters where the arm with one and with the other is farther apart than this, metres and radians.
-const SAME: f64 = 1e-9;
-
-/// A joint with play whose side at a target is not known.
-pub(super) struct UnknownSide {
-    motion: MotionId,
-    axis: Axis,
-    why: Why,
-    /// By how much the TCP is off where it, and others of which the same is not known, come from a side, and not at the middle.
-    off: Off,
-}
-
-/// How far a TCP is off, metres and radians.
-#[derive(Clone, Copy, Debug, Default)]
-struct Off {
-    far_m: f64,
-    turned_rad: f64,
-}
-
-/// Why a joint's side is not known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Why {
-    /// The arm comes from where the text does not say.
-    Start,
-    /// The program comes there from different sides.
-    Paths,
-    /// What is corrected turns it round while the arm warms up.
-    WarmUp,
-    /// Play that leads is corrected backwards, by more than the joint moves.
-    Correction,
-}
-
-impl Why {
-    fn reason(self, axis: Axis) -> String {
-        match self {
-            Self::Start => format!("from which side axis {axis} comes is not known"),
-            Self::Paths => format!("not on every pass does axis {axis} come from the same side"),
-            Self::WarmUp => format!("what is corrected turns axis {axis} round while the arm warms up"),
-            Self::Correction => {
-                format!("axis {axis} moves by less than its play, which leads and is corrected backwards")
-            }
-        }
-    }
-
-    fn code_and_help(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Start => ("model::direction", "a joint move before it, from a known place, would say it"),
-            Self::Paths | Self::WarmUp | Self::Correction => (
-                "model::either-side",
-                "have it come from one side by more than the play, with a point beside it, where it matters",
-            ),
-        }
-    }
-}
-
-/// The side of a joint: the sign of its last motion.
-type Side = Result<i8, Why>;
-
-/// The joints at a target, radians.
-#[derive(Clone, Copy, Debug)]
-struct TargetJoints {
-    /// As programmed.
-    nominal_rad: [f64; 6],
-    /// Where the motion is corrected, those that are wanted of the links; else as programmed.
-    q_rad: [f64; 6],
-    is_corrected: bool,
-    /// By how much each link stands from its joint where the joint came from below: half the gap, below 0 where it lags.
-    half_gap_rad: [f64; 6],
-}
-
 /// A motion at a moment: where its targets are, and from which side they are come to.
 #[derive(Clone, Debug, Default)]
 struct SidesOfMotion {
@@ -150,15 +75,6 @@ fn sides_of(motions: &[SidesOfMotion]) -> Vec<Vec<[Side; 6]>> {
         motion_sides.sides.iter().map(|sides| sides.map(known)).collect()
     };
     motions.iter().map(of_motion).collect()
-}
-
-/// The side that holds at two moments.
-fn common(side: Side, then: Side) -> Side {
-    match (side, then) {
-        (Ok(side), Ok(then)) if side != then => Err(Why::WarmUp),
-        (Ok(_), Err(why)) => Err(why),
-        (side, _) => side,
-    }
 }
 
 /// The ways of a program between its targets.
@@ -339,134 +255,5 @@ impl Edge {
             from = Some(*to);
         }
         of_targets
-    }
-}
-
-/// The side from which joint `j` comes from one place to the next, given its side at the first; `last_rad` is how far it turns over
-/// the last part of the way, where that is no joint move, and less than `still_rad` is no motion.
-fn side_at(
-    (from, side): (&TargetJoints, Side),
-    to: &TargetJoints,
-    (last_rad, still_rad): (Option<f64>, f64),
-    j: usize,
-) -> Side {
-    let before = f64::from(side.unwrap_or_default());
-    let bridged_rad = from.half_gap_rad[j] * before;
-    let from_rad = match (from.is_corrected, to.is_corrected) {
-        // Where the links were, to where they are to be.
-        (true, true) => from.q_rad[j],
-        (false, true) => from.q_rad[j] + bridged_rad,
-        // Where the joints were, to where they are sent.
-        (true, false) => from.q_rad[j] - bridged_rad,
-        (false, false) => from.q_rad[j],
-    };
-    let whole_rad = to.q_rad[j] - from_rad;
-    let (moved_rad, share) = match last_rad {
-        Some(last_rad) if last_rad.abs() > LAST_MIN_RAD => (last_rad, LAST_SHARE),
-        _ => (whole_rad, 1.0),
-    };
-    if moved_rad.abs() <= still_rad {
-        return side;
-    }
-    let sign = moved_rad.signum();
-    if !to.is_corrected {
-        return Ok(sign as i8);
-    }
-    // The joint itself goes farther than the link where play lags, and less far or back where it leads.
-    let goes_with = |sign: f64| {
-        let joint_rad = moved_rad - share * (to.half_gap_rad[j] * sign - bridged_rad);
-        joint_rad * sign > STILL_RAD
-    };
-    match to.half_gap_rad[j] > 0.0 {
-        false => Ok(sign as i8),
-        true if goes_with(sign) => Ok(sign as i8),
-        true if goes_with(-sign) => Ok(-sign as i8),
-        true => Err(Why::Correction),
-    }
-}
-
-/// What is known of a joint's side where it was known as `known` and something else comes from `new`.
-fn merged(known: Option<Side>, new: Option<Side>) -> Option<Side> {
-    match (known, new) {
-        (None, other) | (other, None) => other,
-        (Some(Ok(known)), Some(Ok(new))) if known != new => Some(Err(Why::Paths)),
-        (Some(Ok(_)), Some(Err(why))) => Some(Err(why)),
-        (known, _) => known,
-    }
-}
-
-/// Whether the arm stands elsewhere where joint `j` comes from the other side.
-fn side_matters(point: &Point<'_>, j: usize, arm: &DeformedArm) -> bool {
-    let from_side = |side: i8| {
-        let mut conditions: Conditions = point.conditions;
-        conditions.direction[j] = side;
-        arm.under(&conditions).forward(&point.q_rad)
-    };
-    let [below, above] = [1, -1].map(from_side);
-    let far_m = (below.translation.vector - above.translation.vector).norm();
-    far_m > SAME || below.rotation.angle_to(&above.rotation) > SAME
-}
-
-/// How far a point's TCP is off at most where the arm comes from sides of these joints, in place of the middle.
-fn off_middle(point: &Point<'_>, joints: &[usize], arm: &DeformedArm) -> Off {
-    let at = |choice: Option<u32>| {
-        let mut conditions = point.conditions;
-        for (bit, &j) in joints.iter().enumerate() {
-            conditions.direction[j] = choice.map_or(0, |choice| if choice >> bit & 1 == 1 { 1 } else { -1 });
-        }
-        let arm = arm.under(&conditions);
-        (arm.point_m(&point.q_rad, &point.flange_point_m), arm.forward(&point.q_rad).rotation)
-    };
-    let middle = at(None);
-    (0..1_u32 << joints.len()).map(|choice| at(Some(choice))).fold(Off::default(), |most, there| Off {
-        far_m: most.far_m.max((there.0 - middle.0).norm()),
-        turned_rad: most.turned_rad.max(there.1.angle_to(&middle.1)),
-    })
-}
-
-/// The joints whose side matters where it is not known, by motion.
-fn unknown_sides(
-    program: &Program,
-    model: &Model<'_>,
-    (resolved, sides): (&[Resolved], &[Vec<[Side; 6]>]),
-    arm: &DeformedArm,
-) -> Vec<UnknownSide> {
-    let mut unknown = Vec::new();
-    for (i, ((motion, resolved), sides)) in program.motions.iter().zip(resolved).zip(sides).enumerate() {
-        for (point, sides) in resolved.points(motion, model).zip(sides) {
-            let whys: Vec<(usize, Why)> = sides
-                .iter()
-                .enumerate()
-                .filter_map(|(j, side)| Some((j, side.err().filter(|_| side_matters(&point, j, arm))?)))
-                .collect();
-            let joints: Vec<usize> = whys.iter().map(|(j, _)| *j).collect();
-            let first = whys.first().map(|&(j, why)| UnknownSide {
-                motion: MotionId::new(i),
-                axis: Axis::at(j),
-                why,
-                off: off_middle(&point, &joints, arm),
-            });
-            unknown.extend(first);
-        }
-    }
-    unknown
-}
-
-/// Warns of play whose side is not known.
-pub(super) fn report(program: &Program, unknown: &[UnknownSide], messages: &mut Messages) {
-    for UnknownSide { motion, axis, why, off } in unknown {
-        let Some(motion) = program.motion(*motion) else { continue };
-        let (code, help) = why.code_and_help();
-        let reason = why.reason(*axis);
-        let far_mm = mm_from_m(off.far_m);
-        // A tool whose centre lies on the axis is turned alone.
-        let far = match far_mm < 0.0005 {
-            true => format!("{:.3} deg", deg_from_rad(off.turned_rad)),
-            false => format!("{far_mm:.3} mm"),
-        };
-        let text =
-            format!("line {}: {reason}; its play is taken at the middle, {far} from either end", motion.line);
-        let message = Diagnostic::warning(code, text).at(span_of(motion)).help(help);
-        messages.add(Some(motion.setup.routine), message);
     }
 }

@@ -18,6 +18,7 @@ mod figures;
 mod follow_paths;
 mod held_play;
 mod hinted_branch;
+mod joint_side;
 mod joints_hint;
 mod later_frames;
 mod live;
@@ -46,6 +47,7 @@ mod tcp_drift;
 mod touch_reference;
 mod track;
 mod unknown_branch;
+mod unknown_sides;
 mod warm_joints;
 mod wobj_shift_baseline;
 

@@ -19,7 +19,7 @@ use super::ramp::{Ramp, Sample};
 use super::resolved::{Point, Resolved};
 use super::unknown_branch::skip_unknown_branches;
 use super::warm_joints::warm_joints_of;
-use super::{clock_gaps, conditions, directions, held_play, placement, plausible};
+use super::{clock_gaps, conditions, directions, held_play, placement, plausible, unknown_sides};
 use crate::parallel;
 use crate::program::Program;
 use crate::program::motion::{MotionId, Path, SkipReason, Target};
@@ -133,7 +133,7 @@ fn resolve_motions(
     turn_with_arcs(program, model, &mut resolved);
     skip_what_cannot_be_tracked(program, model, &mut resolved);
     let unknown = directions::fill(program, model, start_rad, &mut resolved);
-    directions::report(program, &unknown, &mut messages);
+    unknown_sides::report(program, &unknown, &mut messages);
     held_play::check(program, model, &resolved, &mut messages);
     conditions::check(program, model, &resolved, &mut messages);
     Ok((resolved, messages))
