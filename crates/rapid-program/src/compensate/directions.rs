@@ -6,7 +6,7 @@
 
 use super::back_edges::predecessors;
 use super::joint_side::{
-    LAST_MIN_RAD, LAST_SHARE, STILL_RAD, Side, TargetJoints, Why, common, merged, side_at,
+    LAST_MIN_RAD, LAST_SHARE, STILL_RAD, Side, TargetJoints, WhyUnknown, common, merged, side_at,
 };
 use super::model::Model;
 use super::resolved::{Point, Resolved};
@@ -71,7 +71,7 @@ fn half_gaps_rad(identified: &Identified) -> [f64; 6] {
 /// The sides of all targets; nothing comes to where none is known.
 fn sides_of(motions: &[SidesOfMotion]) -> Vec<Vec<[Side; 6]>> {
     let of_motion = |motion_sides: &SidesOfMotion| -> Vec<[Side; 6]> {
-        let known = |side: Option<Side>| side.unwrap_or(Err(Why::Start));
+        let known = |side: Option<Side>| side.unwrap_or(Err(WhyUnknown::Start));
         motion_sides.sides.iter().map(|sides| sides.map(known)).collect()
     };
     motions.iter().map(of_motion).collect()
@@ -230,11 +230,11 @@ impl Edge {
     fn sides_along(&self, at_targets: &[TargetJoints], motions: &[SidesOfMotion]) -> Vec<[Option<Side>; 6]> {
         let mut sides = match self.before.and_then(|before| motions[before].sides.last()) {
             Some(sides) => *sides,
-            None => [Some(Err(Why::Start)); 6],
+            None => [Some(Err(WhyUnknown::Start)); 6],
         };
         if at_targets.is_empty() || !self.in_order {
             let nothing_yet = sides.iter().all(Option::is_none);
-            let unknown = (!nothing_yet).then_some(Err(Why::Start));
+            let unknown = (!nothing_yet).then_some(Err(WhyUnknown::Start));
             return vec![[unknown; 6]; at_targets.len().max(1)];
         }
         let mut from = self.from;
@@ -245,7 +245,7 @@ impl Edge {
             let still_rad = if at_targets.len() == 1 { STILL_RAD } else { LAST_MIN_RAD };
             for (j, side) in sides.iter_mut().enumerate() {
                 *side = match &from {
-                    None => side.map(|_| Err(Why::Start)),
+                    None => side.map(|_| Err(WhyUnknown::Start)),
                     Some(from) => {
                         side.map(|side| side_at((from, side), to, (last_rad.map(|l| l[j]), still_rad), j))
                     }

@@ -7,9 +7,9 @@ pub(super) const STILL_RAD: f64 = 1e-5;
 pub(super) const LAST_SHARE: f64 = 1.0 / 16.0;
 pub(super) const LAST_MIN_RAD: f64 = 2e-4;
 
-/// Why a joint's side is not known.
+/// WhyUnknown a joint's side is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Why {
+pub(super) enum WhyUnknown {
     /// The arm comes from where the text does not say.
     Start,
     /// The program comes there from different sides.
@@ -21,7 +21,7 @@ pub(super) enum Why {
 }
 
 /// The side of a joint: the sign of its last motion.
-pub(super) type Side = Result<i8, Why>;
+pub(super) type Side = Result<i8, WhyUnknown>;
 
 /// The joints at a target, radians.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,7 @@ pub(super) struct TargetJoints {
 /// The side that holds at two moments.
 pub(super) fn common(side: Side, then: Side) -> Side {
     match (side, then) {
-        (Ok(side), Ok(then)) if side != then => Err(Why::WarmUp),
+        (Ok(side), Ok(then)) if side != then => Err(WhyUnknown::WarmUp),
         (Ok(_), Err(why)) => Err(why),
         (side, _) => side,
     }
@@ -83,7 +83,7 @@ pub(super) fn side_at(
         false => Ok(sign as i8),
         true if goes_with(sign) => Ok(sign as i8),
         true if goes_with(-sign) => Ok(-sign as i8),
-        true => Err(Why::Correction),
+        true => Err(WhyUnknown::Correction),
     }
 }
 
@@ -91,7 +91,7 @@ pub(super) fn side_at(
 pub(super) fn merged(known: Option<Side>, new: Option<Side>) -> Option<Side> {
     match (known, new) {
         (None, other) | (other, None) => other,
-        (Some(Ok(known)), Some(Ok(new))) if known != new => Some(Err(Why::Paths)),
+        (Some(Ok(known)), Some(Ok(new))) if known != new => Some(Err(WhyUnknown::Paths)),
         (Some(Ok(_)), Some(Err(why))) => Some(Err(why)),
         (known, _) => known,
     }

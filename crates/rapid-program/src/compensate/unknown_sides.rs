@@ -1,6 +1,6 @@
 //! Joints with play whose side at a target is not known: how far the tool is off for it, and what is said.
 
-use super::joint_side::{Side, Why};
+use super::joint_side::{Side, WhyUnknown};
 use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::resolved::{Point, Resolved};
@@ -18,7 +18,7 @@ const SAME: f64 = 1e-9;
 pub(super) struct UnknownSide {
     motion: MotionId,
     axis: Axis,
-    why: Why,
+    why: WhyUnknown,
     /// By how much the TCP is off where it, and others of which the same is not known, come from a side, and not at the middle.
     off: Off,
 }
@@ -30,7 +30,7 @@ struct Off {
     turned_rad: f64,
 }
 
-impl Why {
+impl WhyUnknown {
     fn reason(self, axis: Axis) -> String {
         match self {
             Self::Start => format!("from which side axis {axis} comes is not known"),
@@ -92,7 +92,7 @@ pub(super) fn unknown_sides(
     let mut unknown = Vec::new();
     for (i, ((motion, resolved), sides)) in program.motions.iter().zip(resolved).zip(sides).enumerate() {
         for (point, sides) in resolved.points(motion, model).zip(sides) {
-            let whys: Vec<(usize, Why)> = sides
+            let whys: Vec<(usize, WhyUnknown)> = sides
                 .iter()
                 .enumerate()
                 .filter_map(|(j, side)| Some((j, side.err().filter(|_| side_matters(&point, j, arm))?)))
