@@ -1,9 +1,11 @@
 //! Ctrl-C and termination: what waits beside its place is taken away; what is just being put in its place is finished.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tempfile::NamedTempFile;
 
 /// What a shell reports of a program that was interrupted.
 const INTERRUPTED: i32 = 130;
@@ -35,7 +37,9 @@ pub fn install() {
 /// Ends the program as an interrupted one.
 pub fn leave() -> ! {
     let _placing = lock(&PLACING);
-    let (files, folders) = std::mem::take(&mut *lock(&WAITING));
+    // Held to the end: what is still at work makes no file or folder that nobody takes away.
+    let waiting = lock(&WAITING);
+    let (files, folders) = &*waiting;
     files.iter().for_each(|file| drop(fs::remove_file(file)));
     // The inner ones first; one that holds something stays.
     folders.iter().rev().for_each(|folder| drop(fs::remove_dir(folder)));
@@ -57,11 +61,16 @@ pub fn placing() -> MutexGuard<'static, ()> {
 pub struct WaitingFile(PathBuf);
 
 impl WaitingFile {
-    /// For a file that is there.
-    #[must_use]
-    pub fn new(path: &Path) -> Self {
-        lock(&WAITING).0.push(path.to_path_buf());
-        Self(path.to_path_buf())
+    /// Makes a file; there is no moment at which it is there and an interruption does not know of it.
+    ///
+    /// # Errors
+    /// Those of `create`.
+    pub fn create(create: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<(NamedTempFile, Self)> {
+        let mut waiting = lock(&WAITING);
+        let file = create()?;
+        waiting.0.push(file.path().to_path_buf());
+        let path = file.path().to_path_buf();
+        Ok((file, Self(path)))
     }
 }
 
@@ -75,7 +84,7 @@ impl Drop for WaitingFile {
 ///
 /// # Errors
 /// Those of the file system.
-pub fn create_folder(folder: &Path) -> std::io::Result<()> {
+pub fn create_folder(folder: &Path) -> io::Result<()> {
     let new: Vec<PathBuf> = folder
         .ancestors()
         .take_while(|f| !f.as_os_str().is_empty() && !f.exists())

@@ -7,6 +7,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::time::Duration;
+use tempfile::NamedTempFile;
 
 /// What the names of files begin with that wait beside their places.
 pub const PENDING: &str = ".driftpost-";
@@ -22,7 +23,7 @@ const ABANDONED: Duration = Duration::from_secs(60);
 /// What is no regular file (a device, a pipe) is written to, not replaced; a symbolic link stays one.
 pub struct Pending {
     path: PathBuf,
-    file: tempfile::NamedTempFile,
+    file: NamedTempFile,
     /// Taken away if the program is interrupted.
     _waiting: WaitingFile,
     /// The path is no regular file.
@@ -51,22 +52,24 @@ impl Pending {
         let path = &followed(path);
         let through = fs::metadata(path).is_ok_and(|m| !m.is_file());
         if through {
-            let file = builder().tempfile().map_err(|cause| unwritable(path, cause))?;
-            return Ok(Self::waiting(path, file, through));
+            return Self::waiting(path, through, || builder().tempfile());
         }
         let folder = folder_of(path);
         let there = folder.ancestors().find(|f| f.exists() || f.as_os_str().is_empty()).unwrap_or(folder);
         let there = if there.as_os_str().is_empty() { Path::new(".") } else { there };
         remove_stale(there);
-        let file = builder().tempfile_in(there).map_err(|cause| unwritable(path, cause))?;
-        Ok(Self::waiting(path, file, through))
+        Self::waiting(path, through, || builder().tempfile_in(there))
     }
 
-    fn waiting(path: &Path, file: tempfile::NamedTempFile, through: bool) -> Self {
+    fn waiting(
+        path: &Path,
+        through: bool,
+        create: impl FnOnce() -> io::Result<NamedTempFile>,
+    ) -> Result<Self, Diagnostic> {
+        let (file, _waiting) = WaitingFile::create(create).map_err(|cause| unwritable(path, cause))?;
         // Whoever can lock it knows that nobody writes to it any more.
         let _ = file.as_file().try_lock();
-        let _waiting = WaitingFile::new(file.path());
-        Self { path: path.to_path_buf(), file, _waiting, through }
+        Ok(Self { path: path.to_path_buf(), file, _waiting, through })
     }
 
     /// Whether it is written to a device or a pipe.

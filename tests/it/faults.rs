@@ -1,7 +1,10 @@
 //! What happens when the machine fails: killed at any moment, two runs at once, a folder that cannot be, no home.
 
+#[cfg(target_os = "linux")]
 mod several;
 
+#[cfg(target_os = "linux")]
+use crate::stepped::Stepped;
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -125,53 +128,25 @@ fn a_folder_that_goes_away_in_the_middle_is_told() {
     );
     fs::write(folder.path().join("in.mod"), &source).unwrap();
     let out = folder.path().join("out");
-    let output = (0..ATTEMPTS).find_map(|_| taken_away_while_written(folder.path(), &out));
-    let output = output.expect("the folder was never taken away in time");
+    fs::create_dir(&out).unwrap();
+    let mut run = Stepped::start(
+        folder.path(),
+        &["compensate", "in.mod", "--robot", "irb140", "-o", "out/out.mod", "--diff", "none", "--quiet"],
+    );
+    // An empty file is the trial before the work, and a folder that goes away then is made anew.
+    let is_written = || {
+        let mut entries = fs::read_dir(&out).unwrap().map(Result::unwrap);
+        entries.any(|entry| entry.metadata().is_ok_and(|metadata| metadata.len() > 0))
+    };
+    assert!(run.run_until(is_written), "the result is written beside its place");
+    fs::remove_dir_all(&out).unwrap();
+    let output = run.finish();
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("error[output::unwritable]") && message.contains("out/out.mod"), "{message}");
     assert_eq!(fs::read_to_string(folder.path().join("in.mod")).unwrap(), source);
     let left = fs::read_dir(&out).map_or(0, Iterator::count);
     assert_eq!(left, 0, "files are left in {}", out.display());
-}
-
-/// A result is written in one call: the folder may be taken away too late.
-const ATTEMPTS: usize = 30;
-
-/// What a run says whose folder `out` is taken away while the result is written; `None` where all was done before.
-fn taken_away_while_written(folder: &Path, out: &Path) -> Option<std::process::Output> {
-    fs::create_dir_all(out).unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
-        .args([
-            "compensate",
-            "in.mod",
-            "--robot",
-            "irb140",
-            "--diff",
-            "none",
-            "--quiet",
-            "--force",
-            "-o",
-            "out/out.mod",
-        ])
-        .current_dir(folder)
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    // Until a result is being written beside its place. An empty file is the trial before the work, and a folder that goes away then is made anew.
-    let is_written = |entry: std::io::Result<fs::DirEntry>| {
-        entry.is_ok_and(|entry| entry.metadata().is_ok_and(|m| m.len() > 0))
-    };
-    while !fs::read_dir(out).unwrap().any(is_written) {
-        if child.try_wait().unwrap().is_some() {
-            break;
-        }
-        std::thread::sleep(Duration::from_millis(1));
-    }
-    fs::remove_dir_all(out).unwrap();
-    let output = child.wait_with_output().unwrap();
-    (output.status.code() != Some(0)).then_some(output)
 }
 
 /// On a disk of 48 kB of its own, where the system lets an ordinary user mount one.

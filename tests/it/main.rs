@@ -57,6 +57,8 @@ mod recipe;
 mod shop;
 mod simulate;
 mod slow_noise;
+#[cfg(target_os = "linux")]
+mod stepped;
 mod tabulate;
 #[path = "../../fuzz/targets/mod.rs"]
 mod targets;

@@ -1,6 +1,8 @@
 //! What is written and what is not: full disks, interruption, results that somebody has changed.
 
 use super::{Bench, CUBE, driftpost, err, out};
+#[cfg(target_os = "linux")]
+use crate::stepped::Stepped;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -61,30 +63,18 @@ fn an_interrupted_run_leaves_nothing_and_a_killed_one_what_the_next_takes_away()
     let result = bench.path("out/deep/Large.mod").display().to_string();
     let page = bench.path("Large.html").display().to_string();
     let start = || {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_driftpost"))
-            // The page waits from the beginning to the end; the program only while it is written, which may be over before a signal comes.
-            .args(["compensate", &source, "-o", &result, "--diff", "none", "--report", &page])
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .unwrap();
-        // Until something waits beside its place.
-        let begun = std::time::Instant::now();
-        while bench.files() == ["in/Large.mod"] && begun.elapsed().as_secs() < 60 {
-            assert!(child.try_wait().unwrap().is_none(), "it was done before it could be interrupted");
-        }
-        child
+        // The page waits from the beginning to the end; the program only while it is written.
+        let arguments = ["compensate", &source, "-o", &result, "--diff", "none", "--report", &page];
+        let mut run = Stepped::start(&bench.path(""), &arguments);
+        assert!(run.run_until(|| bench.files() != ["in/Large.mod"]), "something waits beside its place");
+        run
     };
     for signal in ["-INT", "-TERM"] {
-        let mut child = start();
-        assert!(Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap().success());
-        assert_eq!(child.wait().unwrap().code(), Some(130), "{signal}");
+        assert_eq!(start().interrupt(signal).status.code(), Some(130), "{signal}");
         assert_eq!(bench.files(), ["in/Large.mod"], "{signal}");
         assert!(!bench.path("out/deep").exists(), "{signal}");
     }
-    let mut child = start();
-    child.kill().unwrap();
-    child.wait().unwrap();
+    start().kill();
     let left = bench.files();
     let is_known = |file: &String| file == "in/Large.mod" || file.starts_with(".driftpost-");
     assert!(left.len() > 1 && left.iter().all(is_known), "{left:?}");

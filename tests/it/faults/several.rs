@@ -1,23 +1,22 @@
 //! Several modules are put in their places one after the other, and a run may be killed between any two.
 
-use std::collections::BTreeMap;
+use crate::stepped::Stepped;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::os::unix::fs::DirEntryExt;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// So many modules stand beside `main`, one number after the other: the more there are, the longer a run takes to put them all in
-/// their places. On an idle machine the fewest do; where others have the processor, a run may put those in place before it is killed.
-const MODULES: [usize; 5] = [60, 120, 250, 500, 1000];
-/// So often is a run with one number of modules killed.
-const ATTEMPTS: usize = 8;
+/// So many modules that are changed stand beside `main`, which stays as it is.
+const MODULES: usize = 4;
 const CORE: &str = "tcCore.mod";
 
-fn program(folder: &Path, modules: usize) {
+fn program(folder: &Path) {
     fs::create_dir_all(folder).unwrap();
-    let calls: String = (0..modules).map(|k| format!("    part{k};\n")).collect();
+    let calls: String = (0..MODULES).map(|k| format!("    part{k};\n")).collect();
     let main = format!("MODULE Main\n  PROC main()\n{calls}  ENDPROC\nENDMODULE\n");
     fs::write(folder.join("Main.mod"), main).unwrap();
-    for k in 0..modules {
+    for k in 0..MODULES {
         let (x, y) = (400 + k % 100, 3 * k % 200);
         let text = format!(
             "MODULE Part{k}\n  PROC part{k}()\n    MoveL [[{x},{y},300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n  ENDPROC\nENDMODULE\n"
@@ -26,15 +25,15 @@ fn program(folder: &Path, modules: usize) {
     }
 }
 
-fn command(folder: &Path, arguments: &[&str]) -> Command {
+const COMPENSATE: [&str; 7] = ["compensate", "cell", "--robot", "irb140", "--diff", "none", "--quiet"];
+
+fn driftpost(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_driftpost"));
-    command.args(arguments).current_dir(folder).stdin(Stdio::null());
-    command
+    command.args(arguments).current_dir(folder).stdin(Stdio::null()).output().unwrap()
 }
 
 fn compensate(folder: &Path, more: &[&str]) -> Output {
-    let own = ["compensate", "cell", "--robot", "irb140", "--diff", "none", "--quiet"];
-    command(folder, &[&own, more].concat()).output().unwrap()
+    driftpost(folder, &[&COMPENSATE, more].concat())
 }
 
 /// The files of a folder by name, those that are hidden too.
@@ -48,21 +47,25 @@ fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-/// What stands in `watched` where a run with `more` is killed as soon as `is_begun` says so of it; `None` where it was whole by then.
-fn killed(
-    folder: &Path,
-    more: &[&str],
-    watched: &Path,
-    whole: &BTreeMap<String, Vec<u8>>,
-    is_begun: impl Fn() -> bool,
-) -> Option<BTreeMap<String, Vec<u8>>> {
-    let own = ["compensate", "cell", "--robot", "irb140", "--diff", "none", "--quiet"];
-    let mut child = command(folder, &[&own, more].concat()).stderr(Stdio::null()).spawn().unwrap();
-    while !is_begun() && child.try_wait().unwrap().is_none() {}
-    drop(child.kill());
-    child.wait().unwrap();
-    let there = contents(watched);
-    (there != *whole).then_some(there)
+/// What stands in `watched` where a run with `more` is killed as soon as names or files have changed there `changes` times; `None`
+/// where it came to its end.
+fn killed(folder: &Path, more: &[&str], watched: &Path, changes: usize) -> Option<BTreeMap<String, Vec<u8>>> {
+    let names = || -> BTreeMap<String, u64> {
+        let entries = fs::read_dir(watched).into_iter().flatten().flatten();
+        entries.map(|entry| (entry.file_name().into_string().unwrap(), entry.ino())).collect()
+    };
+    let (mut last, mut seen) = (names(), 0);
+    let mut run = Stepped::start(folder, &[&COMPENSATE, more].concat());
+    let is_reached = run.run_until(|| {
+        let now = names();
+        seen += usize::from(now != last);
+        last = now;
+        seen == changes
+    });
+    is_reached.then(|| {
+        run.kill();
+        contents(watched)
+    })
 }
 
 fn is_hidden(name: &str) -> bool {
@@ -72,31 +75,46 @@ fn is_hidden(name: &str) -> bool {
 /// In place, the common module comes first: whatever stands there loads, and what is corrected finds its clock.
 #[test]
 fn modules_that_are_exchanged_in_place_always_find_what_they_call() {
-    let half_done = MODULES.into_iter().find_map(|modules| {
-        let bench = tempfile::tempdir().unwrap();
-        let cell = bench.path().join("cell");
-        program(&cell, modules);
-        let originals = contents(&cell);
-        assert!(compensate(bench.path(), &["--in-place"]).status.success());
-        let corrected = contents(&cell);
-        assert_eq!(corrected.len(), originals.len() + 1);
-        let there = (0..ATTEMPTS).find_map(|_| {
-            fs::remove_dir_all(&cell).unwrap();
-            program(&cell, modules);
-            killed(bench.path(), &["--in-place"], &cell, &corrected, || cell.join(CORE).exists())
-        });
-        there.map(|there| (bench, originals, corrected, there))
-    });
-    let (bench, originals, corrected, there) = half_done.expect("no run was killed between two modules");
+    let bench = tempfile::tempdir().unwrap();
     let cell = bench.path().join("cell");
-    for (name, bytes) in there.iter().filter(|(name, _)| !is_hidden(name)) {
-        let is_whole = corrected.get(name) == Some(bytes) || originals.get(name) == Some(bytes);
-        assert!(is_whole, "{name} is neither the original nor the corrected module");
+    let original = || {
+        drop(fs::remove_dir_all(&cell));
+        program(&cell);
+        contents(&cell)
+    };
+    let originals = original();
+    assert!(compensate(bench.path(), &["--in-place"]).status.success());
+    let corrected = contents(&cell);
+    assert_eq!(corrected.len(), originals.len() + 1);
+    // So many modules were changed at each moment at which a run was killed.
+    let mut exchanged = BTreeSet::new();
+    for changes in 1.. {
+        assert!(original() == originals);
+        let Some(there) = killed(bench.path(), &["--in-place"], &cell, changes) else { break };
+        for (name, bytes) in there.iter().filter(|(name, _)| !is_hidden(name)) {
+            let is_whole = corrected.get(name) == Some(bytes) || originals.get(name) == Some(bytes);
+            assert!(is_whole, "{name} is neither the original nor the corrected module");
+        }
+        let is_changed = |name: &&String| there.get(*name) != originals.get(*name);
+        let changed = originals.keys().filter(is_changed).count();
+        exchanged.insert(changed);
+        if changed > 0 {
+            assert_eq!(there.get(CORE), corrected.get(CORE), "the module that all call comes first");
+        }
+        if (1..MODULES).contains(&changed) {
+            half_compensated_is_told_and_restored(bench.path(), &there, &originals);
+        }
     }
-    assert_eq!(there.get(CORE), corrected.get(CORE), "the module that all call comes first");
+    assert!(exchanged.into_iter().eq(0..=MODULES), "a run is killed between any two modules");
+}
 
-    // The next run says what is half done, and takes away what waited beside its place.
-    let output = compensate(bench.path(), &["--in-place"]);
+/// The next run says what is half done, and takes away what waited beside its place; what it says to do gives the originals back.
+fn half_compensated_is_told_and_restored(
+    bench: &Path,
+    there: &BTreeMap<String, Vec<u8>>,
+    originals: &BTreeMap<String, Vec<u8>>,
+) {
+    let output = compensate(bench, &["--in-place"]);
     let message = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(2), "{message}");
     assert!(message.contains("error[refuse::half-compensated]"), "{message}");
@@ -107,41 +125,47 @@ fn modules_that_are_exchanged_in_place_always_find_what_they_call() {
         message.contains(&format!("cell/{still}")) && message.contains(" compensated, and what moves"),
         "{message}"
     );
-    assert!(!contents(&cell).keys().any(|name| is_hidden(name)), "files are left beside their places");
+    assert!(
+        !contents(&bench.join("cell")).keys().any(|name| is_hidden(name)),
+        "files are left beside their places"
+    );
 
-    // What the message says to do gives the originals back.
-    let restored = command(bench.path(), &["restore", "cell", "-o", "originals"]).output().unwrap();
+    let restored = driftpost(bench, &["restore", "cell", "-o", "originals"]);
     assert!(restored.status.success(), "{}", String::from_utf8_lossy(&restored.stderr));
-    assert_eq!(contents(&bench.path().join("originals")), originals);
+    assert_eq!(&contents(&bench.join("originals")), originals);
+    fs::remove_dir_all(bench.join("originals")).unwrap();
 }
 
 /// Over an earlier result, new modules never stand beside the old clock nor old ones beside the new: until all are there, none is.
 #[test]
 fn modules_of_two_results_never_share_a_clock() {
-    let coarse = ["--tolerance-mm", "0.05"];
-    let made = |bench: &Path, more: &[&str]| {
-        let output = compensate(bench, &[&["-o", "out"], more].concat());
+    let bench = tempfile::tempdir().unwrap();
+    let out = bench.path().join("out");
+    let coarse = ["-o", "out", "--tolerance-mm", "0.05"];
+    let result = |more: &[&str]| {
+        let output = compensate(bench.path(), more);
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        contents(&bench.join("out"))
+        contents(&out)
     };
-    let half_done = MODULES.into_iter().find_map(|modules| {
-        let bench = tempfile::tempdir().unwrap();
-        let out = bench.path().join("out");
-        program(&bench.path().join("cell"), modules);
-        let (old, new) = (made(bench.path(), &[]), made(bench.path(), &coarse));
-        assert_ne!(old.get(CORE), new.get(CORE));
-        let there = (0..ATTEMPTS).find_map(|_| {
-            assert!(made(bench.path(), &[]) == old);
-            let more = ["-o", "out", coarse[0], coarse[1]];
-            let is_exchanged =
-                |(name, bytes): (&String, &Vec<u8>)| !is_hidden(name) && old.get(name) != Some(bytes);
-            killed(bench.path(), &more, &out, &new, || !out.join(CORE).exists())
-                .filter(|there| there.iter().any(is_exchanged))
-        });
-        there.map(|there| (bench, old, new, there))
-    });
-    let (bench, old, new, there) = half_done.expect("no run was killed between two modules");
-    assert!(there.iter().any(|(name, bytes)| old.get(name) == Some(bytes) && new.get(name) != Some(bytes)));
-    assert_eq!(there.get(CORE), None, "old and new modules stand side by side with a clock");
-    assert!(made(bench.path(), &coarse) == new, "the next run completes what was half done");
+    program(&bench.path().join("cell"));
+    let (old, new) = (result(&["-o", "out"]), result(&coarse));
+    assert_ne!(old.get(CORE), new.get(CORE));
+    let differing = |there: &BTreeMap<String, Vec<u8>>, than: &BTreeMap<String, Vec<u8>>| {
+        than.iter().filter(|(name, bytes)| *name != CORE && there.get(*name) != Some(*bytes)).count()
+    };
+    let modules = differing(&old, &new);
+    let mut exchanged = BTreeSet::new();
+    for changes in 1.. {
+        assert!(result(&["-o", "out"]) == old);
+        let Some(there) = killed(bench.path(), &coarse, &out, changes) else { break };
+        let (from_old, to_new) = (differing(&there, &old), differing(&there, &new));
+        exchanged.insert(from_old);
+        assert_eq!(from_old + to_new, modules, "each module is that of one of the two results");
+        match there.get(CORE) {
+            None => assert!(result(&coarse) == new, "the next run completes what was half done"),
+            clock if clock == old.get(CORE) => assert_eq!(from_old, 0, "new modules beside the old clock"),
+            clock => assert!(clock == new.get(CORE) && to_new == 0, "old modules beside the new clock"),
+        }
+    }
+    assert!(exchanged.into_iter().eq(0..=modules), "a run is killed between any two modules");
 }
