@@ -120,7 +120,8 @@ fn planned_row(program: &Program, index: usize, motion: &Motion, planned: &Plann
     };
     let correction = [mm(planned.max_correction_m), rounded(deg_from_rad(planned.max_correction_rad))];
     let form = (planned.status == Status::Compensated).then(|| planned.form.name());
-    let mut row = motion_row(program, index, motion, (status, why), correction, planned.mid_path_m.map(mm));
+    let mut row =
+        motion_row(program, index, motion, (status, why), correction, planned.mid_path.metres().map(mm));
     row["form"] = json!(form);
     let error_mm = planned.error_m.map(|error_m| error_m.map(mm));
     row["before_mm"] = json!(error_mm.map(|[before, _]| before));

@@ -84,7 +84,7 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
         target_name(motion).unwrap_or_default().to_owned(),
         figure(mm(planned.max_correction_m)),
         figure(format!("{:.5}", deg_from_rad(planned.max_correction_rad))),
-        planned.mid_path_m.map_or_else(String::new, mm),
+        planned.mid_path.metres().map_or_else(String::new, mm),
         worst(0),
         worst(1),
         match &planned.status {
@@ -111,7 +111,7 @@ pub(super) fn mm(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rapid_program::compensate::plan::Summary;
+    use rapid_program::compensate::plan::{PathDeviation, Summary};
     use rapid_program::program::Overrides;
     use rapid_program::program::one_or_many::OneOrMany;
     use rapid_program::schedule::Schedule;
@@ -140,7 +140,7 @@ mod tests {
             targets: OneOrMany::default(),
             max_correction_m: m_from_mm(f64::from(correction_mm(motion.line))),
             max_correction_rad: 0.0,
-            mid_path_m: None,
+            mid_path: PathDeviation::Unknown,
             error_m: None,
         };
         let plan = Plan {

@@ -61,7 +61,7 @@ fn every_cube_is_compensated_whole_and_on_one_branch() {
         assert_eq!(disagrees, usize::from(noconf), "{name}");
         for motion in &plan.motions {
             assert!(motion.targets[0].nominal_q_rad[4] < 0.0, "{name}");
-            assert!(motion.mid_path_m.unwrap_or(0.0) < 1e-5, "{name}");
+            assert!(motion.mid_path.metres().unwrap_or(0.0) < 1e-5, "{name}");
         }
         assert!(plan.summary.worst_after_m <= 5e-6, "{name}: {}", plan.summary.worst_after_m);
         // 0.193 mm: what the reference paper's Table 2 makes of its targets when all of it is applied.

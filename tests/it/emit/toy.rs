@@ -3,7 +3,7 @@
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 use rapid_program::compensate::plan::{
-    Corrected, Corrections, Form, Plan, PlannedMotion, PlannedTarget, Status, Summary,
+    Corrected, Corrections, Form, PathDeviation, Plan, PlannedMotion, PlannedTarget, Status, Summary,
 };
 use rapid_program::program::Program;
 use rapid_program::program::data::{ConfData, JointTarget, RobTarget};
@@ -227,7 +227,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             targets: OneOrMany::default(),
             max_correction_m: m_from_mm(0.01 * buckets as f64),
             max_correction_rad: 0.0,
-            mid_path_m: None,
+            mid_path: PathDeviation::Unknown,
             error_m: None,
         };
         if kept.contains(&i) {

@@ -51,9 +51,9 @@ fn circle_point(
             placement.object_from_tcp(&start.base_from_flange),
             Some(via.object_from_tcp()),
             end.object_from_tcp(),
-        );
+        )?;
         let share = track.share_of(&via.object_from_tcp().translation.vector);
-        Some((track.pose(share)?.rotation, share))
+        Some((track.pose(share).rotation, share))
     };
     let (rotation, share) = on_way(starts.first()?)?;
     let same = |other: &UnitQuaternion<f64>| rotation.angle_to(other) < SAME_RAD;

@@ -206,8 +206,8 @@ impl Ways<'_> {
         let end = points.last()?;
         let via = points.first().filter(|_| points.len() == 2).map(Point::object_from_tcp);
         let start = end.placement.object_from_tcp(&self.model.nominal.forward(&from.nominal_rad));
-        let track = Track::new(start, via, end.object_from_tcp());
-        let shortly_before = end.placement.base_from_flange(&track.pose(1.0 - LAST_SHARE)?);
+        let track = Track::new(start, via, end.object_from_tcp())?;
+        let shortly_before = end.placement.base_from_flange(&track.pose(1.0 - LAST_SHARE));
         let before = self.model.closed.nearest(&shortly_before, &end.q_rad)?.q_rad;
         Some(std::array::from_fn(|j| end.q_rad[j] - before[j]))
     }

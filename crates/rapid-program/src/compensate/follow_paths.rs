@@ -3,7 +3,7 @@
 //! Neighbouring motions share an end, and ends are solved side by side: motions are followed some hundred at a time.
 
 use super::model::Model;
-use super::path::{CorrectedLeg, Ends, Leg, deviations_m};
+use super::path::{CorrectedLeg, Ends, Leg, deviations};
 use super::plan::{PlannedMotion, Status};
 use super::resolved::{Point, Resolved};
 use crate::parallel;
@@ -40,8 +40,8 @@ pub(super) fn follow_paths(
             CorrectedLeg { leg, in_buckets }
         });
         let legs: Vec<CorrectedLeg<'_>> = legs.collect();
-        for (one, deviation_m) in followed.iter().zip(deviations_m(&legs, warm.as_slice(), model)) {
-            planned[one.motion.index() - first].mid_path_m = deviation_m;
+        for (one, deviation) in followed.iter().zip(deviations(&legs, warm.as_slice(), model)) {
+            planned[one.motion.index() - first].mid_path = deviation;
         }
     });
 }

@@ -1,7 +1,7 @@
 //! Messages, each said once per routine however often it applies.
 
 use super::options::Options;
-use super::plan::{Form, PlannedMotion, Status, Summary};
+use super::plan::{Form, PathDeviation, PlannedMotion, Status, Summary};
 use crate::program::Program;
 use crate::program::motion::{Motion, MotionId, Origin, Path, PersTarget, RoutineId, SkipReason, Target};
 use crate::schedule::{Chosen, Width};
@@ -93,7 +93,10 @@ impl Messages {
     fn add_paths(&mut self, program: &Program, planned: &[PlannedMotion], options: &Options) {
         let mut worst: BTreeMap<RoutineId, (f64, &Motion, usize)> = BTreeMap::new();
         for (motion, planned) in program.motions.iter().zip(planned) {
-            let Some(far_m) = planned.mid_path_m else { continue };
+            if planned.mid_path == PathDeviation::OutOfReach {
+                self.add(Some(motion.setup.routine), out_of_reach(motion));
+            }
+            let Some(far_m) = planned.mid_path.metres() else { continue };
             if matches!(motion.setup.path, Path::Linear | Path::Circular) && far_m > options.path_tolerance_m
             {
                 let entry = worst.entry(motion.setup.routine).or_insert((far_m, motion, 0));
@@ -211,6 +214,19 @@ impl Messages {
         all.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         all
     }
+}
+
+/// A line or an arc on which no joints lead from one target to the next.
+fn out_of_reach(motion: &Motion) -> Diagnostic {
+    let message = format!(
+        "line {}: between its targets {} leads where the arm does not get in the configuration of its end: the controller stops there, \
+         and how far the way is off is not known",
+        motion.line,
+        described(motion)
+    );
+    let help =
+        "go there by a joint move, or by a point between that the arm reaches; `simulate` shows the place";
+    Diagnostic::warning("path::out-of-reach", message).at(span_of(motion)).help(help)
 }
 
 /// A motion by the name of its target, where it has one.

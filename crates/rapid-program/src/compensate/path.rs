@@ -3,6 +3,7 @@
 
 use super::model::Model;
 use super::placement::Placement;
+use super::plan::PathDeviation;
 use super::resolved::Point;
 use super::track::Track;
 use crate::program::motion::Path;
@@ -68,13 +69,12 @@ struct AskedSample {
     share: f64,
 }
 
-/// For each leg the largest distance at a half, and in the worst bucket at the quarters, metres; the arm of each bucket is one of
-/// `arms`. `None` where the nominal arm cannot follow.
-pub(super) fn deviations_m(
+/// For each leg the largest distance at a half, and in the worst bucket at the quarters; the arm of each bucket is one of `arms`.
+pub(super) fn deviations(
     legs: &[CorrectedLeg<'_>],
     arms: &[DeformedArm],
     model: &Model<'_>,
-) -> Vec<Option<f64>> {
+) -> Vec<PathDeviation> {
     let programmed =
         motion_paths(legs.iter().map(|CorrectedLeg { leg, .. }| Some((leg, leg.programmed()?))), model);
     // Bucket after bucket: what one arm does is asked side by side.
@@ -84,37 +84,48 @@ pub(super) fn deviations_m(
     }
     in_buckets.sort_by_key(|one| one.bucket);
     let corrected = motion_paths(in_buckets.iter().map(|one| Some((&legs[one.leg].leg, one.ends?))), model);
-    let far_m = |asked: &[AskedSample]| {
+    let far = |asked: &[AskedSample]| {
         let sample = |&AskedSample { at, share }: &AskedSample| {
             let one = in_buckets.get(at)?;
             let (programmed, way) = (programmed.get(one.leg)?.as_ref()?, corrected.get(at)?.as_ref()?);
             Some(PathSample { leg: &legs[one.leg].leg, programmed, way, arm: arms.get(one.bucket)?, share })
         };
-        far_each(&asked.iter().map(sample).collect::<Vec<Option<PathSample<'_>>>>(), model)
+        deviation_of_each(&asked.iter().map(sample).collect::<Vec<Option<PathSample<'_>>>>(), model)
     };
 
     let halves: Vec<AskedSample> = (0..in_buckets.len()).map(|at| AskedSample { at, share: 0.5 }).collect();
-    // The worst and where it is; nothing of a leg that cannot be followed somewhere.
-    let mut worst: Vec<Option<Option<(f64, usize)>>> = vec![Some(None); legs.len()];
-    for (at, (far_m, one)) in far_m(&halves).into_iter().zip(&in_buckets).enumerate() {
-        worst[one.leg] = match (worst[one.leg], far_m) {
-            (None, _) | (_, None) => None,
-            (Some(Some(most)), Some(far_m)) if far_m <= most.0 => Some(Some(most)),
-            (Some(_), Some(far_m)) => Some(Some((far_m, at))),
-        };
-    }
-    let both = |at: usize| [0.25, 0.75].map(|share| AskedSample { at, share });
-    let mut quarters: Vec<AskedSample> =
-        worst.iter().flatten().flatten().flat_map(|(_, at)| both(*at)).collect();
-    quarters.sort_by_key(|sample| sample.at);
-    let mut deviations_m: Vec<Option<f64>> = worst.into_iter().map(|worst| Some(worst??.0)).collect();
-    for (far_m, sample) in far_m(&quarters).into_iter().zip(&quarters) {
-        let most = in_buckets.get(sample.at).and_then(|one| deviations_m[one.leg].as_mut());
-        if let (Some(most), Some(far_m)) = (most, far_m) {
-            *most = most.max(far_m);
+    // The worst of each leg, and in which bucket it is.
+    let mut worst: Vec<Option<(PathDeviation, usize)>> = vec![None; legs.len()];
+    for (at, (far, one)) in far(&halves).into_iter().zip(&in_buckets).enumerate() {
+        let most = worst[one.leg].get_or_insert((far, at));
+        if far.is_worse_than(most.0) {
+            *most = (far, at);
         }
     }
-    deviations_m
+    let both = |&(_, at): &(PathDeviation, usize)| [0.25, 0.75].map(|share| AskedSample { at, share });
+    let mut quarters: Vec<AskedSample> = worst.iter().flatten().flat_map(both).collect();
+    quarters.sort_by_key(|sample| sample.at);
+    let mut deviations: Vec<PathDeviation> =
+        worst.into_iter().map(|worst| worst.map_or(PathDeviation::Unknown, |(far, _)| far)).collect();
+    for (far, sample) in far(&quarters).into_iter().zip(&quarters) {
+        let most = in_buckets.get(sample.at).map(|one| &mut deviations[one.leg]);
+        if let Some(most) = most.filter(|most| far.is_worse_than(**most)) {
+            *most = far;
+        }
+    }
+    deviations
+}
+
+impl PathDeviation {
+    /// What is not known of a part is not known of the whole, and what is out of reach is in no part a distance.
+    fn is_worse_than(self, other: Self) -> bool {
+        match (self, other) {
+            (Self::Metres(one), Self::Metres(other)) => one > other,
+            (Self::Unknown, other) => other != Self::Unknown,
+            (Self::OutOfReach, other) => matches!(other, Self::Metres(_)),
+            (Self::Metres(_), _) => false,
+        }
+    }
 }
 
 /// The way between a motion's ends as the nominal controller goes it.
@@ -132,7 +143,7 @@ struct TrackPoses {
     end: usize,
 }
 
-/// The ways of some legs.
+/// The ways of some legs; `None` where it is not known which way round start and end are turned.
 fn motion_paths<'l>(
     legs: impl Iterator<Item = Option<(&'l Leg<'l>, Ends)>>,
     model: &Model<'_>,
@@ -162,12 +173,12 @@ fn motion_paths<'l>(
     model.nominal.forward_each(&q_rad, |base_from_flange| {
         poses.extend(each.next().map(|(_, placement)| placement.object_from_tcp(&base_from_flange)));
     });
-    let way = |(ends, on_track): (Ends, Option<TrackPoses>)| {
-        let track = on_track
-            .map(|of: TrackPoses| Track::new(poses[of.start], of.via.map(|via| poses[via]), poses[of.end]));
-        MotionPath { ends, track }
+    let track = |of: TrackPoses| Track::new(poses[of.start], of.via.map(|via| poses[via]), poses[of.end]);
+    let way = |(ends, on_track): (Ends, Option<TrackPoses>)| match on_track {
+        Some(on_track) => Some(MotionPath { ends, track: Some(track(on_track)?) }),
+        None => Some(MotionPath { ends, track: None }),
     };
-    numbered.into_iter().map(|one| one.map(way)).collect()
+    numbered.into_iter().map(|one| one.and_then(way)).collect()
 }
 
 /// A share of a leg at which its corrected way is compared with the programmed one.
@@ -180,10 +191,10 @@ struct PathSample<'a> {
     share: f64,
 }
 
-/// How far the arm is at each of these samples from the programmed way, metres; `None` where the nominal arm does not get there.
-fn far_each(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<Option<f64>> {
+/// How far the arm is at each of these samples from the programmed way.
+fn deviation_of_each(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<PathDeviation> {
     let joints = joints_at(samples, model);
-    let mut far_m = Vec::with_capacity(samples.len());
+    let mut deviations = Vec::with_capacity(samples.len());
     let arm = |sample: &Option<PathSample<'_>>| sample.as_ref().map(|sample| std::ptr::from_ref(sample.arm));
     let mut rest = joints.as_slice();
     for some in samples.chunk_by(|a, b| arm(a) == arm(b)) {
@@ -198,16 +209,20 @@ fn far_each(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<Option
             sample.arm.forward_each(&q_rad, &conditions, |there| frames.push(there));
         }
         let mut frames = frames.into_iter();
-        far_m.extend(
-            some.iter().zip(joints).map(|(sample, q_rad)| {
-                q_rad.and_then(|_| Some(sample.as_ref()?.far_m(&frames.next()?, model)))
-            }),
-        );
+        deviations.extend(some.iter().zip(joints).map(|(sample, q_rad)| match (sample, q_rad) {
+            (None, _) => PathDeviation::Unknown,
+            (Some(_), None) => PathDeviation::OutOfReach,
+            (Some(sample), Some(_)) => {
+                frames.next().map_or(PathDeviation::Unknown, |there| {
+                    PathDeviation::Metres(sample.far_m(&there, model))
+                })
+            }
+        }));
     }
-    far_m
+    deviations
 }
 
-/// The joints with which the nominal arm goes through these samples, radians.
+/// The joints with which the nominal arm goes through these samples, radians; `None` where it does not get there.
 fn joints_at(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<Option<[f64; 6]>> {
     let mut asked = Vec::new();
     let mut joints: Vec<Option<[f64; 6]>> = Vec::with_capacity(samples.len());
@@ -216,11 +231,10 @@ fn joints_at(samples: &[Option<PathSample<'_>>], model: &Model<'_>) -> Vec<Optio
         joints.push(sample.map(|sample| sample.way.ends.at(sample.share)));
         let on_track = sample.and_then(|sample| Some((sample, sample.way.track.as_ref()?)));
         let Some((sample, track)) = on_track else { continue };
-        let pose = track.pose(sample.share).map(|pose| sample.leg.end().placement.base_from_flange(&pose));
-        let branch = usize::try_from(model.closed.configuration(&sample.way.ends.end).cfx);
-        match (pose, branch) {
-            (Some(pose), Ok(branch)) => asked.push((joints.len() - 1, (pose, branch))),
-            _ => {
+        let pose = sample.leg.end().placement.base_from_flange(&track.pose(sample.share));
+        match usize::try_from(model.closed.configuration(&sample.way.ends.end).cfx) {
+            Ok(branch) => asked.push((joints.len() - 1, (pose, branch))),
+            Err(_) => {
                 joints.pop();
                 joints.push(None);
             }

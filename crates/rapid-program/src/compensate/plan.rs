@@ -30,6 +30,28 @@ pub struct Plan {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+/// How far a motion's path is from the original's between its targets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PathDeviation {
+    /// The start is not known, or start and end are half a turn apart.
+    Unknown,
+    /// Between its targets the path leads where the nominal arm does not get on the branch of the end.
+    OutOfReach,
+    /// The largest distance at the quarters of the path, metres.
+    Metres(f64),
+}
+
+impl PathDeviation {
+    /// The distance in metres, where there is one.
+    #[must_use]
+    pub fn metres(self) -> Option<f64> {
+        match self {
+            Self::Metres(m) => Some(m),
+            Self::Unknown | Self::OutOfReach => None,
+        }
+    }
+}
+
 /// What becomes of one motion.
 #[derive(Clone, Debug)]
 pub struct PlannedMotion {
@@ -44,9 +66,8 @@ pub struct PlannedMotion {
     pub max_correction_m: f64,
     /// Largest angle between original and corrected TCP frame over all buckets, radians.
     pub max_correction_rad: f64,
-    /// Largest distance of the path from the original's path between the targets, metres; `None` where
-    /// the start is not known.
-    pub mid_path_m: Option<f64>,
+    /// How far its path is from the original's between the targets.
+    pub mid_path: PathDeviation,
     /// Largest distance of the TCP from the programmed pose over all minutes, `[uncompensated, compensated]`,
     /// metres; `None` where that is not known.
     pub error_m: Option<[f64; 2]>,
@@ -167,7 +188,7 @@ impl PlannedMotion {
             targets: OneOrMany::default(),
             max_correction_m: 0.0,
             max_correction_rad: 0.0,
-            mid_path_m: None,
+            mid_path: PathDeviation::Unknown,
             error_m: None,
         }
     }

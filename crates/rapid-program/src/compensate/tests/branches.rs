@@ -225,9 +225,22 @@ fn an_arc_is_one_motion_with_two_corrected_points() {
     let over = motion(Path::Circular, &[at(2500.0, 150.0), at(550.0, 100.0)]);
     let plan = planned(&program(vec![start, arc, over]));
     assert_eq!(plan.motions[1].targets.len(), 2);
-    assert!(plan.motions[1].mid_path_m.unwrap() < m_from_mm(0.01));
+    assert!(plan.motions[1].mid_path.metres().unwrap() < m_from_mm(0.01));
     assert_eq!(skip_code(&plan.motions[2].status), "reach::none");
     assert!(plan.motions[2].targets.is_empty());
+}
+
+/// Start, circle point and end lie 670 to 730 mm from axis 1; between them the arc comes to 950, and the wrist goes to 810 at this height.
+#[test]
+fn an_arc_that_leaves_the_arms_reach_between_its_targets_is_named() {
+    let at = |x, y| pose([x, y, 300.0], [0.0, 0.0, 1.0, 0.0], [0; 4]);
+    let start = motion(Path::Joint, &[at(500.0, 450.0)]);
+    let around = motion(Path::Circular, &[at(578.14, 443.16), at(500.0, -450.0)]);
+    let plan = planned(&program(vec![start, around]));
+    assert_eq!(plan.motions[1].status, Status::Compensated);
+    assert_eq!(plan.motions[1].mid_path, PathDeviation::OutOfReach);
+    let named: Vec<&str> = plan.diagnostics.iter().map(|message| message.code).collect();
+    assert!(named.contains(&"path::out-of-reach"), "{named:?}");
 }
 
 /// Targets all over the workspace, on each branch of theirs and with confdata of that branch and of others, come from near, from

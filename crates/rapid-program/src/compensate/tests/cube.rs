@@ -107,10 +107,10 @@ fn a_settled_deformation_is_taken_out_to_rounding() {
 fn lines_stay_lines() {
     let plan = plan(&cube45(true), &irb140(), &Deformation::paper(), &Options::default()).unwrap();
     for planned in &plan.motions[1..] {
-        let far_mm = mm_from_m(planned.mid_path_m.unwrap());
+        let far_mm = mm_from_m(planned.mid_path.metres().unwrap());
         assert!(far_mm < 0.01, "{far_mm}");
     }
-    assert_eq!(plan.motions[0].mid_path_m, None);
+    assert_eq!(plan.motions[0].mid_path, PathDeviation::Unknown);
 }
 
 #[test]

@@ -12,7 +12,7 @@ use crate::program::motion::{
     Motion, MotionId, MotionSetup, Origin, Path, RoutineId, RoutineInfo, Target, TargetValue,
 };
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
-use plan::{Plan, Status};
+use plan::{PathDeviation, Plan, Status};
 use rapid_syntax::diagnostic::{FileId, Severity, TextRange};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;

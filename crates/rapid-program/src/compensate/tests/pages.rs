@@ -28,7 +28,7 @@ fn pages_start_from_where_the_page_before_has_ended() {
     // Where a motion of another file comes before, the way between the two is known.
     let across = program.motions.iter().zip(&plan.motions).filter(|(motion, planned)| {
         let before = motion.previous.map(|before| &program.motions[before.index()]);
-        before.is_some_and(|before| before.file != motion.file) && planned.mid_path_m.is_some()
+        before.is_some_and(|before| before.file != motion.file) && planned.mid_path.metres().is_some()
     });
     assert!(across.count() > 0);
 }
