@@ -18,12 +18,11 @@ const SAME_RAD: f64 = 1e-4;
 /// Has each arc pass its circle point as it is turned there. Where an arc starts from cannot always be told: then it is corrected as
 /// the point is written.
 pub(super) fn turn_with_arcs(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
-    let arcs = program.motions.iter().enumerate().filter(|(_, motion)| motion.setup.path == Path::Circular);
-    let turned: Vec<(usize, CirclePoint)> = arcs
-        .filter_map(|(i, _)| Some((i, circle_point(MotionId::new(i), program, model, resolved)?)))
-        .collect();
-    for (i, circle_point) in turned {
-        resolved[i].pass(circle_point);
+    let arcs = program.numbered_motions().filter(|(_, motion)| motion.setup.path == Path::Circular);
+    let turned: Vec<(MotionId, CirclePoint)> =
+        arcs.filter_map(|(id, _)| Some((id, circle_point(id, program, model, resolved)?))).collect();
+    for (id, circle_point) in turned {
+        resolved[id.index()].pass(circle_point);
     }
 }
 

@@ -32,56 +32,63 @@ pub(super) fn long_gaps(
     (model, gap_min): (&Model<'_>, Option<f64>),
 ) -> Vec<MotionId> {
     let Some(gap_s) = gap_min.map(seconds_from_min) else { return Vec::new() };
-    let asks = |i: usize| planned.get(i).is_some_and(|planned| planned.status == Status::Compensated);
-    let previous = |i: usize| {
-        let previous = program.motions.get(i)?.previous.map(MotionId::index);
-        previous.filter(|&p| p < program.motions.len())
+    let asks =
+        |id: MotionId| planned.get(id.index()).is_some_and(|planned| planned.status == Status::Compensated);
+    let previous = |id: MotionId| {
+        let previous = program.motion(id)?.previous?;
+        program.motion(previous).map(|motion| (previous, motion))
     };
     let mut loop_asks = vec![false; program.loops.len()];
-    for (_, motion) in program.motions.iter().enumerate().filter(|(i, _)| asks(*i)) {
-        for &l in &motion.setup.loops {
-            if let Some(asks) = loop_asks.get_mut(l) {
-                *asks = true;
-            }
+    let asking =
+        program.motions.iter().zip(planned).filter(|(_, planned)| planned.status == Status::Compensated);
+    for &l in asking.flat_map(|(motion, _)| &motion.setup.loops) {
+        if let Some(asks) = loop_asks.get_mut(l) {
+            *asks = true;
         }
     }
-    // A motion and how long the arm moves without asking when it ends, with the motion that this began with.
-    let mut silent: Vec<Option<(f64, usize)>> = vec![None; program.motions.len()];
+    let mut silent: Vec<Option<Silence>> = vec![None; program.motions.len()];
     let mut found = Vec::new();
-    for first in 0..program.motions.len() {
+    for (first, _) in program.numbered_motions() {
         let mut way = vec![first];
-        while let Some(previous) = way.last().and_then(|&i| previous(i))
-            && silent[previous].is_none()
+        while let Some((previous, _)) = way.last().and_then(|&id| previous(id))
+            && silent[previous.index()].is_none()
             && !asks(previous)
             && !way.contains(&previous)
             && way.len() < LONGEST_WAY
         {
             way.push(previous);
         }
-        for &i in way.iter().rev() {
-            if silent[i].is_some() {
-                continue;
-            }
-            let motion = &program.motions[i];
-            let before = previous(i).filter(|&p| !asks(p)).and_then(|p| silent[p]);
-            let (since_s, begun) = before.unwrap_or((0.0, i));
+        for &id in way.iter().rev() {
+            let Some(motion) = program.motion(id).filter(|_| silent[id.index()].is_none()) else { continue };
+            let previous = previous(id);
+            let before = previous.filter(|&(id, _)| !asks(id)).and_then(|(id, _)| silent[id.index()]);
+            let Silence { since_s, begun } = before.unwrap_or(Silence { since_s: 0.0, begun: id });
             let passes = motion.setup.loops.iter().filter(|&&l| !loop_asks[l]);
             let passes: f64 =
                 passes.map(|&l| program.loops[l].passes.map_or(f64::INFINITY, |n| n.max(1) as f64)).product();
-            let from = previous(i).and_then(|p| resolved.get(p)?.end(&program.motions[p], model));
+            let from = previous.and_then(|(id, motion)| resolved.get(id.index())?.end(motion, model));
             let slowed = program.speed_override;
-            let own_s =
-                resolved.get(i).map_or(0.0, |own| time_s(from.as_ref(), own, (motion, slowed), model))
-                    * passes;
+            let own_s = resolved
+                .get(id.index())
+                .map_or(0.0, |own| time_s(from.as_ref(), own, (motion, slowed), model))
+                * passes;
             if since_s <= gap_s && since_s + own_s > gap_s {
                 found.push(begun);
             }
-            silent[i] = Some((since_s + own_s, begun));
+            silent[id.index()] = Some(Silence { since_s: since_s + own_s, begun });
         }
     }
     found.sort_unstable();
     found.dedup();
-    found.into_iter().map(MotionId::new).collect()
+    found
+}
+
+/// How long the arm moves without asking when a motion ends.
+#[derive(Clone, Copy)]
+struct Silence {
+    since_s: f64,
+    /// The motion that it begins with.
+    begun: MotionId,
 }
 
 /// Motions that are looked back over at one go.

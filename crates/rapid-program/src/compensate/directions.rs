@@ -92,26 +92,27 @@ impl Ways<'_> {
     fn sides(&self, arm: &DeformedArm) -> Vec<SidesOfMotion> {
         let mut motions = self.at_targets(arm);
         let count = motions.len();
-        let edges: Vec<Vec<Edge>> = (0..count).map(|i| self.edges_to(MotionId::new(i), &motions)).collect();
-        let mut after: Vec<Vec<usize>> = vec![Vec::new(); count];
-        for (i, edges) in edges.iter().enumerate() {
-            edges.iter().filter_map(|edge| edge.before).for_each(|before| after[before].push(i));
+        let all = || (0..count).map(MotionId::new);
+        let edges: Vec<Vec<Edge>> = all().map(|id| self.edges_to(id, &motions)).collect();
+        let mut after: Vec<Vec<MotionId>> = vec![Vec::new(); count];
+        for (id, edges) in all().zip(&edges) {
+            edges.iter().filter_map(|edge| edge.before).for_each(|before| after[before.index()].push(id));
         }
-        let (mut waiting, mut waits): (VecDeque<usize>, Vec<bool>) =
-            ((0..count).collect(), vec![true; count]);
-        while let Some(i) = waiting.pop_front() {
-            waits[i] = false;
+        let (mut waiting, mut waits): (VecDeque<MotionId>, Vec<bool>) = (all().collect(), vec![true; count]);
+        while let Some(id) = waiting.pop_front() {
+            waits[id.index()] = false;
             let mut changed = false;
-            for edge in &edges[i] {
-                let sides = edge.sides_along(&motions[i].at_targets, &motions);
-                for (known, new) in motions[i].sides.iter_mut().flatten().zip(sides.iter().flatten()) {
+            for edge in &edges[id.index()] {
+                let sides = edge.sides_along(&motions[id.index()].at_targets, &motions);
+                let own = motions[id.index()].sides.iter_mut().flatten();
+                for (known, new) in own.zip(sides.iter().flatten()) {
                     let merged = merged(*known, *new);
                     changed |= merged != *known;
                     *known = merged;
                 }
             }
-            for &next in after[i].iter().filter(|_| changed) {
-                if !std::mem::replace(&mut waits[next], true) {
+            for &next in after[id.index()].iter().filter(|_| changed) {
+                if !std::mem::replace(&mut waits[next.index()], true) {
                     waiting.push_back(next);
                 }
             }
@@ -164,14 +165,13 @@ impl Ways<'_> {
 
     /// How a motion is come to; none where nothing at all leads to it.
     fn edges_to(&self, id: MotionId, motions: &[SidesOfMotion]) -> Vec<Edge> {
-        let i = id.index();
-        let (Some(motion), Some(resolved)) = (self.program.motion(id), self.resolved.get(i)) else {
+        let (Some(motion), Some(resolved)) = (self.program.motion(id), self.resolved.get(id.index())) else {
             return Vec::new();
         };
         // Which of its values it goes to, and in which order, only run time tells.
-        let from_anywhere = resolved.indexed || motions[i].at_targets.is_empty();
+        let from_anywhere = resolved.indexed || motions[id.index()].at_targets.is_empty();
         let known = (!from_anywhere).then_some(motion);
-        let from = |from: Option<TargetJoints>, before: Option<usize>| Edge {
+        let from = |from: Option<TargetJoints>, before: Option<MotionId>| Edge {
             before,
             from,
             last_rad: known.zip(from).and_then(|(motion, from)| self.last_rad(motion, resolved, &from)),
@@ -186,7 +186,7 @@ impl Ways<'_> {
         };
         let mut edges: Vec<Edge> = predecessors(self.program, id)
             .filter(|before| before.index() < self.resolved.len())
-            .map(|before| from(exit(before), Some(before.index())))
+            .map(|before| from(exit(before), Some(before)))
             .collect();
         let anywhere = self.program.also_anywhere.contains(&id);
         if motion.from_start || anywhere || edges.is_empty() {
@@ -215,8 +215,8 @@ impl Ways<'_> {
 
 /// How a motion is come to.
 struct Edge {
-    /// The motion before it, by its position.
-    before: Option<usize>,
+    /// The motion before it.
+    before: Option<MotionId>,
     /// Where that leaves the arm, where it is known.
     from: Option<TargetJoints>,
     /// How far each joint turns over the last part of the way, where it is no joint move, radians.
@@ -228,7 +228,7 @@ struct Edge {
 impl Edge {
     /// The sides from which a motion's targets are come to along this edge; `None` where nothing has come to its beginning yet.
     fn sides_along(&self, at_targets: &[TargetJoints], motions: &[SidesOfMotion]) -> Vec<[Option<Side>; 6]> {
-        let mut sides = match self.before.and_then(|before| motions[before].sides.last()) {
+        let mut sides = match self.before.and_then(|before| motions[before.index()].sides.last()) {
             Some(sides) => *sides,
             None => [Some(Err(WhyUnknown::Start)); 6],
         };

@@ -2,10 +2,10 @@
 //!
 //! Knows nothing of arms: what a row says is checked where the motion it belongs to is placed.
 
-use crate::program::motion::MotionId;
+use crate::program::motion::{Motion, MotionId};
 use crate::program::{Program, is_of_task};
 use csv::{ReaderBuilder, StringRecord, Trim};
-use rapid_syntax::diagnostic::{Diagnostic, LineIndex, counted};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, LineIndex, counted};
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeMap;
 use thiserror::Error;
@@ -190,32 +190,29 @@ impl JointsHint {
         }
     }
 
-    fn is_elsewhere(&self, program: &Program, file: usize) -> bool {
-        self.elsewhere.iter().any(|task| is_of_task(&program.files[file].path, Some(task)))
+    fn is_elsewhere(&self, program: &Program, file: FileId) -> bool {
+        self.elsewhere.iter().any(|task| is_of_task(&program.file(file).path, Some(task)))
     }
 
     fn in_order(&self, rows: &[Option<Hinted>], program: &Program) -> Result<Hints, JointsHintError> {
-        let file_of = |i: &usize| program.motions[*i].file.0 as usize;
-        let mut own: Vec<usize> =
-            (0..program.motions.len()).filter(|i| !self.is_elsewhere(program, file_of(i))).collect();
-        own.sort_by_key(|i| (file_of(i), program.motions[*i].line, *i));
-        let targets: usize = own.iter().map(|&i| program.motions[i].targets.len()).sum();
+        let own = in_text_order(program).filter(|(_, motion)| !self.is_elsewhere(program, motion.file));
+        let own: Vec<(MotionId, &Motion)> = own.collect();
+        let targets = targets_of(&own);
         if targets != rows.len() {
             return Err(JointsHintError::Order { rows: rows.len(), targets });
         }
         let mut rows = rows.iter().copied();
-        let of_motion = |i: usize| {
-            let joints: Vec<_> = rows.by_ref().take(program.motions[i].targets.len()).collect();
-            Some((MotionId::new(i), joints.into_iter().collect::<Option<Vec<_>>>()?))
+        let of_motion = |(id, motion): (MotionId, &Motion)| {
+            let joints: Vec<_> = rows.by_ref().take(motion.targets.len()).collect();
+            Some((id, joints.into_iter().collect::<Option<Vec<_>>>()?))
         };
         Ok(own.into_iter().filter_map(of_motion).collect())
     }
 
     fn by_line(&self, rows: &[HintRow], program: &Program) -> Result<Hints, JointsHintError> {
-        let line_of = |&i: &usize| (program.motions[i].file.0 as usize, program.motions[i].line);
-        let mut motions: Vec<usize> = (0..program.motions.len()).collect();
-        motions.sort_by_key(line_of);
-        let mut joints_at: Vec<((usize, u32), Hinted)> = Vec::new();
+        let motions: Vec<(MotionId, &Motion)> = in_text_order(program).collect();
+        let line_of = |(_, motion): &(MotionId, &Motion)| (motion.file, motion.line);
+        let mut joints_at: Vec<((FileId, u32), Hinted)> = Vec::new();
         for row in rows {
             let file = file_of(program, row)?;
             if !self.is_elsewhere(program, file) {
@@ -226,11 +223,11 @@ impl JointsHint {
         let mut hints = Hints::new();
         for joints in joints_at.chunk_by(|(line, _), (next, _)| line == next) {
             let (file, line) = joints[0].0;
-            let first = motions.partition_point(|i| line_of(i) < (file, line));
-            let here = &motions[first..motions.partition_point(|i| line_of(i) <= (file, line))];
-            let targets: usize = here.iter().map(|&i| program.motions[i].targets.len()).sum();
+            let first = motions.partition_point(|motion| line_of(motion) < (file, line));
+            let here = &motions[first..motions.partition_point(|motion| line_of(motion) <= (file, line))];
+            let targets = targets_of(here);
             if targets != joints.len() {
-                let path = &program.files[file].path;
+                let path = &program.file(file).path;
                 let what = match targets {
                     0 => format!("there is no motion in line {line} of {path}"),
                     _ => format!(
@@ -242,23 +239,32 @@ impl JointsHint {
                 return Err(JointsHintError::Place { row: joints[0].1.row, what });
             }
             let mut joints = joints.iter().map(|(_, joints)| *joints);
-            for &i in here {
-                hints.insert(
-                    MotionId::new(i),
-                    joints.by_ref().take(program.motions[i].targets.len()).collect(),
-                );
+            for (id, motion) in here {
+                hints.insert(*id, joints.by_ref().take(motion.targets.len()).collect());
             }
         }
         Ok(hints)
     }
 }
 
-/// The position of the file that a row names.
-fn file_of(program: &Program, row: &HintRow) -> Result<usize, JointsHintError> {
+/// The motions of a program, file by file and line by line.
+fn in_text_order(program: &Program) -> impl Iterator<Item = (MotionId, &Motion)> {
+    let mut motions: Vec<(MotionId, &Motion)> = program.numbered_motions().collect();
+    motions.sort_by_key(|(id, motion)| (motion.file, motion.line, *id));
+    motions.into_iter()
+}
+
+/// How many targets motions have.
+fn targets_of(motions: &[(MotionId, &Motion)]) -> usize {
+    motions.iter().map(|(_, motion)| motion.targets.len()).sum()
+}
+
+/// The file that a row names.
+fn file_of(program: &Program, row: &HintRow) -> Result<FileId, JointsHintError> {
     let wrong = |what: String| JointsHintError::Place { row: row.joints.row, what };
     let Some(name) = &row.file else {
         return match program.files.len() {
-            1 => Ok(0),
+            1 => Ok(FileId(0)),
             n => Err(wrong(format!("the program has {n} files, and the row does not say which is meant"))),
         };
     };
@@ -271,7 +277,7 @@ fn file_of(program: &Program, row: &HintRow) -> Result<usize, JointsHintError> {
     };
     let mut named = program.files.iter().enumerate().filter(|(_, file)| is_named(&file.path));
     match (named.next(), named.next()) {
-        (Some((file, _)), None) => Ok(file),
+        (Some((file, _)), None) => Ok(FileId(file as u32)),
         (None, _) => Err(wrong(format!("{name} is none of the program's files"))),
         (Some(_), Some(_)) => Err(wrong(format!("several of the program's files are called {name}"))),
     }

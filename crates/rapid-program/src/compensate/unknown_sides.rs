@@ -90,7 +90,7 @@ pub(super) fn unknown_sides(
     arm: &DeformedArm,
 ) -> Vec<UnknownSide> {
     let mut unknown = Vec::new();
-    for (i, ((motion, resolved), sides)) in program.motions.iter().zip(resolved).zip(sides).enumerate() {
+    for (((id, motion), resolved), sides) in program.numbered_motions().zip(resolved).zip(sides) {
         for (point, sides) in resolved.points(motion, model).zip(sides) {
             let whys: Vec<(usize, WhyUnknown)> = sides
                 .iter()
@@ -99,7 +99,7 @@ pub(super) fn unknown_sides(
                 .collect();
             let joints: Vec<usize> = whys.iter().map(|(j, _)| *j).collect();
             let first = whys.first().map(|&(j, why)| UnknownSide {
-                motion: MotionId::new(i),
+                motion: id,
                 axis: Axis::at(j),
                 why,
                 off: off_middle(&point, &joints, arm),
