@@ -23,6 +23,43 @@ pub fn check_result(path: &Path) -> Result<(), Diagnostic> {
     Ok(())
 }
 
+/// Refuses to overwrite a sheet of `plan` in which something has been filled in.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
+    let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
+    let Some(sheet) = is_file.then(|| fs::read(path).ok()).flatten().filter(|sheet| !is_blank(sheet)) else {
+        return Ok(());
+    };
+    // A spreadsheet may have saved it with other separators.
+    let head = sheet.split(|byte| *byte == b'\n').next().map(String::from_utf8_lossy);
+    if head.is_some_and(|head| MEASURED.iter().all(|column| head.contains(column))) {
+        let text = format!("{} has been filled in since it was written", path.display());
+        return Err(Diagnostic::error("output::changed", text)
+            .help("name another place for the sheet, or say --force"));
+    }
+    Ok(())
+}
+
+/// The columns of a sheet that are filled in by hand.
+const MEASURED: [&str; 4] = ["t_min", "x_mm", "y_mm", "z_mm"];
+
+/// Whether nothing is filled in in a sheet.
+fn is_blank(sheet: &[u8]) -> bool {
+    let mut rows = csv::Reader::from_reader(sheet);
+    let columns = rows.headers().ok().and_then(|head| {
+        MEASURED
+            .into_iter()
+            .map(|name| head.iter().position(|column| column == name))
+            .collect::<Option<Vec<usize>>>()
+    });
+    let is_empty = |row: csv::Result<csv::StringRecord>, columns: &[usize]| {
+        row.is_ok_and(|row| columns.iter().all(|&column| row.get(column).is_some_and(str::is_empty)))
+    };
+    columns.is_some_and(|columns| rows.into_records().all(|row| is_empty(row, &columns)))
+}
+
 /// Refuses to overwrite a copy that was changed since it was put into the result's folder; `new` is what would stand there.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use super::number::positive;
 use super::shared::{RobotName, tool};
-use super::{Console, Outcome, files};
+use super::{Console, Outcome, files, overwriting};
 use driftpost::application::Planning;
 use metrology::plan::{PlanOptions, Space, Sweeps};
 use nalgebra::Vector3;
@@ -82,6 +82,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub template_out: Option<PathBuf>,
 
+    /// Overwrite a sheet that has been filled in.
+    #[arg(long, requires = "template_out")]
+    pub force: bool,
+
     /// A RAPID module that drives to the poses.
     #[arg(long, value_name = "FILE")]
     pub rapid_out: Option<PathBuf>,
@@ -104,6 +108,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
     let job = Planning { robot, options: options(args)?, with_rapid: args.rapid_out.is_some() };
     job.check().map_err(Diagnostic::from)?;
+    if let Some(sheet) = args.template_out.as_deref().filter(|_| !args.force) {
+        overwriting::check_sheet(sheet)?;
+    }
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;
     let module = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;

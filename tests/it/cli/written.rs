@@ -222,3 +222,26 @@ fn a_copy_that_was_changed_is_overwritten_only_by_force() {
     assert!(err(&output).contains("output::changed"), "{}", err(&output));
     assert!(bench.text("foreign/Idle.sys").contains("theirs"));
 }
+
+#[test]
+fn a_sheet_that_has_been_filled_in_is_overwritten_only_by_force() {
+    let bench = Bench::default();
+    let sheet = bench.path("sheet.csv").display().to_string();
+    let plan = |more: &[&str]| driftpost(&[&["plan", "--n", "20", "--template-out", &sheet], more].concat());
+    assert_eq!(plan(&[]).status.code(), Some(0));
+    let blank = bench.text("sheet.csv");
+    assert_eq!(plan(&["--seed", "5"]).status.code(), Some(0), "a blank sheet is one of many");
+    assert_eq!(plan(&[]).status.code(), Some(0));
+
+    // One row is measured, with the separators of the program or of a spreadsheet that has saved the sheet.
+    let measured = blank.replacen(",,,\n", ",612.25,-3.5,418.75\n", 1);
+    for filled in [measured.clone(), measured.replace(',', ";")] {
+        bench.file("sheet.csv", &filled);
+        let refused = plan(&[]);
+        assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
+        assert!(err(&refused).contains("error[output::changed]"), "{}", err(&refused));
+        assert_eq!(bench.text("sheet.csv"), filled);
+    }
+    assert_eq!(plan(&["--force"]).status.code(), Some(0));
+    assert_eq!(bench.text("sheet.csv"), blank);
+}
