@@ -8,7 +8,7 @@ use crate::report::{Compared, LocatedDiagnostic, value, write_pretty};
 use rapid_program::compensate::compare::{Comparison, compare};
 use rapid_program::compensate::plan::{PlannedMotion, Status};
 use rapid_program::compensate::{FormChoice, JointsHint, Options, plan};
-use rapid_program::emit::{Difference, differences};
+use rapid_program::emit::{Difference, WithoutAdded};
 use rapid_program::program::motion::{Motion, MotionId};
 use rapid_program::program::{FilePairs, Overrides, Program, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -73,6 +73,7 @@ impl<'f> ProgramComparison<'f> {
         let overrides = self.emitted_settings(None).overrides(&self.tools, &self.wobjs);
         let (before, after) = (read(&self.before, &overrides)?, read(&self.after, &overrides)?);
         let pairs = FilePairs::new((&before, &self.before.places), (&after, &self.after.places));
+        let plain = WithoutAdded::of(&before, &after, &pairs, &overrides);
         // Each task of a backup moves a robot of its own.
         let (mut comparison, mut settled) = (Comparison::default(), vec![None; before.motions.len()]);
         for task in tasks(&before, &after) {
@@ -80,8 +81,13 @@ impl<'f> ProgramComparison<'f> {
             let arm = arm(&emitted_settings)?;
             let start_rad = emitted_settings.start_rad(self.start_rad)?;
             let hint = self.joints_hint.as_deref();
-            let found =
+            let mut found =
                 compare(&before, &after, &pairs, &arm.0, (start_rad, hint)).map_err(Diagnostic::from)?;
+            if !plain.is_same_text() && found.motions.iter().any(|motion| motion.steps.is_empty()) {
+                // The hint is about the lines of the first program as it stands.
+                let restored = compare(&plain.before, &plain.after, &plain.pairs, &arm.0, (start_rad, None));
+                found.add_asked((&before, &plain.before), &restored.map_err(Diagnostic::from)?);
+            }
             let of_task = |program: &Program, motion: MotionId| {
                 let path = |motion: &Motion| program.file(motion.file).path.as_str();
                 program.motion(motion).map(path).is_some_and(|path| is_of_task(path, task.as_deref()))
@@ -95,7 +101,7 @@ impl<'f> ProgramComparison<'f> {
             own.for_each(|(motion, correction)| settled[motion] = correction);
             comparison.extend(found);
         }
-        let elsewhere = differences(&before, &after, &pairs, &overrides);
+        let elsewhere = plain.differences;
         let other_files = other_files(&self.before, &self.after)?;
         Ok(ComparedPrograms { before, after, pairs, comparison, settled, elsewhere, other_files })
     }

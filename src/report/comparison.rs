@@ -77,9 +77,10 @@ impl Compared<'_> {
     fn write_verdict(&self, out: &mut dyn Write) -> io::Result<()> {
         let c = self.comparison;
         let count = |of: &dyn Fn(&&ComparedMotion) -> bool| c.motions.iter().filter(of).count();
-        let live = count(&|m| m.steps.is_empty() && self.is_live(m));
-        let unknown = count(&|m| m.steps.is_empty()) - live;
-        let changed = count(&|m| !m.steps.iter().all(is_none));
+        let asks = |m: &ComparedMotion| m.steps.is_empty() && !m.is_changed();
+        let live = count(&|m| asks(m) && self.is_live(m));
+        let unknown = count(&|m| asks(m)) - live;
+        let changed = count(&|m| m.is_changed());
         let moved = count(&|m| !m.same_frames);
         let settled = c.motions.iter().filter_map(|m| Some(self.settled(m)?[0])).reduce(f64::max);
         let settled =
@@ -150,7 +151,7 @@ impl Compared<'_> {
                     .unwrap_or(std::cmp::Ordering::Equal)
             });
             let shown: Vec<(usize, Option<&TargetChange>)> = match (all, worst) {
-                (_, None) => vec![(0, None)],
+                (_, None) => vec![(0, compared.asked.as_ref())],
                 (true, _) => compared.steps.iter().enumerate().map(|(k, step)| (k, Some(step))).collect(),
                 (false, Some((k, step))) => vec![(k, Some(step))],
             };
@@ -217,8 +218,10 @@ impl Compared<'_> {
         if !compared.same_frames {
             notes.push("another instruction, tool or work object");
         }
-        if step.is_none() {
-            notes.push(if self.is_live(compared) {
+        if compared.steps.is_empty() {
+            notes.push(if step.is_some() {
+                "asks the model for another target"
+            } else if self.is_live(compared) {
                 "by the model at run time"
             } else {
                 "only known at run time"
@@ -253,11 +256,4 @@ impl Compared<'_> {
     pub(super) fn motions(&self, compared: &ComparedMotion) -> (&Motion, &Motion) {
         (&self.before.motions[compared.before.index()], &self.after.motions[compared.after.index()])
     }
-}
-
-fn is_none(step: &TargetChange) -> bool {
-    step.distance_m == 0.0
-        && step.angle_rad == 0.0
-        && step.same_configuration
-        && step.arm.is_none_or(|arm| arm.joint_rad == 0.0)
 }

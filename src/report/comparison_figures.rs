@@ -29,7 +29,7 @@ impl<'c> Figures<'c> {
     pub fn of(comparison: &'c Comparison) -> Self {
         let mut figures = Self { same_configuration: true, ..Self::default() };
         for motion in &comparison.motions {
-            for (k, step) in motion.steps.iter().enumerate() {
+            for (k, step) in motion.steps.iter().chain(&motion.asked).enumerate() {
                 let bucket = bucket(motion, k);
                 let update = |worst: &mut Option<Worst<'c>>, value: Option<f64>, sign: f64| {
                     let Some(value) = value else { return };

@@ -41,7 +41,7 @@ impl Compared<'_> {
         ])?;
         for compared in &self.comparison.motions {
             let (before, after) = self.motions(compared);
-            for (k, step) in compared.steps.iter().enumerate() {
+            for (k, step) in compared.steps.iter().chain(&compared.asked).enumerate() {
                 let arm = |f: &dyn Fn(&rapid_program::compensate::compare::ArmChange) -> f64| {
                     step.arm.as_ref().map_or_else(String::new, |a| rounded(f(a)).to_string())
                 };
@@ -107,6 +107,7 @@ impl Serialize for Motions<'_> {
             let (old, new) = self.0.motions(compared);
             let steps = compared.steps.iter().enumerate();
             let buckets: Vec<Value> = steps.map(|(k, step)| step_json(bucket(compared, k), step)).collect();
+            let asked = compared.asked.as_ref().map(|step| step_json(None, step));
             json!({
                 "file": before.file(old.file).path,
                 "line": old.line,
@@ -118,6 +119,7 @@ impl Serialize for Motions<'_> {
                 "same_frames": compared.same_frames,
                 "settled_mm": self.0.settled(compared).map(|[m, _]| rounded(mm_from_m(m))),
                 "settled_deg": self.0.settled(compared).map(|[_, rad]| rounded(deg_from_rad(rad))),
+                "asked": asked,
                 "buckets": buckets,
             })
         }))

@@ -161,6 +161,50 @@ fn what_the_model_corrects_at_run_time_is_told_by_its_settled_correction() {
     }
 }
 
+/// A target that the model is asked for, elsewhere than in the source: inline, in a declaration, a joint, a circle point.
+#[test]
+fn a_model_that_is_asked_for_another_target_is_told() {
+    let bench = Bench::default();
+    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/simulate/cell.mod");
+    let to = bench.path("live.mod").display().to_string();
+    let made = driftpost(&["compensate", source, "-o", &to, "--form", "live", "--diff", "none"]);
+    assert!(made.status.success(), "{}", err(&made));
+    let text = bench.text("live.mod");
+    let compared = |text: &str| -> Value {
+        let edited = bench.file("edited.mod", text);
+        serde_json::from_slice(&driftpost(&["diff", source, &edited, "--json", "-"]).stdout).unwrap()
+    };
+    let whole = compared(&text);
+    assert!(whole["motions"].as_array().unwrap().iter().all(|motion| motion["asked"].is_null()), "{whole}");
+    for (from, by, distance_mm) in [
+        ("pStart:=[[0,0,60]", "pStart:=[[0,0,160]", Some(100.0)),
+        ("tcLive([[60,30,20]", "tcLive([[60,-10,50]", Some(50.0)),
+        ("Offs(pStart,0,0,nLift),", "Offs(pStart,0,0,-nLift),", Some(30.0)),
+        ("jHome:=[[0,10,20", "jHome:=[[30,10,20", None),
+    ] {
+        let edited = text.replacen(from, by, 1);
+        assert_ne!(edited, text, "{from}");
+        let json = compared(&edited);
+        let motions = json["motions"].as_array().unwrap();
+        let asked: Vec<f64> = motions.iter().filter_map(|motion| motion["asked"]["dp_mm"].as_f64()).collect();
+        let most = asked.iter().copied().fold(0.0, f64::max);
+        assert!(
+            !asked.is_empty() && distance_mm.is_none_or(|mm| (most - mm).abs() < 1e-6),
+            "{from}: {asked:?}"
+        );
+        // Axis 1 alone turns, by 30 deg.
+        if distance_mm.is_none() {
+            assert!((json["worst"]["joint_deg"].as_f64().unwrap() - 30.0).abs() < 1e-6, "{}", json["worst"]);
+        }
+    }
+    // The motion goes with tGun, and so must the model be asked.
+    let otherwise = text.replacen("tcLive(pStart,tGun", "tcLive(pStart,tProbe", 1);
+    assert_ne!(otherwise, text);
+    let json = compared(&otherwise);
+    assert_eq!(json["same_elsewhere"], Value::Bool(false));
+    assert!(json["elsewhere"][0].as_str().unwrap().contains("another tool or work object"), "{json}");
+}
+
 #[test]
 fn three_touched_up_points_go_through_restore_and_a_new_run() {
     let bench = Bench::default();

@@ -50,6 +50,32 @@ impl Comparison {
         self.only_before.sort_unstable();
         self.only_after.sort_unstable();
     }
+
+    /// Adds which targets a model is asked for: `restored` compares the two programs without what was added to them, `plain`, in
+    /// which a motion is the one of the same routine and order.
+    pub fn add_asked(&mut self, (before, plain): (&Program, &Program), restored: &Self) {
+        let place = |program: &Program| -> BTreeMap<MotionId, (String, String, usize)> {
+            let routines = by_routine(program, &|_| None).into_iter();
+            let of_routine = |((_, module, routine), motions): (RoutineKey, Vec<MotionId>)| {
+                let numbered = motions.into_iter().enumerate();
+                numbered.map(move |(order, motion)| (motion, (module.clone(), routine.clone(), order)))
+            };
+            routines.flat_map(of_routine).collect()
+        };
+        let (places, plain_places) = (place(before), place(plain));
+        let asked: BTreeMap<_, _> = restored
+            .motions
+            .iter()
+            .filter_map(|motion| {
+                let most = motion.steps.iter().copied().reduce(|a, b| worse((a, b)));
+                Some((plain_places.get(&motion.before)?, most?))
+            })
+            .collect();
+        for motion in self.motions.iter_mut().filter(|motion| motion.steps.is_empty()) {
+            let asked = places.get(&motion.before).and_then(|place| asked.get(place));
+            motion.asked = asked.copied().filter(|asked| !asked.is_none());
+        }
+    }
 }
 
 /// A motion of both programs.
@@ -64,6 +90,17 @@ pub struct ComparedMotion {
     /// One step for each element of a scheduled target, the original first; one where it is not scheduled;
     /// none where a target of either is only known at run time.
     pub steps: Vec<TargetChange>,
+    /// Where the second program asks a model at run time, and for another target than the first program's: how that differs, of
+    /// several the worst; `None` too where run time alone tells.
+    pub asked: Option<TargetChange>,
+}
+
+impl ComparedMotion {
+    /// Whether the second program goes to another target.
+    #[must_use]
+    pub fn is_changed(&self) -> bool {
+        self.steps.iter().chain(&self.asked).any(|step| !step.is_none())
+    }
 }
 
 /// How one element of a target differs from the motion of the first program; of an arc's two points the
@@ -80,6 +117,17 @@ pub struct TargetChange {
     pub arm: Option<ArmChange>,
     /// Confdata and external axes are the same numbers.
     pub same_configuration: bool,
+}
+
+impl TargetChange {
+    /// Whether nothing differs.
+    #[must_use]
+    pub fn is_none(&self) -> bool {
+        self.distance_m == 0.0
+            && self.angle_rad == 0.0
+            && self.same_configuration
+            && self.arm.is_none_or(|arm| arm.joint_rad == 0.0)
+    }
 }
 
 /// The same on the nominal arm.
@@ -207,7 +255,7 @@ fn motion(
             steps = if n == 0 { compared } else { steps.into_iter().zip(compared).map(worse).collect() };
         }
     }
-    ComparedMotion { before: i, after: j, same_frames, steps }
+    ComparedMotion { before: i, after: j, same_frames, steps, asked: None }
 }
 
 /// A target as a pose in its work object and as the flange's pose.

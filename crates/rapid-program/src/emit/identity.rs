@@ -37,34 +37,55 @@ pub enum Difference {
     },
 }
 
-/// Compares two programs token by token, what this program adds to a module taken out first, targets of
-/// motions left out where they can be compared as poses.
-///
-/// The common module of a compensated program counts as what was added.
-#[must_use]
-pub fn differences(
-    before: &Program,
-    after: &Program,
-    pairs: &FilePairs,
-    overrides: &Overrides,
-) -> Vec<Difference> {
-    let mut found = Vec::new();
-    let before = WithoutAdded::of(before, overrides, &mut found);
-    let after = WithoutAdded::of(after, overrides, &mut found);
-    for (a, b) in &pairs.pairs {
-        match (before.file(*a), after.file(*b)) {
-            (Some(a), Some(b)) => found.extend(text_difference((&before.program, a), (&after.program, b))),
-            (Some(a), None) => found.extend(before.modules(a).map(Difference::Missing)),
-            (None, Some(b)) => found.extend(after.modules(b).map(Difference::Added)),
-            (None, None) => {}
+/// Two programs without what compensation added to them.
+pub struct WithoutAdded {
+    /// The program before the change.
+    pub before: Program,
+    /// The program after it.
+    pub after: Program,
+    /// Which of their files stand for each other.
+    pub pairs: FilePairs,
+    /// What differs beside the targets of motions.
+    pub differences: Vec<Difference>,
+}
+
+impl WithoutAdded {
+    /// Compares two programs token by token, what this program adds to a module taken out first, targets of
+    /// motions left out where they can be compared as poses.
+    ///
+    /// The common module of a compensated program counts as what was added.
+    #[must_use]
+    pub fn of(before: &Program, after: &Program, pairs: &FilePairs, overrides: &Overrides) -> Self {
+        let mut differences = Vec::new();
+        let before = RestoredProgram::of(before, overrides, &mut differences);
+        let after = RestoredProgram::of(after, overrides, &mut differences);
+        let mut restored = FilePairs::default();
+        for (a, b) in &pairs.pairs {
+            match (before.file(*a), after.file(*b)) {
+                (Some(a), Some(b)) => {
+                    differences.extend(text_difference((&before.program, a), (&after.program, b)));
+                    restored.pairs.push((a, b));
+                }
+                (Some(a), None) => restored.only_before.push(a),
+                (None, Some(b)) => restored.only_after.push(b),
+                (None, None) => {}
+            }
         }
+        restored.only_before.extend(pairs.only_before.iter().filter_map(|file| before.file(*file)));
+        restored.only_after.extend(pairs.only_after.iter().filter_map(|file| after.file(*file)));
+        let missing = restored.only_before.iter().flat_map(|file| before.modules(*file));
+        differences.extend(missing.map(Difference::Missing));
+        let added = restored.only_after.iter().flat_map(|file| after.modules(*file));
+        differences.extend(added.map(Difference::Added));
+        differences.dedup();
+        Self { before: before.program, after: after.program, pairs: restored, differences }
     }
-    let missing = pairs.only_before.iter().filter_map(|file| before.file(*file));
-    found.extend(missing.flat_map(|file| before.modules(file)).map(Difference::Missing));
-    let added = pairs.only_after.iter().filter_map(|file| after.file(*file));
-    found.extend(added.flat_map(|file| after.modules(file)).map(Difference::Added));
-    found.dedup();
-    found
+
+    /// Whether the text of all files that stand for each other is the same.
+    #[must_use]
+    pub fn is_same_text(&self) -> bool {
+        self.pairs.pairs.iter().all(|(a, b)| self.before.file(*a).bytes == self.after.file(*b).bytes)
+    }
 }
 
 fn text_difference((before, a): (&Program, FileId), (after, b): (&Program, FileId)) -> Option<Difference> {
@@ -76,13 +97,13 @@ fn text_difference((before, a): (&Program, FileId), (after, b): (&Program, FileI
 }
 
 /// A program without what was added to it.
-struct WithoutAdded {
+struct RestoredProgram {
     program: Program,
     /// For each of its files the one that it was made of.
     origin: Vec<FileId>,
 }
 
-impl WithoutAdded {
+impl RestoredProgram {
     fn of(program: &Program, overrides: &Overrides, found: &mut Vec<Difference>) -> Self {
         let compensated = |file: &SourceFile| {
             program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())

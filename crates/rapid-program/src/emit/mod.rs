@@ -37,7 +37,7 @@ mod touch;
 pub use digest::is_as_written;
 pub use emission::{compensated_at, emit, emit_each};
 pub use header::{made_with, renamed};
-pub use identity::{Difference, differences};
+pub use identity::{Difference, WithoutAdded};
 pub use number::{write_list, write_num, write_orient, write_pos, write_robjoint};
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use restore::{Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, restore};

@@ -114,6 +114,12 @@ pub enum Altered {
         /// Its first line, from 1.
         line: u32,
     },
+    /// What the model is asked for is not what the motion goes with.
+    #[error("the model is asked with another tool or work object than the motion goes with")]
+    Arguments {
+        /// The motion's line, from 1.
+        line: u32,
+    },
 }
 
 impl Altered {
@@ -121,7 +127,7 @@ impl Altered {
     #[must_use]
     pub fn line(&self) -> u32 {
         match self {
-            Self::Header { line } | Self::Code { line, .. } => *line,
+            Self::Header { line } | Self::Code { line, .. } | Self::Arguments { line } => *line,
         }
     }
 
@@ -131,6 +137,7 @@ impl Altered {
         match self {
             Self::Header { .. } => "restore::header",
             Self::Code { .. } => "restore::code",
+            Self::Arguments { .. } => "restore::arguments",
         }
     }
 }

@@ -11,10 +11,12 @@ use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Fingerprints};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::ranges_of_numbers;
-use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
+use rapid_syntax::tree::{Arg, ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
-/// Functions that stand round a target.
-const ROUND: [&str; 7] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ", "tcLive", "tcLiveSame", "tcLiveJ"];
+/// Functions that stand round a target and correct it by what is beside it.
+const BY_POSE: [&str; 4] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ"];
+/// Functions that stand round a target and ask the model, with the motion's tool and work object.
+const BY_MODEL: [&str; 3] = ["tcLive", "tcLiveSame", "tcLiveJ"];
 
 /// Takes a module apart.
 pub(super) struct Remover<'w> {
@@ -192,7 +194,10 @@ impl<'w> Remover<'w> {
                     {
                         arrays[at].uses.push(Use { expr: expr.range, index, routine });
                         next = at + 1;
-                    } else if let Some(inner) = self.inside(expr) {
+                    } else if let Some((inner, asked_with)) = self.inside(expr) {
+                        if !self.goes_with(&call.args, asked_with) {
+                            self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
+                        }
                         let (start, end) = (expr.range.start, expr.range.end);
                         self.edits.remove(TextRange::new(start, inner.start));
                         self.edits.remove(TextRange::new(inner.end, end));
@@ -351,16 +356,39 @@ impl<'w> Remover<'w> {
         asks.then_some((base.range, own))
     }
 
-    /// The target that a function of ours stands round.
-    fn inside(&self, expr: &Expr) -> Option<TextRange> {
+    /// The target that a function of ours stands round, and the tool and work object that a model is asked with.
+    fn inside<'e>(&self, expr: &'e Expr) -> Option<(TextRange, &'e [Arg])> {
         let ExprKind::Call(call) = &expr.kind else { return None };
-        if !ROUND.iter().any(|function| self.is_core(call.name, function)) {
-            return None;
-        }
-        match &call.args.first()?.kind {
-            ArgKind::Positional(inner) => Some(inner.range),
+        let is_any = |functions: &[&str]| functions.iter().any(|function| self.is_core(call.name, function));
+        let (target, rest) = call.args.split_first()?;
+        let asked_with = match (is_any(&BY_MODEL), is_any(&BY_POSE)) {
+            (true, _) => rest,
+            (false, true) => &[],
+            (false, false) => return None,
+        };
+        match &target.kind {
+            ArgKind::Positional(inner) => Some((inner.range, asked_with)),
             _ => None,
         }
+    }
+
+    /// Whether a model is asked with the motion's own tool and work object; true where none is asked.
+    fn goes_with(&self, motion: &[Arg], asked_with: &[Arg]) -> bool {
+        let text = |range: TextRange| self.text(range).to_ascii_lowercase();
+        let tool = |arg: &Arg| match &arg.kind {
+            ArgKind::Positional(expr) => Some(text(expr.range)),
+            _ => None,
+        };
+        let wobj = |arg: &Arg| match &arg.kind {
+            ArgKind::Named { name, value } if text(*name) == "wobj" => {
+                value.as_ref().map(|value| text(value.range))
+            }
+            ArgKind::Conditional { name, param } if text(*name) == "wobj" => Some(text(*param)),
+            _ => None,
+        };
+        let Some(asked) = asked_with.first().and_then(tool) else { return asked_with.is_empty() };
+        motion.iter().filter_map(tool).any(|own| own == asked)
+            && motion.iter().find_map(wobj) == asked_with.iter().find_map(wobj)
     }
 }
 
