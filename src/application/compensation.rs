@@ -93,6 +93,9 @@ impl Compensation {
         let mut new = Self::new(robot, Named::of_model_alone(&identified, None));
         new.emit.growth = new.deformation.model.one_law(Some(&identified.model));
         new.emit.deformation = None;
+        if let Clock::Warmth { tau_cool_min, .. } = &mut new.emit.clock {
+            *tau_cool_min = identified.model.tau_cool_min;
+        }
         new.emit.model = Some(identified.source);
         new.options.max_correction_m = max_m;
         new.options.max_correction_rad = max_rad;

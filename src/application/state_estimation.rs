@@ -48,7 +48,7 @@ impl StateEstimation {
             let when = ThermalState { t_min, joint_temperature_c: None };
             DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)
         });
-        Self::between(robot, law, arms)
+        Self { tau_cool_min: model.tau_cool_min, ..Self::between(robot, law, arms) }
     }
 
     fn between(robot: Arc<Robot>, law: Option<GrowthLaw>, arms: [DeformedArm; 2]) -> Self {

@@ -62,7 +62,7 @@ pub(super) fn stop(text: &str) -> Result<Standstill, String> {
     let number = |t: &str| t.trim().parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
     let (from, to) = text.split_once(':').ok_or("write FROM:TO in minutes, e.g. 120:165")?;
     match (number(from), number(to)) {
-        (Some(from_min), Some(to_min)) if to_min >= from_min => Ok(Standstill { from_min, to_min }),
+        (Some(from_min), Some(to_min)) if to_min > from_min => Ok(Standstill { from_min, to_min }),
         _ => Err("write FROM:TO in minutes, the earlier one first, e.g. 120:165".to_owned()),
     }
 }
@@ -139,6 +139,5 @@ pub(super) fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnos
             Diagnostic::error("fit::stop", format!("--stop {text} cannot be read")).help(help)
         })?);
     }
-    stops.sort_by(|a: &Standstill, b| a.from_min.total_cmp(&b.from_min));
-    Ok(Some(stops))
+    Ok(Some(Standstill::merged(stops)))
 }

@@ -39,7 +39,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE", conflicts_with = "deformation")]
     pub model: Option<PathBuf>,
 
-    /// Time constant of cooling to begin with, minutes [default: the growth law's].
+    /// Time constant of cooling to begin with, minutes [default: the model's, or the growth law's].
     #[arg(long, value_name = "MIN", allow_negative_numbers = true)]
     pub tau_cool: Option<f64>,
 
@@ -78,7 +78,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     job.tool_m = args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros);
     job.stops = stops(&args.stop)?.unwrap_or_default();
     job.sigma_m = m_from_mm(args.sigma_mm);
-    job.tau_cool_min = args.tau_cool;
+    job.tau_cool_min = args.tau_cool.or(job.tau_cool_min);
     let (touches, _) = args.source.touches(console)?;
     let json = files::Output::new(args.json.as_deref())?;
     let found = job.run(&touches).map_err(Diagnostic::from)?;

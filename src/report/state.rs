@@ -28,9 +28,14 @@ fn learnt(state: &RobotState) -> [[f64; 2]; 3] {
 #[must_use]
 pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
     let mut out = String::new();
-    let refused = state.touches.iter().filter(|t| matches!(t.outcome, None | Some(TouchOutcome::Refused)));
     // writing to a String cannot fail
-    let _ = writeln!(out, "{}, {} refused\n", counted(state.touches.len(), "touch"), refused.count());
+    let _ = writeln!(out, "{}, {} refused\n", counted(state.touches.len(), "touch"), state.refused());
+    if state.drifts_otherwise() {
+        out.push_str(
+            "So many are no accidents of single touches: this arm does not drift as the table says, or its noise is larger than --sigma-mm, or the tip is \
+             elsewhere. What follows holds for no such arm; `driftpost fit` makes a table of touches.\n\n",
+        );
+    }
     for one in &state.false_first {
         let _ = writeln!(
             out,
@@ -100,6 +105,7 @@ pub fn json(state: &RobotState, points: &[String]) -> Value {
     let [amount, tau, cool] = learnt(state);
     json!({
         "growth": state.law.to_string(),
+        "refused": state.refused(), "drifts_otherwise": state.drifts_otherwise(),
         "amount": amount[0], "amount_sigma": amount[1],
         "tau_min": tau[0], "tau_sigma_min": tau[1],
         "tau_cool_min": state.stood.then_some(cool[0]), "tau_cool_sigma_min": state.stood.then_some(cool[1]),

@@ -3,7 +3,7 @@
 use assert_cmd::Command;
 use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
-use metrology::diagnose::warmup::{FitError, FitOptions, WorkTarget, fit, forecast_at_targets};
+use metrology::diagnose::warmup::{FitError, FitOptions, Standstill, WorkTarget, fit, forecast_at_targets};
 use metrology::measure::Touches;
 use nalgebra::Vector3;
 use rapid_program::compensate::tabulate::tabulate;
@@ -173,6 +173,29 @@ fn touches_become_a_table_that_compensates_the_cube() {
         "none",
     ]);
     ok(&["compensate", cube, "--model", &at("drift.toml"), "-o", &at("b.mod"), "--diff", "none"]);
+    // The model holds how the robot cools, too; an option counts for more.
+    let cooling = |file: &str| {
+        let text = std::fs::read_to_string(at(file)).unwrap();
+        let (_, rest) = text.split_once("time constant of cooling ").unwrap();
+        rest.split_once(',').unwrap().0.to_owned()
+    };
+    assert_eq!(
+        cooling("b.mod"),
+        format!("{} min", (10.0 * json["tau_cool_min"].as_f64().unwrap()).round() / 10.0)
+    );
+    ok(&[
+        "compensate",
+        cube,
+        "--model",
+        &at("drift.toml"),
+        "--tau-cool",
+        "75",
+        "-o",
+        &at("c.mod"),
+        "--diff",
+        "none",
+    ]);
+    assert_eq!(cooling("c.mod"), "75 min");
     ok(&[
         "simulate",
         &at("a.mod"),
@@ -373,4 +396,33 @@ fn a_touch_that_goes_against_a_drift_does_not_speak_for_it_by_being_left_out() {
     read.touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
     let refused = fit(&read, &robot, &FitOptions::default()).unwrap_err();
     assert!(matches!(refused, FitError::NoDrift { .. }), "{refused}");
+}
+
+/// The same stop named twice, in pieces, or with one inside it; and one after the last touch, of which no touch tells.
+#[test]
+fn stops_that_overlap_count_once_and_one_to_come_says_nothing_of_cooling() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let recipe = recipe(0.02, Deformation::paper().settled().0);
+    let csv = touches(&robot, &recipe, &mut Rng::new(11, 0)).unwrap();
+    let read = Touches::from_csv(csv.as_bytes()).unwrap();
+    let found = |stops: &[[f64; 2]]| {
+        let stops = stops.iter().map(|&[from_min, to_min]| Standstill { from_min, to_min }).collect();
+        fit(&read, &robot, &FitOptions { tool_m: Vector3::new(0.0, 0.0, 0.1), stops: Some(stops) }).unwrap()
+    };
+    let once = found(&[[120.0, 165.0]]);
+    for stops in [
+        &[[120.0, 165.0], [120.0, 165.0]][..],
+        &[[120.0, 165.0], [130.0, 150.0]],
+        &[[140.0, 165.0], [120.0, 145.0]],
+    ] {
+        let again = found(stops);
+        assert_eq!(again.tau_cool_min, once.tau_cool_min, "{stops:?}");
+        assert_eq!(again.settled, once.settled, "{stops:?}");
+    }
+    let [tau, sigma] = once.tau_cool_min.unwrap();
+    assert!((tau - 60.0).abs() < 3.0 * sigma, "{tau} +- {sigma}");
+    let later = found(&[[120.0, 165.0], [500.0, 600.0]]);
+    assert_eq!(later.tau_cool_min, once.tau_cool_min);
+    assert_eq!(later.stops, once.stops);
+    assert_eq!(found(&[[500.0, 600.0]]).tau_cool_min, None);
 }

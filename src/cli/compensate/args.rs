@@ -110,7 +110,7 @@ pub struct Args {
     )]
     pub stale_min: f64,
 
-    /// Time constant of cooling while the program stands, minutes [default: the growth law's].
+    /// Time constant of cooling while the program stands, minutes [default: the model's, or the growth law's].
     #[arg(long, value_name = "MIN", allow_negative_numbers = true, help_heading = "Clock in the program")]
     pub tau_cool: Option<f64>,
 

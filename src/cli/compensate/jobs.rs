@@ -148,7 +148,7 @@ impl Args {
             }
             ClockName::Warmth => Clock::Warmth {
                 growth: deformation.model.growth().copied(),
-                tau_cool_min: self.tau_cool,
+                tau_cool_min: self.tau_cool.or(model.and_then(|model| model.model.tau_cool_min)),
                 gap_min: self.gap_min,
             },
         };

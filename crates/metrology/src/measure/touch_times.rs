@@ -27,13 +27,20 @@ pub(super) struct StampedRow {
 /// # Errors
 /// A minute that no warm-up has, naming its line.
 pub(super) fn check(rows: &[StampedRow]) -> Result<Vec<Diagnostic>, MeasureError> {
+    let impossible = |row: &StampedRow, why| MeasureError::Impossible {
+        line: row.line,
+        column: "t_min".to_owned(),
+        text: format!("{:?}", row.t_min),
+        why,
+    };
     if let Some(row) = rows.iter().find(|row| row.t_min.abs() > *TIMES_MIN.end()) {
-        return Err(MeasureError::Impossible {
-            line: row.line,
-            column: "t_min".to_owned(),
-            text: format!("{:?}", row.t_min),
-            why: "minutes since the cold start, and no warm-up lasts longer than a year",
-        });
+        return Err(impossible(row, "minutes since the cold start, and no warm-up lasts longer than a year"));
+    }
+    if let Some(row) = rows.iter().find(|row| row.t_min < 0.0) {
+        return Err(impossible(
+            row,
+            "minutes count from the cold start, and before it the arm is not touched",
+        ));
     }
     Ok(out_of_order(rows).into_iter().chain(beyond_proportion(rows)).collect())
 }
@@ -199,5 +206,8 @@ mod tests {
         minutes[36] = 1e9;
         let error = check(&rows(&minutes)).unwrap_err().to_string();
         assert!(error.contains("line 38, column t_min") && error.contains("longer than a year"), "{error}");
+        minutes[36] = -5.0;
+        let error = check(&rows(&minutes)).unwrap_err().to_string();
+        assert!(error.contains("line 38, column t_min") && error.contains("from the cold start"), "{error}");
     }
 }

@@ -71,6 +71,20 @@ pub(super) fn correct_cold_references(
     }
 }
 
+/// For each point one standard deviation of its place on the cold arm along the drift, metres: that of its first touch, or of the later
+/// ones where that was false.
+pub(super) fn errors_m(
+    points: &TouchedPoints,
+    false_first: &[FirstTouchOutlier],
+    options: &StateOptions,
+) -> Vec<f64> {
+    let of_point = |point: usize| {
+        let corrected = false_first.iter().find(|one| one.point == point);
+        corrected.map_or(options.sigma_m, |one| one.sigma_m)
+    };
+    (0..points.cold.len()).map(of_point).collect()
+}
+
 /// The filter on an arm that is cold.
 pub(super) fn cold(filter: &ThermalFilter) -> ThermalFilter {
     let mut cold = filter.clone();

@@ -24,7 +24,7 @@ const SAME_POSE_RAD: f64 = 0.02;
 const NEGLIGIBLE_NATS: f64 = 14.0;
 
 /// Where more of the touches than this look false, all of them count.
-const MOST_ASIDE: f64 = 0.15;
+pub(super) const MOST_ASIDE: f64 = 0.15;
 /// Fits without what looked false in the one before, at most.
 const MOST_ROUNDS: usize = 12;
 
@@ -120,7 +120,10 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     if last_min - first_min < 20.0 {
         return Err(FitError::NoTime { span_min: last_min - first_min });
     }
-    let stops = options.stops.clone().unwrap_or_else(|| history::longest_pause(touches));
+    let mut stops =
+        Standstill::merged(options.stops.clone().unwrap_or_else(|| history::longest_pause(touches)));
+    // Of one after the last touch the touches tell nothing.
+    stops.retain(|stop| stop.from_min < last_min);
     let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
     let mut aside = BTreeSet::new();
     let mut found = of(&aside)?;

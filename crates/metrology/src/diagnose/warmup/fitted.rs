@@ -109,6 +109,8 @@ impl WarmUp {
             robot: robot.name.clone(),
             found_by: Some(FoundBy::WarmUp),
             sigma_m: Some(self.sigma_m),
+            // To a tenth of a minute: no fit knows it better.
+            tau_cool_min: self.tau_cool_min.map(|[tau_min, _]| (10.0 * tau_min).round() / 10.0),
             measured_range: MeasuredRange {
                 rows: self.touches,
                 q_rad: q_rad.into(),

@@ -13,6 +13,23 @@ pub struct Standstill {
     pub to_min: f64,
 }
 
+impl Standstill {
+    /// The same times in their order, each once: stops that overlap or meet are one, and one that takes no time is none.
+    #[must_use]
+    pub fn merged(mut stops: Vec<Self>) -> Vec<Self> {
+        stops.retain(|stop| stop.to_min > stop.from_min);
+        stops.sort_by(|a, b| a.from_min.total_cmp(&b.from_min));
+        let mut merged: Vec<Self> = Vec::with_capacity(stops.len());
+        for stop in stops {
+            match merged.last_mut() {
+                Some(last) if stop.from_min <= last.to_min => last.to_min = last.to_min.max(stop.to_min),
+                _ => merged.push(stop),
+            }
+        }
+        merged
+    }
+}
+
 impl fmt::Display for Standstill {
     /// As options have it: `FROM:TO`, minutes.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -115,4 +132,25 @@ pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f6
             warmth.share()
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stops_that_overlap_or_meet_are_one() {
+        let stops = |times: &[[f64; 2]]| -> Vec<Standstill> {
+            times.iter().map(|&[from_min, to_min]| Standstill { from_min, to_min }).collect()
+        };
+        let given = stops(&[
+            [200.0, 210.0],
+            [120.0, 165.0],
+            [130.0, 150.0],
+            [160.0, 170.0],
+            [170.0, 180.0],
+            [190.0, 190.0],
+        ]);
+        assert_eq!(Standstill::merged(given), stops(&[[120.0, 180.0], [200.0, 210.0]]));
+    }
 }

@@ -194,27 +194,34 @@ impl ThermalRun {
         }
     }
 
-    /// Adds to every standard deviation what the place of the cold arm, which only later touches tell, leaves open.
+    /// Adds to every standard deviation what the places of the points on the cold arm leave open: `errors_m`, one standard deviation
+    /// each, is the same in all touches of a point.
     ///
-    /// To first order: by how much all changes where that place is one standard deviation elsewhere.
+    /// To first order: by how much all changes where a place is one standard deviation elsewhere.
     pub(super) fn widen(
         &mut self,
-        uncertain: &FirstTouchOutlier,
+        errors_m: &[f64],
         first: &ThermalFilter,
         points: &TouchedPoints,
         options: &StateOptions,
     ) {
-        let mut moved = points.clone();
-        if let Some(place) = &mut moved.cold[uncertain.point] {
-            place.at_m += place.along_m.normalize() * uncertain.sigma_m;
-        }
-        let mut elsewhere = Self::new(first.clone(), &moved, options);
-        elsewhere.smooth();
-        let by = elsewhere.filter.state - self.filter.state;
-        self.filter.covariance += by * by.transpose();
-        for (touch, other) in self.touches.iter_mut().zip(&elsewhere.touches) {
-            for (here, there) in [(&mut touch.share, other.share), (&mut touch.smoothed, other.smoothed)] {
-                here[1] = here[1].hypot(there[0] - here[0]);
+        let mean: Vec<[f64; 2]> =
+            self.touches.iter().map(|touch| [touch.share[0], touch.smoothed[0]]).collect();
+        let state = self.filter.state;
+        for (point, error_m) in errors_m.iter().enumerate() {
+            let mut moved = points.clone();
+            let Some(place) = moved.cold.get_mut(point).and_then(Option::as_mut) else { continue };
+            if place.along_m.norm() < LEAST_M {
+                continue;
+            }
+            place.at_m += place.along_m.normalize() * *error_m;
+            let mut elsewhere = Self::new(first.clone(), &moved, options);
+            elsewhere.smooth();
+            let by = elsewhere.filter.state - state;
+            self.filter.covariance += by * by.transpose();
+            for ((touch, other), mean) in self.touches.iter_mut().zip(&elsewhere.touches).zip(&mean) {
+                touch.share[1] = touch.share[1].hypot(other.share[0] - mean[0]);
+                touch.smoothed[1] = touch.smoothed[1].hypot(other.smoothed[0] - mean[1]);
             }
         }
     }

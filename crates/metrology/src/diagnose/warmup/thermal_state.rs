@@ -1,10 +1,11 @@
 //! The thermal state of one robot from touches of fixed points: the filter that a corrected program runs, with smoothing.
 
 use super::cold_reference;
+use super::fit::MOST_ASIDE;
 use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState};
 use crate::measure::Touches;
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter};
+use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter, TouchOutcome};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -12,6 +13,8 @@ use thiserror::Error;
 
 /// A shift, for which a plan is made, minutes.
 const SHIFT_MIN: f64 = 480.0;
+/// So many refused touches are no many, whatever their share.
+const FEW: usize = 2;
 /// Between touches, minutes: what a plan compares.
 const INTERVALS_MIN: [f64; 5] = [10.0, 15.0, 30.0, 60.0, 120.0];
 
@@ -89,6 +92,29 @@ pub struct RobotState {
     pub plan: Vec<PlannedPoint>,
 }
 
+impl RobotState {
+    /// How many touches were refused.
+    #[must_use]
+    pub fn refused(&self) -> usize {
+        refused(&self.touches)
+    }
+
+    /// Whether so many were refused that these are no accidents of single touches: the arm drifts otherwise than it is taken to, the noise is
+    /// larger, or the tip is elsewhere.
+    #[must_use]
+    pub fn drifts_otherwise(&self) -> bool {
+        are_many(&self.touches)
+    }
+}
+
+fn refused(touches: &[TouchState]) -> usize {
+    touches.iter().filter(|touch| matches!(touch.outcome, None | Some(TouchOutcome::Refused))).count()
+}
+
+fn are_many(touches: &[TouchState]) -> bool {
+    refused(touches) > FEW && refused(touches) as f64 > MOST_ASIDE * touches.len() as f64
+}
+
 /// An arm cold and settled, and how it goes from one to the other.
 #[derive(Clone, Copy)]
 pub struct WarmingArm<'a> {
@@ -127,9 +153,16 @@ pub fn thermal_state(
         cold - settled
     };
     let mut points = cold_reference::placed(touches, tip_m, along_m);
-    let false_first = cold_reference::correct_cold_references(&mut points, &first, options);
-    let first = if false_first.is_empty() { first } else { cold_reference::cold(&first) };
+    let as_touched = points.clone();
+    let mut false_first = cold_reference::correct_cold_references(&mut points, &first, options);
+    let unknown = first.clone();
+    let mut first = if false_first.is_empty() { first } else { cold_reference::cold(&first) };
     let mut run = ThermalRun::new(first.clone(), &points, options);
+    if !false_first.is_empty() && are_many(&run.touches) {
+        // An arm that drifts otherwise says nothing of single touches.
+        (points, first, false_first) = (as_touched, unknown, Vec::new());
+        run = ThermalRun::new(first.clone(), &points, options);
+    }
     if run.touches.is_empty() {
         let moved = points.cold.iter().flatten().any(|place| place.along_m.norm() >= LEAST_M);
         return Err(if moved || touches.touches.len() < 2 {
@@ -139,9 +172,7 @@ pub fn thermal_state(
         });
     }
     run.smooth();
-    for one in &false_first {
-        run.widen(one, &first, &points, options);
-    }
+    run.widen(&cold_reference::errors_m(&points, &false_first, options), &first, &points, options);
     let largest_m = points.cold.iter().flatten().map(|place| place.along_m.norm()).fold(0.0, f64::max);
     let mut plan: Vec<PlannedPoint> = points
         .cold

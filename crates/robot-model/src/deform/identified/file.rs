@@ -6,6 +6,7 @@ mod text;
 use super::error::ModelError;
 use super::table_reader::TableReader;
 use super::{FoundBy, Identified, MeasuredRange, Mounting};
+use crate::deform::TIMES_MIN;
 use crate::robot::{FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use effect::{read_term, write_term};
@@ -44,6 +45,7 @@ impl Identified {
                 ..MeasuredRange::default()
             },
             found_by: read_found_by(&mut top)?,
+            tau_cool_min: read_tau_cool_min(&mut top)?,
             ..Self::default()
         };
         if let Some(mut data) = top.table("data")? {
@@ -86,6 +88,9 @@ impl Identified {
         }
         if let Some(found_by) = self.found_by {
             let _ = writeln!(out, "verdict = {}", quoted(found_by.name()));
+        }
+        if let Some(tau_min) = self.tau_cool_min {
+            let _ = writeln!(out, "tau_cool_min = {}", number(tau_min));
         }
         let _ =
             writeln!(out, "\n[data]\nfile = {}\nsha256 = {}", quoted(&self.data), quoted(&self.data_sha256));
@@ -141,6 +146,15 @@ fn read_found_by(top: &mut TableReader) -> Result<Option<FoundBy>, ModelError> {
     let Some(name) = top.text("verdict")?.filter(|name| !name.is_empty()) else { return Ok(None) };
     let known = FoundBy::named(&name);
     known.map(Some).ok_or_else(|| top.wrong("verdict", format!("`{name}` is no verdict")))
+}
+
+fn read_tau_cool_min(top: &mut TableReader) -> Result<Option<f64>, ModelError> {
+    let tau_min = top.number("tau_cool_min")?;
+    if let Some(tau_min) = tau_min.filter(|tau_min| !TIMES_MIN.contains(tau_min)) {
+        let [least, most] = [TIMES_MIN.start(), TIMES_MIN.end()];
+        return Err(top.wrong("tau_cool_min", format!("{tau_min} is none of {least} to {most} minutes")));
+    }
+    Ok(tau_min)
 }
 
 fn read_kinds(top: &TableReader, names: &[String]) -> Result<Joints<JointKind>, ModelError> {

@@ -73,6 +73,8 @@ pub struct Identified {
     pub found_by: Option<FoundBy>,
     /// Noise of one coordinate, metres.
     pub sigma_m: Option<f64>,
+    /// Time constant with which the robot cools while it stands, minutes; `None` where nothing is known of it.
+    pub tau_cool_min: Option<f64>,
     /// Where it was found.
     pub measured_range: MeasuredRange,
     /// rms of a region of the workspace held out whole, registration only and with a model that never saw it, metres.
@@ -109,6 +111,7 @@ impl Default for Identified {
             data_sha256: String::new(),
             found_by: None,
             sigma_m: None,
+            tau_cool_min: None,
             measured_range: MeasuredRange::default(),
             region_held_out_m: None,
             mounting: None,
