@@ -63,6 +63,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let warnings = before.warnings.iter().chain(&after.warnings).cloned();
     console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
     let found = job.run(&before, &after).map_err(Diagnostic::from)?;
+    for (warnings, path) in found.comparison.warnings.iter().zip([&args.before, &args.after]) {
+        let of_file = warnings.iter().cloned().map(|mut warning| {
+            warning.message = format!("{}: {}", path.display(), warning.message);
+            warning
+        });
+        console.explain(&LocatedDiagnostic::all(of_file, &[]), true);
+    }
     let takes_standard_output = json.is_standard();
     let (data, mut text) = (found.json(), Vec::new());
     found.write(&mut text)?;

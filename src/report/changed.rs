@@ -11,7 +11,7 @@ use std::io::{self, Write};
 /// # Errors
 /// Those of writing to `out`.
 pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
-    writeln!(out, "{}", if is_changed { "CHANGED" } else { "not changed" })?;
+    writeln!(out, "{}", verdict(found, is_changed))?;
     let [before, after] = found.alone;
     let poses = counted(found.pairs, "pose");
     writeln!(out, "{poses} measured both times; {before} only before, {after} only after")?;
@@ -39,6 +39,17 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
         deg_from_rad(found.base_moved.rotation.angle())
     )?;
     writeln!(out, "the arm itself: {}", found.diagnosis.reason)?;
+    if found.beyond.poses > 0 {
+        let (poses, verb) =
+            (counted(found.beyond.poses, "pose"), if found.beyond.poses == 1 { "has" } else { "have" });
+        writeln!(
+            out,
+            "{poses} {verb} moved by more than noise moves one, see the largest changes: where no cause of all is named, measure them again"
+        )?;
+    }
+    if found.beyond.is_scattered {
+        writeln!(out, "all points together have moved by more than noise alone would move them")?;
+    }
     for cause in &found.diagnosis.causes {
         let size = cause.size.map_or_else(String::new, |size| format!(", {size:.3e} {}", cause.unit));
         writeln!(out, "  {}{size}, probability {:.1} %", describe(cause), 100.0 * cause.posterior)?;
@@ -49,6 +60,20 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
         writeln!(out, "  line {before} before, line {after} after: {:.4} mm", mm_from_m(moved.by_m))?;
     }
     Ok(())
+}
+
+/// The first line.
+fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
+    match (is_changed, found.beyond.base_is_moved, found.noise_rms_m) {
+        (true, ..) => "CHANGED",
+        (false, true, _) => {
+            "not changed, if the instrument was moved in between; if it stood still, the base has moved or the zero of axis 1 has"
+        }
+        (false, false, None) => {
+            "not changed, as far as that can be told: nothing says how large the noise is (--sigma-mm, or poses that are repeated)"
+        }
+        (false, false, Some(_)) => "not changed",
+    }
 }
 
 /// The result as the contract's JSON.
@@ -70,7 +95,8 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
         "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
         "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
         "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
-                  "turned_deg": deg_from_rad(found.base_moved.rotation.angle()) },
+                  "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved },
+        "beyond_noise": found.beyond.poses, "scattered": found.beyond.is_scattered,
         "verdict": found.diagnosis.verdict, "causes": found.diagnosis.causes, "worst": worst,
     })
 }

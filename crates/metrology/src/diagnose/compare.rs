@@ -5,10 +5,10 @@ use super::examine::diagnose;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict};
 use crate::measure::{
-    Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, Station, Stations,
-    check_rows, gather, register,
+    Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, STATED_FREEDOM, Station,
+    Stations, check_rows, gather, median, register,
 };
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
@@ -21,6 +21,11 @@ const FEWEST: usize = 12;
 const SURE: f64 = 4.0;
 /// Points that differ by less are the same but for the arithmetic, metres: a nanometre.
 const SAME_M: f64 = 1e-9;
+/// A point that has moved by more than so many standard deviations of a coordinate has not moved by noise: one in 65,000 does by chance.
+const FURTHEST: f64 = 5.0;
+/// The median length of three coordinates of noise, in standard deviations of one: the root of the median of chi-square with three degrees of
+/// freedom.
+const MEDIAN_LENGTH: f64 = 1.538_172;
 /// Pairs with the largest change that are listed.
 const LISTED: usize = 10;
 
@@ -84,8 +89,23 @@ pub struct MeasurementComparison {
     pub worst: Vec<MovedPoint>,
     /// The diagnosis of the differences.
     pub diagnosis: Findings,
+    /// What noise does not explain, whatever the cause.
+    pub beyond: BeyondNoise,
     /// Whether arm or tool have changed.
     pub is_changed: bool,
+    /// What a person should look at in the files before and after: rows that were left out.
+    pub warnings: [Vec<Diagnostic>; 2],
+}
+
+/// What has moved by more than noise moves it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct BeyondNoise {
+    /// Number of poses whose points have, base and tool refitted.
+    pub poses: usize,
+    /// Whether all points together have, where the noise is known.
+    pub is_scattered: bool,
+    /// Whether the base stands elsewhere for the instrument: one of the two has moved, or axis 1's zero has.
+    pub base_is_moved: bool,
 }
 
 /// A point that was measured twice.
@@ -115,7 +135,8 @@ pub fn compare_measurements(
     options: &DiagnosisOptions,
 ) -> Result<MeasurementComparison, CompareError> {
     let chain = SerialChain::nominal(robot);
-    let (old, new) = (stations(before, robot)?, stations(after, robot)?);
+    let (old, before_warnings) = stations(before, robot)?;
+    let (new, after_warnings) = stations(after, robot)?;
     let pairs = paired(&old, &new, before, after, &chain);
     if pairs.len() < FEWEST {
         return Err(CompareError::TooFew { pairs: pairs.len() });
@@ -155,26 +176,102 @@ pub fn compare_measurements(
     let is_same = moved.iter().all(|by| by.norm() < SAME_M);
     let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
     let arm_is_changed = !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData);
-    let n = pairs.len() as f64;
+    let base_moved = was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base;
+    let beyond = if is_same {
+        BeyondNoise::default()
+    } else {
+        Noise::new(sigma_m, &old, &new, &left).beyond(&left, base_shift_m(&pairs, &was, &base_moved))
+    };
+    let is_changed = tool_is_changed || arm_is_changed || beyond.poses > 0 || beyond.is_scattered;
     Ok(MeasurementComparison {
         pairs: pairs.len(),
         alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
-        rms_m: (left.iter().map(Vector3::norm_squared).sum::<f64>() / n).sqrt(),
+        rms_m: rms_m(&left),
         noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
         tools_moved_m,
-        base_moved: was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base,
+        base_moved,
         worst: worst_changes(&pairs, &left, before, after),
         diagnosis,
-        is_changed: (tool_is_changed || arm_is_changed) && !is_same,
+        beyond,
+        is_changed: is_changed && !is_same,
+        warnings: [before_warnings, after_warnings],
     })
 }
 
-/// The stations of a file whose rows do not contradict the robot.
-fn stations(measurements: &Measurements, robot: &SerialArm) -> Result<Stations, CompareError> {
+fn rms_m(all: &[Vector3<f64>]) -> f64 {
+    (all.iter().map(Vector3::norm_squared).sum::<f64>() / all.len().max(1) as f64).sqrt()
+}
+
+/// By how much the points are elsewhere where the base is, rms, metres.
+fn base_shift_m(pairs: &[Pair<'_>], was: &Registration, base_moved: &Isometry3<f64>) -> f64 {
+    let shift = |pair: &Pair<'_>| {
+        let tool_m = was.tools_m.get(pair.before.target).copied().unwrap_or_default();
+        let point = pair.flange * Point3::from(tool_m);
+        base_moved * point - point
+    };
+    rms_m(&pairs.iter().map(shift).collect::<Vec<_>>())
+}
+
+/// The stations of a file whose rows do not contradict the robot, and what is to be said of those left out.
+fn stations(
+    measurements: &Measurements,
+    robot: &SerialArm,
+) -> Result<(Stations, Vec<Diagnostic>), CompareError> {
     let checked = check_rows(measurements, robot);
     match checked.fault {
         Some(fault) => Err(CompareError::Fault { reason: fault.reason }),
-        None => Ok(gather(measurements, &checked.used, None)),
+        None => Ok((gather(measurements, &checked.used, None), checked.warnings)),
+    }
+}
+
+/// What noise makes of the differences.
+struct Noise {
+    /// Of a coordinate of a difference, metres.
+    sigma_m: f64,
+    /// How far off that may be, as a share of it.
+    error: f64,
+    is_known: bool,
+    pairs: f64,
+}
+
+impl Noise {
+    /// As it is stated or repeated (`known_m`); where it is neither, that of most of the differences `left`.
+    fn new(known_m: Option<f64>, old: &Stations, new: &Stations, left: &[Vector3<f64>]) -> Self {
+        let pairs = left.len() as f64;
+        let Some(sigma_m) = known_m else {
+            let sigma_m = median(&mut left.iter().map(Vector3::norm).collect::<Vec<f64>>()) / MEDIAN_LENGTH;
+            // The median of n lengths is known to about 1 / the root of 2 n, as a share.
+            return Self { sigma_m, error: 1.0 / (2.0 * pairs).sqrt(), is_known: false, pairs };
+        };
+        let freedom =
+            old.repeats.zip(new.repeats).map(|(a, b)| a.degrees_of_freedom.min(b.degrees_of_freedom));
+        let freedom = freedom.unwrap_or(STATED_FREEDOM).max(1) as f64;
+        Self { sigma_m, error: 1.0 / (2.0 * freedom).sqrt(), is_known: true, pairs }
+    }
+
+    fn beyond(&self, left: &[Vector3<f64>], base_shift_m: f64) -> BeyondNoise {
+        BeyondNoise {
+            poses: left.iter().filter(|by| by.norm() > self.furthest_m()).count(),
+            is_scattered: self.is_known && rms_m(left) > self.largest_rms_m(),
+            base_is_moved: base_shift_m > self.largest_base_shift_m(),
+        }
+    }
+
+    /// So far at most noise moves a point, metres.
+    fn furthest_m(&self) -> f64 {
+        FURTHEST * self.sigma_m * (1.0 + 2.0 * self.error)
+    }
+
+    /// So large at most is the rms of all points by noise, metres.
+    fn largest_rms_m(&self) -> f64 {
+        // The standard deviation of an rms of n points, as a share, is 1 / the root of 6 n.
+        let error = self.error.hypot(1.0 / (6.0 * self.pairs).sqrt());
+        3.0_f64.sqrt() * self.sigma_m * (1.0 + SURE * error)
+    }
+
+    /// So far at most noise shifts the points, by rms, where the base is refitted, metres: six parameters of n points.
+    fn largest_base_shift_m(&self) -> f64 {
+        SURE * self.sigma_m * (1.0 + 2.0 * self.error) * (6.0 / self.pairs).sqrt()
     }
 }
 

@@ -56,7 +56,7 @@ pub mod warmup;
 mod zeros;
 
 pub use cause::Cause;
-pub use compare::{CompareError, MeasurementComparison, MovedPoint, compare_measurements};
+pub use compare::{BeyondNoise, CompareError, MeasurementComparison, MovedPoint, compare_measurements};
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
 pub use missing_channel::MissingChannel;

@@ -176,7 +176,7 @@ pub(super) fn coordinates_m(row: &MeasurementRow) -> Vector3<f64> {
 }
 
 /// Middle value; 0 of nothing.
-pub(super) fn median(values: &mut [f64]) -> f64 {
+pub(crate) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     match values.len() {
         0 => 0.0,

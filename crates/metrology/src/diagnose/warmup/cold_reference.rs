@@ -3,7 +3,7 @@
 use super::thermal_run::{
     ColdReference, FirstTouchOutlier, LEAST_M, PlacedTouch, StateOptions, ThermalRun, TouchedPoints,
 };
-use crate::measure::Touches;
+use crate::measure::{Touches, median};
 use nalgebra::Vector3;
 use robot_model::deform::thermal_filter::{FIRST_CORRELATION, GATE, GATE_ACROSS, ThermalFilter};
 use std::f64::consts::FRAC_PI_2;
@@ -161,17 +161,12 @@ fn likelier_reference(
 
 /// Where later touches lie across the drift, seen from the first, where they lie together and it does not; else there.
 fn stands_apart(later: &[Vector3<f64>], sigma_m: f64) -> Vector3<f64> {
-    let middle = Vector3::from_fn(|i, _| median(later.iter().map(|off_m| off_m[i]).collect()));
+    let middle =
+        Vector3::from_fn(|i, _| median(&mut later.iter().map(|off_m| off_m[i]).collect::<Vec<f64>>()));
     // The lengths of two coordinates with noise have their median at the root of 2 ln 2 standard deviations.
-    let scatter_m =
-        median(later.iter().map(|off_m| (off_m - middle).norm()).collect()) / (2.0 * 2.0_f64.ln()).sqrt();
+    let scatter_m = median(&mut later.iter().map(|off_m| (off_m - middle).norm()).collect::<Vec<f64>>())
+        / (2.0 * 2.0_f64.ln()).sqrt();
     let sigma_m = sigma_m.max(scatter_m);
     let variance = sigma_m * sigma_m * (1.0 + FRAC_PI_2 / later.len() as f64);
     if middle.norm_squared() > GATE_ACROSS * variance { middle } else { Vector3::zeros() }
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let n = values.len();
-    values.get(n / 2).map_or(0.0, |high| (values[(n - 1) / 2] + high) / 2.0)
 }
