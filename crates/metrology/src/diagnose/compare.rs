@@ -155,12 +155,7 @@ pub fn compare_measurements(
     let moved: Vec<Vector3<f64>> = (0..pairs.len())
         .map(|i| now.residual_m(&second[i], &flange[i]) - was.residual_m(&first[i], &flange[i]))
         .collect();
-    let show = |((s, pose), moved): ((&Station, &Isometry3<f64>), &Vector3<f64>)| Station {
-        reading: Reading::Point { position_m: was.predicted_m(s, pose) + moved },
-        orientation: None,
-        ..s.clone()
-    };
-    let shown: Vec<Station> = second.iter().zip(&flange).zip(&moved).map(show).collect();
+    let shown = shown(&second, &flange, &was, &moved);
     let fit = register(&shown, &flange, old.targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
     let left: Vec<Vector3<f64>> =
         shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
@@ -196,6 +191,21 @@ pub fn compare_measurements(
         is_changed: is_changed && !is_same,
         warnings: [before_warnings, after_warnings],
     })
+}
+
+/// The stations as an instrument would see them that had stood where it was: `was`, and what has moved.
+fn shown(
+    stations: &[Station],
+    flange: &[Isometry3<f64>],
+    was: &Registration,
+    moved: &[Vector3<f64>],
+) -> Vec<Station> {
+    let show = |((s, pose), moved): ((&Station, &Isometry3<f64>), &Vector3<f64>)| Station {
+        reading: Reading::Point { position_m: was.predicted_m(s, pose) + moved },
+        orientation: None,
+        ..s.clone()
+    };
+    stations.iter().zip(flange).zip(moved).map(show).collect()
 }
 
 fn rms_m(all: &[Vector3<f64>]) -> f64 {
