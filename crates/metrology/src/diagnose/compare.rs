@@ -150,11 +150,7 @@ pub fn compare_measurements(
     let (first, was) = own(|p| p.before.clone(), old.targets)?;
     let (second, is) = own(|p| Station { target: p.before.target, ..p.after.clone() }, old.targets)?;
 
-    // What the points have moved by, the base as it is now, the targets where they were.
-    let now = Registration { tools_m: was.tools_m.clone(), ..is.clone() };
-    let moved: Vec<Vector3<f64>> = (0..pairs.len())
-        .map(|i| now.residual_m(&second[i], &flange[i]) - was.residual_m(&first[i], &flange[i]))
-        .collect();
+    let moved = moved_m([&first, &second], &flange, [&was, &is]);
     let shown = shown(&second, &flange, &was, &moved);
     let fit = register(&shown, &flange, old.targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
     let left: Vec<Vector3<f64>> =
@@ -172,11 +168,9 @@ pub fn compare_measurements(
     let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
     let arm_is_changed = !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData);
     let base_moved = was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base;
-    let beyond = if is_same {
-        BeyondNoise::default()
-    } else {
-        Noise::new(sigma_m, &old, &new, &left).beyond(&left, base_shift_m(&pairs, &was, &base_moved))
-    };
+    let beyond =
+        Noise::new(sigma_m, &old, &new, &left).beyond(&left, base_shift_m(&pairs, &was, &base_moved));
+    let beyond = if is_same { BeyondNoise::default() } else { beyond };
     let is_changed = tool_is_changed || arm_is_changed || beyond.poses > 0 || beyond.is_scattered;
     Ok(MeasurementComparison {
         pairs: pairs.len(),
@@ -191,6 +185,18 @@ pub fn compare_measurements(
         is_changed: is_changed && !is_same,
         warnings: [before_warnings, after_warnings],
     })
+}
+
+/// What the points have moved by, the base as it is now, the targets where they were.
+fn moved_m(
+    [before, after]: [&[Station]; 2],
+    flange: &[Isometry3<f64>],
+    [was, is]: [&Registration; 2],
+) -> Vec<Vector3<f64>> {
+    let now = Registration { tools_m: was.tools_m.clone(), ..is.clone() };
+    let both = before.iter().zip(after).zip(flange);
+    both.map(|((before, after), flange)| now.residual_m(after, flange) - was.residual_m(before, flange))
+        .collect()
 }
 
 /// The stations as an instrument would see them that had stood where it was: `was`, and what has moved.
