@@ -356,6 +356,31 @@ fn touched_up_targets_keep_their_new_value() {
     assert_eq!(text, expected);
 }
 
+/// Data without their semicolon, and text behind them that nothing understands: what is added goes behind both, and is taken out again.
+#[test]
+fn text_behind_the_last_data_stays_with_them() {
+    let source = String::from_utf8_lossy(NAMED).replace("and tc57\";", "and tc57\"CONNECT;");
+    assert!(source.contains("CONNECT;"));
+    let bytes = lone(source.as_bytes());
+    assert!(String::from_utf8_lossy(&bytes).contains("CONNECT;\n  TASK PERS num tcMode"));
+    let restored = restore(&bytes).unwrap();
+    assert!(restored.exact && restored.bytes == source.as_bytes());
+}
+
+/// An editor that writes names and keywords in capitals changes no value: an expression comes back as it stood.
+#[test]
+fn the_case_of_letters_in_what_was_added_says_nothing() {
+    let text = String::from_utf8(lone(NAMED)).unwrap();
+    let capital =
+        |line: &str| if line.contains("robtarget tc") { line.to_uppercase() } else { line.to_owned() };
+    let capitals: Vec<String> = text.lines().map(capital).collect();
+    let capitals = capitals.join("\n") + "\n";
+    assert!(capitals.contains("ROBTARGET TC31{4}:=["));
+    let restored = restore(capitals.as_bytes()).unwrap();
+    // A target that the array's name holds comes back in its letters.
+    assert!(restored.bytes.eq_ignore_ascii_case(NAMED), "{}", String::from_utf8_lossy(&restored.bytes));
+}
+
 /// A name of the file's own that some form would add is not taken for what was left of it.
 #[test]
 fn data_named_as_another_form_asks_are_the_files_own() {

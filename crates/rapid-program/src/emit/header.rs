@@ -33,7 +33,7 @@ pub(super) struct Record {
     pub routines: usize,
     /// Names of the core that are in use under another one.
     pub renamed: BTreeMap<String, String>,
-    /// What stood in the motion in place of an array, where the array does not say so itself.
+    /// What stood in the motion in place of an array, where the array does not say so itself; what is read has names in lower case.
     pub was: BTreeMap<String, Vec<u8>>,
     /// For each bucket how much of the drift it corrects, in any unit.
     pub shares: Vec<f64>,
@@ -279,7 +279,7 @@ impl Record {
             }
             b"was" => {
                 let (name, was) = utf8.split_once(' ')?;
-                self.was.insert(name.to_owned(), unescape(was.as_bytes())?);
+                self.was.insert(name.to_ascii_lowercase(), unescape(was.as_bytes())?);
             }
             b"points" => self.points = text,
             b"targets" => self.checksums = text,

@@ -156,16 +156,21 @@ pub(super) fn header(source: &[u8], module: &Module) -> u32 {
 /// Where data go: after the last data before the first routine.
 #[must_use]
 pub(super) fn data(source: &[u8], module: &Module) -> u32 {
-    let last = module
-        .items
-        .iter()
-        .take_while(|item| !matches!(item, ModuleItem::Routine(_)))
-        .filter(|item| matches!(item, ModuleItem::Data(_) | ModuleItem::Record(_) | ModuleItem::Alias(_)))
-        .last();
-    match last {
-        Some(item) => after_line(source, item.range().end as usize) as u32,
-        None => header(source, module),
+    let is_data = |item: &ModuleItem| {
+        matches!(item, ModuleItem::Data(_) | ModuleItem::Record(_) | ModuleItem::Alias(_))
+    };
+    let before = module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_)));
+    let mut place = None;
+    for item in before {
+        // Text behind data on their line that was not understood belongs to them: they may lack their semicolon.
+        let start = item.range().start;
+        let is_behind =
+            matches!(item, ModuleItem::Opaque(_)) && place == Some(start) && !at_line_start(source, start);
+        if is_data(item) || is_behind {
+            place = Some(after_line(source, item.range().end as usize) as u32);
+        }
     }
+    place.unwrap_or_else(|| header(source, module))
 }
 
 /// Where routines go: before ENDMODULE; `None` where there is none.

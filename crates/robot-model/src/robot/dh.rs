@@ -294,6 +294,7 @@ pub(crate) mod tests {
             ("a_mm,alpha_deg,d_mm,theta_deg,sign\n0,0,1,0,2\n".to_owned(), 2, "sign 2"),
             ("a_mm,alpha_deg,d_mm,theta_deg,min,max\n0,0,1,0,9,-9\n".to_owned(), 2, "empty or reversed"),
             ("a_mm,alpha_deg,d_mm,theta_deg,min,max\n0,0,1,0,9,\n".to_owned(), 2, "both ends"),
+            ("a_mm,alpha_deg,d_mm,theta_deg,min,max\n0,0,1,0,-9,10801\n".to_owned(), 2, "10800 degrees"),
             (String::new(), 1, "is missing"),
         ] {
             let error = SerialArm::from_dh(text.as_bytes(), DhConvention::Modified, "x").unwrap_err();

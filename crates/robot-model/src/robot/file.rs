@@ -142,28 +142,20 @@ impl JointTable {
                 remedy: "write the smaller value first",
             });
         }
-        let (most, unit) = match self.kind {
-            JointKind::Revolute => (MOST_TURNS_DEG, "degrees"),
-            JointKind::Prismatic => (FURTHEST_MM, "mm"),
-        };
-        if low < -most || high > most {
-            return Err(RobotError::Value {
-                place: format!("{place}, {key}"),
-                problem: format!("{low} to {high} is more than {most} {unit} from zero"),
-                remedy: "leave the range out for a joint without end",
-            });
-        }
-        Ok(match self.kind {
+        let range = match self.kind {
             JointKind::Revolute => [low, high].map(rad_from_deg),
             JointKind::Prismatic => [low, high].map(m_from_mm),
-        })
+        };
+        match self.kind.range_problem(range) {
+            None => Ok(range),
+            Some(problem) => Err(RobotError::Value {
+                place: format!("{place}, {key}"),
+                problem: format!("{low} to {high} {problem}"),
+                remedy: "leave the range out for a joint without end",
+            }),
+        }
     }
 }
-
-/// No axis turns further from its zero: thirty turns.
-const MOST_TURNS_DEG: f64 = 10_800.0;
-/// No axis slides further from its zero: a hundred metres.
-const FURTHEST_MM: f64 = 100_000.0;
 
 impl LinkTable {
     fn checked(&self, number: usize) -> Result<Link, RobotError> {

@@ -4,7 +4,7 @@
 //! compensated for; [`SerialArm::six_axis`] tells the two apart, once.
 
 use super::{Axis, Joint, Joints, Link, Robot, RobotError};
-use crate::units::{deg_from_rad, mm_from_m};
+use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::Isometry3;
 use serde::{Deserialize, Serialize};
 
@@ -30,6 +30,15 @@ impl JointKind {
     #[must_use]
     pub fn name(self) -> &'static str {
         if self.slides() { "prismatic" } else { "revolute" }
+    }
+
+    /// Why a joint's range, in radians or metres, cannot be: no axis turns thirty times from its zero, or slides a hundred metres.
+    pub(super) fn range_problem(self, [low, high]: [f64; 2]) -> Option<&'static str> {
+        let (most, problem) = match self {
+            Self::Revolute => (rad_from_deg(10_800.0), "is more than 10800 degrees from zero"),
+            Self::Prismatic => (m_from_mm(100_000.0), "is more than 100000 mm from zero"),
+        };
+        (low < -most || high > most).then_some(problem)
     }
 }
 

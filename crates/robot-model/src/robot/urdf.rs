@@ -104,6 +104,15 @@ mod tests {
         assert!((link.com_m[0] - 0.75 * 0.2).abs() < 1e-9 && link.com_m[1].abs() < 1e-9, "{:?}", link.com_m);
     }
 
+    /// What a robot file could not hold is no range either: 284.6 rad are 45 turns.
+    #[test]
+    fn a_range_that_no_axis_has_is_refused() {
+        let far = ARM.replacen("1.91986", "284.6", 1);
+        assert_ne!(far, ARM);
+        let error = Robot::from_urdf(&far, None).unwrap_err().to_string();
+        assert!(error.contains("-284.6 to 1.91986, is more than 10800 degrees"), "{error}");
+    }
+
     #[test]
     fn the_tip_is_the_one_that_is_named() {
         let gripper = Robot::from_urdf(ARM, Some("gripper")).unwrap();

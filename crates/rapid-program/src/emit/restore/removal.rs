@@ -72,7 +72,7 @@ impl<'w> Remover<'w> {
             if is_target && !data.dims.is_empty() {
                 let (rows, own) = self.rows(data, &mut reader, &mut elements, &mut checksums)?;
                 let name = self.text(data.name);
-                let was = self.record.was.get(&name).cloned();
+                let was = self.record.was.get(&name.to_ascii_lowercase()).cloned();
                 let array = Array::new((self.bytes, data), rows, own, was)
                     .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
                 arrays.push(NamedArray::new(&name, array));

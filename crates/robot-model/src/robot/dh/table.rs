@@ -110,6 +110,11 @@ impl DhColumns {
             _ => return Err("give both ends of the range, or none".to_owned()),
         };
         let si = if kind == Some(JointKind::Prismatic) { m_from_mm } else { rad_from_deg };
+        let range_rad = range.map(|range| range.map(si));
+        if let Some(problem) = kind.zip(range_rad).and_then(|(kind, range)| kind.range_problem(range)) {
+            let [low, high] = range.unwrap_or_default();
+            return Err(format!("the range {low} to {high} {problem}; leave it out for a joint without end"));
+        }
         Ok(DhRow {
             a_m: self.constant(record, 0, m_from_mm)?,
             alpha_rad: self.constant(record, 2, rad_from_deg)?,
@@ -117,7 +122,7 @@ impl DhColumns {
             theta_rad: self.constant(record, 6, rad_from_deg)?,
             kind,
             counts_backwards,
-            range_rad: range.map(|range| range.map(si)),
+            range_rad,
         })
     }
 }

@@ -147,7 +147,12 @@ impl UrdfJoint<'_> {
                         format!("the range of joint `{name}`, {low} to {high}, is empty or reversed"),
                     ));
                 }
-                Some([low, high]).filter(|_| low > -ENDLESS_M || high < ENDLESS_M)
+                let range = Some([low, high]).filter(|_| low > -ENDLESS_M || high < ENDLESS_M);
+                if let Some(problem) = range.and_then(|range| self.joint_kind().range_problem(range)) {
+                    let problem = format!("the range of joint `{name}`, {low} to {high}, {problem}");
+                    return Err(wrong(&limit, problem));
+                }
+                range
             }
             other => {
                 let problem = format!("joint `{name}` is {other}; joints must turn or slide");
@@ -160,8 +165,11 @@ impl UrdfJoint<'_> {
         };
         let axis = Unit::try_new(axis, 1e-6)
             .ok_or_else(|| wrong(&self.node, format!("the axis of joint `{name}` has no length")))?;
-        let kind = if self.kind == "prismatic" { JointKind::Prismatic } else { JointKind::Revolute };
-        Ok(Joint { previous_from_joint, axis, kind, range_rad })
+        Ok(Joint { previous_from_joint, axis, kind: self.joint_kind(), range_rad })
+    }
+
+    fn joint_kind(&self) -> JointKind {
+        if self.kind == "prismatic" { JointKind::Prismatic } else { JointKind::Revolute }
     }
 }
 
