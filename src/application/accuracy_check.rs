@@ -2,10 +2,13 @@
 
 use crate::report::accuracy as report;
 use metrology::measure::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, plural};
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
 use std::io::{self, Write};
+
+/// Lines that the verdict lists at most.
+const LISTED: usize = 12;
 
 /// Judges a robot's pose accuracy and repeatability by ISO 9283, against limits where they are given.
 ///
@@ -92,7 +95,24 @@ impl AccuracyChecked {
             true => "GO".to_owned(),
             false => format!("NO GO: beyond {}", self.beyond.join(", ")),
         };
-        self.is_limited.then_some(verdict_text)
+        // A go says nothing of rows that took no part in it.
+        let lines = &self.performance.lines_left_out;
+        let left_out_text = match lines.len() {
+            0 => String::new(),
+            n => format!(
+                "; not judged: {}, {} {}",
+                counted(n, "row"),
+                plural(n, "line"),
+                first_few(lines, LISTED)
+            ),
+        };
+        self.is_limited.then_some(verdict_text + &left_out_text)
+    }
+
+    /// What a person should look at in the rows.
+    #[must_use]
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.performance.warnings
     }
 
     /// The performance for people.

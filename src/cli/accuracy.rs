@@ -78,6 +78,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (measurements, given) = args.source.read(console)?;
     console.explain(&LocatedDiagnostic::all(measurements.warnings.iter().cloned(), &[]), true);
     let found = job.run(&measurements).map_err(Diagnostic::from)?;
+    console.explain(&LocatedDiagnostic::all(found.warnings().iter().cloned(), &[]), true);
     let takes_standard_output = json.is_standard();
     let (data, mut text) = (found.json(), Vec::new());
     found.write(&mut text)?;

@@ -100,5 +100,6 @@ pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
         "poses": poses, "within": within,
         "worst": { "ap_mm": all.ap_m.map(mm_from_m), "rp_mm": all.rp_m.map(mm_from_m), "drift_ap_mm": all.drift_m.map(mm_from_m) },
         "multi_directional_mm": found.multi_directional_m.map(mm_from_m),
+        "lines_left_out": found.lines_left_out,
     })
 }

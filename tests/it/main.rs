@@ -7,6 +7,7 @@
 )]
 #![allow(unreachable_pub, reason = "modules of a binary share their helpers")]
 
+mod accuracy;
 mod architecture;
 mod arms;
 mod bad_cells;

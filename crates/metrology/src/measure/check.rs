@@ -2,8 +2,7 @@
 
 use super::fault::{Fault, FaultKind};
 use super::{MeasurementRow, Measurements};
-use rapid_syntax::diagnostic::Diagnostic;
-use rapid_syntax::diagnostic::counted;
+use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
 use robot_model::robot::{Axis, JointKind, Joints, SerialArm};
 use std::collections::BTreeSet;
 
@@ -21,6 +20,8 @@ const BACK_SHARE: f64 = 0.1;
 pub struct RowCheck {
     /// Rows to use, as indices.
     pub used: Vec<usize>,
+    /// Rows that are left out because the robot cannot have their joints, as indices.
+    pub out_of_range: Vec<usize>,
     /// Whether the time column can be trusted.
     pub time_usable: bool,
     /// What makes the whole file useless.
@@ -33,6 +34,28 @@ pub struct RowCheck {
 #[must_use]
 pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
     let rows = &measurements.rows;
+    let DistinctRows { used, copies } = distinct(rows);
+    let mut checked = checked(measurements, robot, used, copied_rows(&copies));
+    checked.thin_out(rows);
+    checked
+}
+
+/// As [`check_rows`], where each row is a cycle of its own: an instrument that reads in steps gives equal readings of one pose, and no
+/// part of the poses says how the others perform.
+#[must_use]
+pub fn check_cycles(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
+    let rows = &measurements.rows;
+    checked(measurements, robot, (0..rows.len()).collect(), equal_cycles(&distinct(rows).copies))
+}
+
+/// The rows that `used` names without those that the robot cannot be at.
+fn checked(
+    measurements: &Measurements,
+    robot: &SerialArm,
+    used: Vec<usize>,
+    equal_rows: Option<Diagnostic>,
+) -> RowCheck {
+    let rows = &measurements.rows;
     let mut checked = RowCheck { time_usable: true, ..RowCheck::default() };
     if measurements.joint_kinds != robot.kinds() {
         let reason = format!(
@@ -44,21 +67,9 @@ pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
         checked.fault = Some(Fault::of_all(FaultKind::JointColumns, None, reason));
         return checked;
     }
-    let distinct = distinct(rows);
-    (checked.used, checked.warnings) = (distinct.used, distinct.warning.into_iter().collect());
+    (checked.used, checked.warnings) = (used, equal_rows.into_iter().collect());
     checked.leave_out_of_range(rows, robot);
     checked.check_time_order(rows);
-    if checked.used.len() > MOST_ROWS {
-        let step = checked.used.len().div_ceil(MOST_ROWS);
-        let before = checked.used.len();
-        // Scattered: every n-th of poses that are visited in turn could be one side or one direction alone.
-        let scattered = |pose: usize| (pose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
-        checked.used.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
-        checked.warnings.push(Diagnostic::warning(
-            "measure::many-rows",
-            format!("of {before} rows {} are evaluated: one pose in {step}", checked.used.len()),
-        ));
-    }
     checked
 }
 
@@ -70,47 +81,85 @@ fn written_as(kinds: &Joints<JointKind>) -> String {
     all.join(", ")
 }
 
-/// Rows that repeat no earlier one to the last digit.
+/// Rows by whether an earlier one says the same to the last digit.
 struct DistinctRows {
-    /// Indices of the rows.
+    /// Indices of the rows that say something else.
     used: Vec<usize>,
-    /// How many others there are.
-    warning: Option<Diagnostic>,
+    /// Lines of the others.
+    copies: Vec<u64>,
 }
 
 fn distinct(rows: &[MeasurementRow]) -> DistinctRows {
     let mut seen = BTreeSet::new();
-    let mut used = Vec::with_capacity(rows.len());
-    let mut first_double = None;
+    let mut found = DistinctRows { used: Vec::with_capacity(rows.len()), copies: Vec::new() };
     for (index, row) in rows.iter().enumerate() {
-        let coordinates_m = row.reading.coordinates().map(|read| read.value_m).unwrap_or_default();
-        let mut key: Vec<u64> = row.q_rad.iter().chain(coordinates_m.iter()).map(|v| v.to_bits()).collect();
-        key.push(row.reading.fixed_point().map_or(u64::MAX, |fixed_point| fixed_point as u64));
-        key.push(u64::from(row.reading.involves_arm()));
-        key.push(row.t_min.map_or(0, f64::to_bits));
-        key.push(row.payload_kg.map_or(0, f64::to_bits));
-        key.push(row.target as u64);
-        if seen.insert(key) {
-            used.push(index);
+        if seen.insert(recorded(row)) {
+            found.used.push(index);
         } else {
-            first_double.get_or_insert(row.line);
+            found.copies.push(row.line);
         }
     }
-    let warning = first_double.map(|line| {
-        let doubles = rows.len() - used.len();
-        Diagnostic::warning(
-            "measure::duplicates",
-            format!(
-                "{} to the last digit what an earlier row says (first: line {line})",
-                if doubles == 1 { "1 row repeats".to_owned() } else { format!("{doubles} rows repeat") }
-            ),
-        )
-        .help("they are left out: a copied row is no measurement and would make the noise look smaller")
-    });
-    DistinctRows { used, warning }
+    found
+}
+
+/// All that a row records but its names, to the last digit.
+fn recorded(row: &MeasurementRow) -> Vec<u64> {
+    let coordinates_m = row.reading.coordinates().map(|read| read.value_m).unwrap_or_default();
+    let mut key: Vec<u64> = row.q_rad.iter().chain(coordinates_m.iter()).map(|v| v.to_bits()).collect();
+    key.push(row.reading.fixed_point().map_or(u64::MAX, |fixed_point| fixed_point as u64));
+    key.push(u64::from(row.reading.involves_arm()));
+    key.push(row.t_min.map_or(0, f64::to_bits));
+    key.push(row.payload_kg.map_or(0, f64::to_bits));
+    key.push(row.target as u64);
+    // Each of these is recorded in all rows of a file or in none.
+    key.extend(row.orientation.iter().flat_map(|turn| turn.coords.iter().map(|v| v.to_bits())));
+    key.extend(row.direction.iter().flat_map(|signs| signs.iter().map(|sign| u64::from(*sign as u8))));
+    key.extend(row.joint_temperature_c.iter().flat_map(|all| all.iter().map(|v| v.to_bits())));
+    key
+}
+
+/// What is said of rows that are left out as copies.
+fn copied_rows(copies: &[u64]) -> Option<Diagnostic> {
+    Some(
+        Diagnostic::warning("measure::duplicates", repeated(copies)?)
+            .help("they are left out: a copied row is no measurement and would make the noise look smaller"),
+    )
+}
+
+/// What is said of rows that are equal and count.
+fn equal_cycles(equal: &[u64]) -> Option<Diagnostic> {
+    Some(
+        Diagnostic::new(Severity::Note, "measure::equal-cycles", repeated(equal)?)
+            .help("each counts as a cycle of its own: an instrument that reads in steps gives equal readings; remove rows that were copied"),
+    )
+}
+
+fn repeated(lines: &[u64]) -> Option<String> {
+    let (line, n) = (lines.first()?, lines.len());
+    let verb = if n == 1 { "repeats" } else { "repeat" };
+    Some(format!(
+        "{} {verb} to the last digit what an earlier row says (first: line {line})",
+        counted(n, "row")
+    ))
 }
 
 impl RowCheck {
+    /// Keeps a part of the poses where the rows are more than say anything new.
+    fn thin_out(&mut self, rows: &[MeasurementRow]) {
+        if self.used.len() <= MOST_ROWS {
+            return;
+        }
+        let step = self.used.len().div_ceil(MOST_ROWS);
+        let before = self.used.len();
+        // Scattered: every n-th of poses that are visited in turn could be one side or one direction alone.
+        let scattered = |pose: usize| (pose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
+        self.used.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
+        self.warnings.push(Diagnostic::warning(
+            "measure::many-rows",
+            format!("of {before} rows {} are evaluated: one pose in {step}", self.used.len()),
+        ));
+    }
+
     /// Leaves out rows with joints that the robot cannot take; where they are many, the file is at fault.
     fn leave_out_of_range(&mut self, rows: &[MeasurementRow], robot: &SerialArm) {
         let beyond = |row: &MeasurementRow| {
@@ -147,7 +196,8 @@ impl RowCheck {
                 }));
             return;
         }
-        let dropped: BTreeSet<usize> = out.iter().map(|(i, _)| *i).collect();
+        self.out_of_range = out.iter().map(|(i, _)| *i).collect();
+        let dropped: BTreeSet<usize> = self.out_of_range.iter().copied().collect();
         self.used.retain(|i| !dropped.contains(i));
         self.warnings.push(
             Diagnostic::warning("measure::joint-range", what)
@@ -255,5 +305,28 @@ mod tests {
         }
         let fault = check_rows(&file(&rows), &robot).fault.unwrap();
         assert_eq!(fault.kind, FaultKind::JointsOutOfRange);
+    }
+
+    /// One point three times: with another quaternion, and from the other side with the first one's.
+    #[test]
+    fn rows_of_another_orientation_or_direction_are_no_copies() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let header = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,dir1,dir2,dir3,dir4,dir5,dir6";
+        let at = "0,0,0,0,0,0,500,0,600";
+        let text = format!(
+            "{header}\n{at},1,0,0,0,1,1,1,1,1,1\n{at},0.8,0.6,0,0,1,1,1,1,1,1\n{at},1,0,0,0,-1,1,1,1,1,1\n"
+        );
+        let checked = check_rows(&Measurements::from_csv(text.as_bytes()).unwrap(), &robot);
+        assert_eq!((codes(&checked), checked.used), (vec![], vec![0, 1, 2]));
+    }
+
+    /// 24,000 cycles of three poses, all of a pose equal: none is left out.
+    #[test]
+    fn each_row_is_a_cycle_however_many_and_equal_they_are() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let rows: Vec<(f64, f64, f64)> =
+            (0..24_000).map(|i| (0.0, f64::from(i % 3), f64::from(i % 3))).collect();
+        let checked = check_cycles(&file(&rows), &robot);
+        assert_eq!((checked.used.len(), codes(&checked)), (24_000, vec!["measure::equal-cycles"]));
     }
 }

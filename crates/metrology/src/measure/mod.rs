@@ -13,6 +13,7 @@ mod initial_guess;
 mod iso9283;
 mod join;
 mod performance;
+mod pose_performance;
 mod read;
 mod reading;
 mod refine;
@@ -29,7 +30,7 @@ mod timestamp;
 mod touch;
 mod touch_times;
 
-pub use check::{RowCheck, check_rows};
+pub use check::{RowCheck, check_cycles, check_rows};
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
@@ -40,10 +41,8 @@ pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
 };
 pub use join::{Joined, MatchBy, join};
-pub use performance::{
-    ComparisonFrame, Performance, PerformanceAtTime, PerformanceError, PosePerformance, WorstPerformance,
-    performance,
-};
+pub use performance::{ComparisonFrame, Performance, PerformanceError, WorstPerformance, performance};
+pub use pose_performance::{PerformanceAtTime, PosePerformance};
 pub use reading::{Coordinates, Reading};
 pub use refine::FreeParameters;
 pub use register::{RegisterError, register, register_with};

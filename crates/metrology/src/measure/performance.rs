@@ -1,21 +1,16 @@
 //! Performance after ISO 9283 of a whole measurement file: pose by pose, and over time.
 
-use super::iso9283::{
-    Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
-};
+use super::pose_performance::{PosePerformance, pose_performance};
 use super::station::pose_numbers;
 use super::{
-    FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_rows, gather,
+    FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_cycles, gather,
     register, register_with,
 };
-use nalgebra::{Isometry3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 use std::collections::BTreeMap;
-
-/// Rows of one pose further apart than this are another time of the drift test.
-const SAME_TIME_MIN: f64 = 10.0;
 
 /// Why a file's performance cannot be judged.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -63,60 +58,6 @@ pub enum ComparisonFrame {
     AsMeasured(Vector3<f64>),
 }
 
-/// One pose at one time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PerformanceAtTime {
-    /// First minute, where it is recorded.
-    pub t_min: Option<f64>,
-    /// Accuracy of the pose at that time.
-    pub accuracy: Option<Accuracy>,
-    /// Repeatability then, of two and more.
-    pub repeatability: Option<Repeatability>,
-}
-
-/// One commanded pose, come to from one side with one payload.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PosePerformance {
-    /// The first row's line.
-    pub line: u64,
-    /// Its name, where the file has one.
-    pub id: Option<String>,
-    /// Number of the pose: one pose come to from several sides is several of these.
-    pub pose: usize,
-    /// Index of the reflector or stylus.
-    pub target: usize,
-    /// Joint angles as commanded, joint 1 first, radians.
-    pub q_rad: Joints,
-    /// Barycentre in the base, metres.
-    pub barycentre_m: Vector3<f64>,
-    /// Accuracy of all rows of the pose.
-    pub accuracy: Option<Accuracy>,
-    /// Of all rows, two and more.
-    pub repeatability: Option<Repeatability>,
-    /// Accuracy and repeatability of the orientation, where it was measured.
-    pub orientation: Option<OrientationPerformance>,
-    /// By time, where it was measured at several.
-    pub times: Vec<PerformanceAtTime>,
-}
-
-impl PosePerformance {
-    /// dAP_p: largest change of AP_p from the first time on, metres.
-    #[must_use]
-    pub fn drift_of_accuracy_m(&self) -> Option<f64> {
-        let first = self.times.first()?.accuracy?.ap_m;
-        let later = self.times.iter().skip(1).filter_map(|t| t.accuracy);
-        later.map(|accuracy| (accuracy.ap_m - first).abs()).reduce(f64::max)
-    }
-
-    /// dRP_l: largest change of RP_l from the first time on, metres.
-    #[must_use]
-    pub fn drift_of_repeatability_m(&self) -> Option<f64> {
-        let mut known = self.times.iter().filter_map(|t| t.repeatability).map(|r| r.rp_m);
-        let first = known.next()?;
-        known.map(|rp| (rp - first).abs()).reduce(f64::max)
-    }
-}
-
 /// Performance of the robot in a whole file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Performance {
@@ -126,6 +67,10 @@ pub struct Performance {
     pub multi_directional_m: Option<f64>,
     /// The registration in which they were compared; `None` where so few poses place no base: repeatability alone is given.
     pub registration: Option<Registration>,
+    /// Lines of the rows that are not judged: the robot cannot have their joints.
+    pub lines_left_out: Vec<u64>,
+    /// What a person should look at in the rows.
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// The worst of all poses, metres.
@@ -162,7 +107,7 @@ pub fn performance(
     robot: &SerialArm,
     compared: ComparisonFrame,
 ) -> Result<Performance, PerformanceError> {
-    let checked = check_rows(measurements, robot);
+    let checked = check_cycles(measurements, robot);
     if let Some(fault) = checked.fault {
         return Err(PerformanceError::Fault { reason: fault.reason });
     }
@@ -176,10 +121,27 @@ pub fn performance(
         Err(_) if gathered.stations.iter().any(|station| station.rows.len() > 1) => None,
         Err(error) => return Err(error.into()),
     };
-    let numbers = pose_numbers(measurements, &checked.used);
+    let poses = pose_by_pose(measurements, &checked.used, &chain, registration.as_ref());
+    let left_out = checked.out_of_range.iter().filter_map(|&row| measurements.rows.get(row));
+    Ok(Performance {
+        multi_directional_m: multi_directional_m(&poses),
+        poses,
+        registration,
+        lines_left_out: left_out.map(|row| row.line).collect(),
+        warnings: checked.warnings,
+    })
+}
+
+/// The performance of each pose from each side with each payload, in the order of their first rows.
+fn pose_by_pose(
+    measurements: &Measurements,
+    used: &[usize],
+    chain: &SerialChain,
+    registration: Option<&Registration>,
+) -> Vec<PosePerformance> {
     type Side = (usize, usize, Option<Joints<i8>>, u64);
     let mut groups: BTreeMap<Side, Vec<usize>> = BTreeMap::new();
-    for (&row, &pose) in checked.used.iter().zip(&numbers) {
+    for (&row, pose) in used.iter().zip(pose_numbers(measurements, used)) {
         let Some(r) = measurements.rows.get(row).filter(|r| matches!(r.reading, Reading::Point { .. }))
         else {
             continue;
@@ -189,13 +151,16 @@ pub fn performance(
     }
     let mut all: Vec<PosePerformance> = groups
         .iter()
-        .filter_map(|((pose, ..), rows)| {
-            pose_performance(measurements, &chain, registration.as_ref(), *pose, rows)
-        })
+        .filter_map(|((pose, ..), rows)| pose_performance(measurements, chain, registration, *pose, rows))
         .collect();
     all.sort_by_key(|p| p.line);
+    all
+}
+
+/// vAP_p: largest distance between the barycentres of one pose come to from several sides.
+fn multi_directional_m(poses: &[PosePerformance]) -> Option<f64> {
     let mut sides: BTreeMap<(usize, usize), Vec<Vector3<f64>>> = BTreeMap::new();
-    for p in &all {
+    for p in poses {
         sides.entry((p.pose, p.target)).or_default().push(p.barycentre_m);
     }
     let apart = |points: &Vec<Vector3<f64>>| {
@@ -203,11 +168,7 @@ pub fn performance(
             points.iter().enumerate().flat_map(|(i, a)| points[i + 1..].iter().map(move |b| (a - b).norm()));
         pairs.reduce(f64::max)
     };
-    Ok(Performance {
-        multi_directional_m: sides.values().filter_map(apart).reduce(f64::max),
-        poses: all,
-        registration,
-    })
+    sides.values().filter_map(apart).reduce(f64::max)
 }
 
 fn registered(
@@ -227,71 +188,6 @@ fn registered(
             register_with(stations, &flange, &tools(tool_m), FreeParameters::Nothing(Isometry3::identity()))
         }
     }
-}
-
-fn pose_performance(
-    measurements: &Measurements,
-    chain: &SerialChain,
-    registration: Option<&Registration>,
-    pose: usize,
-    rows: &[usize],
-) -> Option<PosePerformance> {
-    let rows: Vec<&super::MeasurementRow> = rows.iter().filter_map(|&i| measurements.rows.get(i)).collect();
-    let first = *rows.first()?;
-    let flange = chain.forward(&first.q_rad);
-    let command_m = registration.map(|registration| {
-        let tool_m = registration.tools_m.get(first.target).copied().unwrap_or_default();
-        flange.translation.vector + flange.rotation * tool_m
-    });
-    // Without a base in the instrument's own frame: distances between repeats are the same.
-    let base_from_instrument =
-        registration.map_or_else(Isometry3::identity, |r| r.instrument_from_base.inverse());
-    let in_base = |row: &super::MeasurementRow| {
-        let seen = row.reading.position_m()?;
-        Some((base_from_instrument * nalgebra::Point3::from(seen)).coords)
-    };
-    let attained: Vec<Vector3<f64>> = rows.iter().filter_map(|row| in_base(row)).collect();
-    let turned: Option<Vec<UnitQuaternion<f64>>> =
-        rows.iter().map(|row| Some(base_from_instrument.rotation * row.orientation?)).collect();
-    let commanded = registration.and_then(|r| r.flange_from_sensor).map(|sensor| flange.rotation * sensor);
-    let mut times: Vec<PerformanceAtTime> = Vec::new();
-    let mut block: Vec<Vector3<f64>> = Vec::new();
-    let mut since: Option<f64> = None;
-    for (k, (row, at)) in rows.iter().zip(&attained).enumerate() {
-        let apart = matches!((since, row.t_min), (Some(a), Some(b)) if b - a > SAME_TIME_MIN);
-        if apart || k == 0 {
-            times.extend(at_time(since, command_m.as_ref(), &block));
-            block.clear();
-            since = row.t_min;
-        }
-        block.push(*at);
-    }
-    times.extend(at_time(since, command_m.as_ref(), &block));
-    Some(PosePerformance {
-        line: first.line,
-        id: first.id.clone(),
-        pose,
-        target: first.target,
-        q_rad: first.q_rad,
-        barycentre_m: barycentre_m(&attained)?,
-        accuracy: command_m.and_then(|command_m| accuracy(&command_m, &attained)),
-        repeatability: repeatability(&attained),
-        orientation: commanded.zip(turned).and_then(|(command, turned)| orientation(&command, &turned)),
-        times,
-    })
-}
-
-fn at_time(
-    t_min: Option<f64>,
-    command_m: Option<&Vector3<f64>>,
-    block: &[Vector3<f64>],
-) -> Option<PerformanceAtTime> {
-    barycentre_m(block)?;
-    Some(PerformanceAtTime {
-        t_min,
-        accuracy: command_m.and_then(|command_m| accuracy(command_m, block)),
-        repeatability: repeatability(block),
-    })
 }
 
 #[cfg(test)]
