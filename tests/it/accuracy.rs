@@ -1,6 +1,10 @@
-//! What `accuracy` makes of rows as shops have them: read in steps, beyond the robot.
+//! What `accuracy` makes of rows as shops have them: read in steps, out of order, over midnight, beyond the robot.
 
 use assert_cmd::Command;
+use metrology::measure::{ColumnMap, Measurements};
+use nalgebra::Point3;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
 use serde_json::Value;
 use std::fmt::Write as _;
 use std::fs;
@@ -23,6 +27,17 @@ fn accuracy(folder: &Path, csv: &str, options: &[&str]) -> Run {
         Command::cargo_bin("driftpost").unwrap().arg("accuracy").arg(path).args(options).output().unwrap();
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     Run { code: output.status.code().unwrap(), out: text(&output.stdout), err: text(&output.stderr) }
+}
+
+/// Where the nominal arm puts a tool, mm.
+fn command_mm(q_deg: [f64; 6], tool_mm: [f64; 3]) -> [f64; 3] {
+    let chain = Chain::nominal(&Robot::built_in("irb140").unwrap());
+    let [x, y, z] = tool_mm.map(|mm| 1e-3 * mm);
+    ((chain.forward(&q_deg.map(f64::to_radians)) * Point3::new(x, y, z)).coords * 1e3).into()
+}
+
+fn joints(q_deg: [f64; 6]) -> String {
+    q_deg.map(|q| q.to_string()).join(",")
 }
 
 /// x off the barycentre by 0.01, 0.01, 0.01 and 0.03 mm: l = 0.015, S = sqrt((3 * 0.005^2 + 0.015^2) / 3) = 0.01, RP = 0.045.
@@ -57,4 +72,50 @@ fn a_go_names_the_poses_that_it_does_not_judge() {
     assert!(found.out.ends_with("\nGO; not judged: 2 rows, lines 22, 23\n"), "{}", found.out);
     let read: Value = serde_json::from_slice(&fs::read(&json).unwrap()).unwrap();
     assert_eq!(read["lines_left_out"], serde_json::json!([22, 23]));
+}
+
+/// AP is 0.1 mm at minute 0, 0.2 at 30, 0.4 at 60: dAP = 0.3 in whatever order the rows are.
+#[test]
+fn drift_is_the_same_in_any_order_of_the_rows() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut rows = Vec::new();
+    for (off_mm, t_min) in [(0.1, 0), (0.2, 30), (0.4, 60)] {
+        for (pose, q1_deg) in [(0, 10.0), (1, -40.0), (2, 80.0)] {
+            let q_deg = [q1_deg, 20.0, -10.0, 30.0, 40.0, 50.0];
+            let [x, y, z] = command_mm(q_deg, [0.0, 0.0, 80.0]);
+            for again in 0..3 {
+                let minute = t_min + 3 * pose + again;
+                rows.push(format!("{pose},{minute},{},{:.6},{y:.6},{z:.6}", joints(q_deg), x + off_mm));
+            }
+        }
+    }
+    let options = ["--tool", "0,0,80", "--register", "none", "--limit-drift-mm", "0.2999", "--json", "-"];
+    let drift_mm = |order: &dyn Fn(usize) -> usize| {
+        let rows: Vec<&str> = (0..27).map(|k| rows[order(k)].as_str()).collect();
+        let csv = format!("pose_id,t_min,{JOINTS},x_mm,y_mm,z_mm\n{}\n", rows.join("\n"));
+        let found = accuracy(folder.path(), &csv, &options);
+        let read: Value = serde_json::from_str(&found.out).unwrap();
+        let of_poses: Vec<f64> =
+            (0..3).map(|pose| read["poses"][pose]["drift_ap_mm"].as_f64().unwrap()).collect();
+        assert!(of_poses.iter().all(|mm| (mm - 0.3).abs() < 1e-5), "{of_poses:?}");
+        assert_eq!(found.code, 1, "{}", found.err);
+        found.err.contains("measure::time-order")
+    };
+    let warned = [drift_mm(&|k| k), drift_mm(&|k| 26 - k), drift_mm(&|k| 7 * k % 27)];
+    assert_eq!(warned, [false, true, true]);
+}
+
+#[test]
+fn times_of_day_go_on_over_midnight() {
+    let mut text = format!("time,{JOINTS},x_mm,y_mm,z_mm\n");
+    for time in ["23:30:00", "23:50:00", "00:10:30", "00:30:00"] {
+        writeln!(text, "{time},10,20,5,25,45,-20,500,100,600").unwrap();
+    }
+    let columns = JOINTS.split(',').chain(["x_mm", "y_mm", "z_mm"]);
+    let columns: String = columns.map(|name| format!("{name} = \"{name}\"\n")).collect();
+    let map = format!("time_format = \"hh:mm:ss\"\n[columns]\nt_min = \"time\"\n{columns}");
+    let table = ColumnMap::from_toml(&map).unwrap().table(text.as_bytes()).unwrap();
+    let minutes: Vec<f64> =
+        Measurements::from_table(&table).unwrap().rows.iter().map(|row| row.t_min.unwrap()).collect();
+    assert_eq!(minutes, [0.0, 20.0, 40.5, 60.0]);
 }

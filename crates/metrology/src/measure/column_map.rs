@@ -6,7 +6,7 @@
 use super::column_names::{JOINTS, POINT, QUATERNION, SLIDES, known};
 use super::error::missing_column;
 use super::table::{Line, Table};
-use super::timestamp::{NoTime, TimestampFormat};
+use super::timestamp::{NoTime, TimestampFormat, over_midnight};
 use super::{MeasureError, Rotation};
 use csv::{ReaderBuilder, Trim};
 use robot_model::units::{
@@ -229,6 +229,9 @@ impl ColumnMap {
             }
             table.lines.push(Line { number: line.number, cells });
         }
+        if timestamp.is_some_and(|format| !format.has_date()) {
+            count_days(&mut table);
+        }
         Ok(table)
     }
 
@@ -382,6 +385,22 @@ impl ColumnMap {
         let [x, y, z, a, b, c] = values;
         let turn = pose.rotation.quaternion([a, b, c]);
         Ok([x, y, z, turn.w, turn.i, turn.j, turn.k].map(|v| format!("{v}")).to_vec())
+    }
+}
+
+/// Counts the minutes of times of day on over midnight.
+fn count_days(table: &mut Table) {
+    let Some(column) = table.column("t_min") else { return };
+    let mut cells: Vec<&mut String> = table
+        .lines
+        .iter_mut()
+        .filter_map(|line| line.cells.get_mut(column))
+        .filter(|cell| !cell.is_empty())
+        .collect();
+    // They were written as numbers just before.
+    let since_first_min: Vec<f64> = cells.iter().filter_map(|cell| cell.parse().ok()).collect();
+    for (cell, t_min) in cells.iter_mut().zip(over_midnight(&since_first_min)) {
+        **cell = format!("{t_min}");
     }
 }
 

@@ -10,6 +10,7 @@ use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Why a file's performance cannot be judged.
@@ -114,14 +115,16 @@ pub fn performance(
     if !measurements.rows.iter().any(|row| matches!(row.reading, Reading::Point { .. })) {
         return Err(PerformanceError::NoPoints);
     }
-    let gathered = gather(measurements, &checked.used, None);
+    let measurements = &with_usable_times(measurements, checked.time_usable);
+    let used = in_order_of_time(measurements, &checked.used);
+    let gathered = gather(measurements, &used, None);
     let chain = SerialChain::nominal(robot);
     let registration = match registered(&gathered.stations, gathered.targets, &chain, compared) {
         Ok(registration) => Some(registration),
         Err(_) if gathered.stations.iter().any(|station| station.rows.len() > 1) => None,
         Err(error) => return Err(error.into()),
     };
-    let poses = pose_by_pose(measurements, &checked.used, &chain, registration.as_ref());
+    let poses = pose_by_pose(measurements, &used, &chain, registration.as_ref());
     let left_out = checked.out_of_range.iter().filter_map(|&row| measurements.rows.get(row));
     Ok(Performance {
         multi_directional_m: multi_directional_m(&poses),
@@ -130,6 +133,23 @@ pub fn performance(
         lines_left_out: left_out.map(|row| row.line).collect(),
         warnings: checked.warnings,
     })
+}
+
+/// The measurements without minutes where these cannot be trusted.
+fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Cow<'_, Measurements> {
+    let mut measurements = Cow::Borrowed(measurements);
+    if !time_usable {
+        measurements.to_mut().rows.iter_mut().for_each(|row| row.t_min = None);
+    }
+    measurements
+}
+
+/// The rows that `used` names in the order of their minutes; without any, in the file's.
+fn in_order_of_time(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
+    let t_min = |row: usize| measurements.rows.get(row).and_then(|row| row.t_min).unwrap_or_default();
+    let mut used = used.to_vec();
+    used.sort_by(|a, b| t_min(*a).total_cmp(&t_min(*b)));
+    used
 }
 
 /// The performance of each pose from each side with each payload, in the order of their first rows.

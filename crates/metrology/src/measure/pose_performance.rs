@@ -65,7 +65,7 @@ impl PosePerformance {
     }
 }
 
-/// The performance of the pose that `rows` repeat.
+/// The performance of the pose that `rows`, in order of time, repeat.
 pub(super) fn pose_performance(
     measurements: &Measurements,
     chain: &SerialChain,
@@ -74,7 +74,7 @@ pub(super) fn pose_performance(
     rows: &[usize],
 ) -> Option<PosePerformance> {
     let rows: Vec<&MeasurementRow> = rows.iter().filter_map(|&i| measurements.rows.get(i)).collect();
-    let first = *rows.first()?;
+    let first = *rows.iter().min_by_key(|row| row.line)?;
     let flange = chain.forward(&first.q_rad);
     let command_m = registration.map(|registration| {
         let tool_m = registration.tools_m.get(first.target).copied().unwrap_or_default();

@@ -2,6 +2,9 @@
 
 use robot_model::units::{min_from_days, min_from_h, min_from_s};
 
+/// Of times of day without a date a step back by more than this is midnight, hours.
+const MIDNIGHT_H: f64 = 12.0;
+
 /// How a date and time is written: YYYY, MM, DD, hh, mm, ss stand for numbers, all else for itself.
 #[derive(Clone, Debug)]
 pub(super) struct TimestampFormat {
@@ -74,6 +77,11 @@ impl TimestampFormat {
         &self.format
     }
 
+    /// Whether it says the day, too.
+    pub(super) fn has_date(&self) -> bool {
+        self.parts.contains(&Part::Day)
+    }
+
     /// Minutes since some moment that is the same for all stamps.
     ///
     /// # Errors
@@ -126,6 +134,24 @@ impl TimestampFormat {
     }
 }
 
+/// Minutes of times of day, `clock_min`, with the days that they leave out: a step back by more than half a day is midnight, where all
+/// other steps go forward by less. Rows in any other order, or with a mistyped stamp, stay as they are and are warned about as such.
+pub(super) fn over_midnight(clock_min: &[f64]) -> Vec<f64> {
+    let midnight_min = min_from_h(MIDNIGHT_H);
+    let mut day_min = 0.0;
+    let mut all = Vec::with_capacity(clock_min.len());
+    for (k, &at_min) in clock_min.iter().enumerate() {
+        let step_min = at_min - clock_min[k.saturating_sub(1)];
+        if step_min < -midnight_min {
+            day_min += min_from_days(1.0);
+        } else if !(0.0..=midnight_min).contains(&step_min) {
+            return clock_min.to_vec();
+        }
+        all.push(day_min + at_min);
+    }
+    all
+}
+
 /// Days of a month of the Gregorian calendar, from 1.
 fn days_of_month(year: i64, month: i64) -> i64 {
     let next = if month == 12 { days(year + 1, 1, 1) } else { days(year, month + 1, 1) };
@@ -172,5 +198,19 @@ mod tests {
         }
         assert_eq!(timestamp.parse_min("30.12.2024 00:00"), Err(NoTime::NotWrittenSo));
         assert!(TimestampFormat::new("DD hh:mm").is_err());
+    }
+
+    /// 23:30, 23:50, 0:10, 0:30: minutes 1410, 1430, and 10, 30 of the next day, which has 1440 more.
+    #[test]
+    fn times_of_day_in_order_go_on_over_midnight() {
+        assert_eq!(over_midnight(&[1410.0, 1430.0, 10.0, 30.0]), [1410.0, 1430.0, 1450.0, 1470.0]);
+        assert_eq!(over_midnight(&[1300.0, 100.0, 800.0, 20.0]), [1300.0, 1540.0, 2240.0, 2900.0]);
+        // Not in order, newest first, and one stamp among others that is mistyped.
+        for other in
+            [&[1410.0, 10.0, 1430.0, 30.0][..], &[30.0, 10.0, 1430.0, 1410.0], &[1300.0, 180.0, 1320.0]]
+        {
+            assert_eq!(over_midnight(other), other);
+        }
+        assert_eq!(over_midnight(&[]), [0.0; 0]);
     }
 }
