@@ -216,6 +216,44 @@ mod tests {
         assert_eq!(without, RegisterError::Degenerate, "points on a line alone leave its turn open");
     }
 
+    /// Points to a micrometre, orientations to a milliradian: the sensor lies amid what the poses say, about each axis nearer to their mean
+    /// than the farthest of them, and at the same place whichever pose comes first.
+    #[test]
+    fn orientations_that_scatter_more_than_points_are_fitted_by_their_own_scatter() {
+        let poses = poses(5);
+        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
+        let tool = Vector3::new(0.08, -0.05, 0.21);
+        let sensor = UnitQuaternion::from_euler_angles(0.3, -1.0, 2.0);
+        let off_rad =
+            [[1.0, 0.2, -0.6], [-0.4, 0.8, 0.3], [0.1, -1.0, 0.5], [-0.9, 0.4, 0.4], [0.2, -0.4, -0.6]];
+        let mut stations = seen(&poses, &base, tool, true);
+        for (k, (station, off_rad)) in stations.iter_mut().zip(off_rad).enumerate() {
+            let seen_m = station.reading.position_m().unwrap() + Vector3::x() * 1e-6 * (k as f64 - 2.0);
+            station.reading = Reading::Point { position_m: seen_m };
+            let turn = UnitQuaternion::from_scaled_axis(Vector3::from(off_rad) * 1e-3);
+            station.orientation = station.orientation.map(|seen| seen * turn);
+        }
+        let fitted = |order: [usize; 5]| {
+            let stations = order.map(|k| stations[k].clone());
+            let poses = order.map(|k| poses[k]);
+            register_with(&stations, &poses, &[tool], FreeParameters::Base).unwrap()
+        };
+        let first = fitted([0, 1, 2, 3, 4]);
+        for order in [[4, 3, 2, 1, 0], [2, 0, 4, 1, 3], [3, 4, 0, 2, 1]] {
+            let other = fitted(order);
+            let apart = first.flange_from_sensor.unwrap().angle_to(&other.flange_from_sensor.unwrap());
+            assert!(apart < 1e-8, "{order:?}: {apart}");
+            let base_apart =
+                first.instrument_from_base.rotation.angle_to(&other.instrument_from_base.rotation);
+            assert!(base_apart < 1e-8, "{order:?}: {base_apart}");
+        }
+        // The offs add up to nothing: their mean is the sensor's true orientation.
+        let off = (sensor.inverse() * first.flange_from_sensor.unwrap()).scaled_axis();
+        assert!(off.amax() < 0.3e-3, "{off}");
+        // A rotation that points to some micrometres half a metre apart allow.
+        assert!(first.instrument_from_base.rotation.angle_to(&base.rotation) < 1e-5);
+    }
+
     #[test]
     fn too_few_and_too_alike_poses_are_refused() {
         let base = Isometry3::identity();
