@@ -64,7 +64,8 @@ pub enum ComparisonFrame {
 pub struct Performance {
     /// In the order of the first rows.
     pub poses: Vec<PosePerformance>,
-    /// Largest distance between the barycentres of one pose come to from several sides, metres: vAP_p.
+    /// Largest distance between the barycentres of one pose come to from several sides with one payload, metres: vAP_p; `None` where
+    /// the file tells no sides.
     pub multi_directional_m: Option<f64>,
     /// The registration in which they were compared; `None` where so few poses place no base: repeatability alone is given.
     pub registration: Option<Registration>,
@@ -177,16 +178,17 @@ fn pose_by_pose(
     all
 }
 
-/// vAP_p: largest distance between the barycentres of one pose come to from several sides.
+/// vAP_p: largest distance between the barycentres of one pose come to from several sides, as the directions of its rows tell them. A side
+/// with another payload or at another time sags or drifts besides.
 fn multi_directional_m(poses: &[PosePerformance]) -> Option<f64> {
-    let mut sides: BTreeMap<(usize, usize), Vec<Vector3<f64>>> = BTreeMap::new();
-    for p in poses {
-        sides.entry((p.pose, p.target)).or_default().push(p.barycentre_m);
+    let mut sides: BTreeMap<(usize, usize, Option<u64>), Vec<&PosePerformance>> = BTreeMap::new();
+    for p in poses.iter().filter(|p| p.direction.is_some()) {
+        sides.entry((p.pose, p.target, p.payload_kg.map(f64::to_bits))).or_default().push(p);
     }
-    let apart = |points: &Vec<Vector3<f64>>| {
-        let pairs =
-            points.iter().enumerate().flat_map(|(i, a)| points[i + 1..].iter().map(move |b| (a - b).norm()));
-        pairs.reduce(f64::max)
+    let apart = |sides: &Vec<&PosePerformance>| {
+        let pairs = sides.iter().enumerate().flat_map(|(i, a)| sides[i + 1..].iter().map(move |b| (a, b)));
+        let pairs = pairs.filter(|(a, b)| a.is_at_the_time_of(b));
+        pairs.map(|(a, b)| (a.barycentre_m - b.barycentre_m).norm()).reduce(f64::max)
     };
     sides.values().filter_map(apart).reduce(f64::max)
 }
@@ -235,5 +237,34 @@ mod tests {
             performance(&once, &robot, ComparisonFrame::Fitted),
             Err(PerformanceError::Register(_))
         ));
+    }
+
+    /// One pose in the instrument's frame: unloaded at x = 500 mm from one side and 500.3 from the other, with 5 kg at 500.1 from the first
+    /// side, and from the other again at 501 an hour later.
+    #[test]
+    fn sides_are_told_by_directions_under_one_payload_at_one_time() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let vap_mm = |columns: &str, rows: &[(&str, f64)]| {
+            let mut text = format!("{columns},q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n");
+            for (cells, x_mm) in rows {
+                text += &format!("{cells},10,20,5,25,45,-20,{x_mm},100,600\n").repeat(2);
+            }
+            let measurements = Measurements::from_csv(text.as_bytes()).unwrap();
+            let found = performance(&measurements, &robot, ComparisonFrame::Fitted).unwrap();
+            found.multi_directional_m.map(|m| 1e3 * m)
+        };
+        assert_eq!(vap_mm("payload_kg", &[("0", 500.0), ("5", 500.1)]), None, "that is sag");
+        let header = "t_min,payload_kg,dir1,dir2,dir3,dir4,dir5,dir6";
+        let (one, other) = ("1,1,1,1,1,1", "-1,1,1,1,1,1");
+        let all = [
+            (format!("0,0,{one}"), 500.0),
+            (format!("1,0,{other}"), 500.3),
+            (format!("2,5,{one}"), 500.1),
+            (format!("63,5,{other}"), 501.0),
+        ];
+        let all = all.each_ref().map(|(cells, x_mm)| (cells.as_str(), *x_mm));
+        assert!((vap_mm(header, &all).unwrap() - 0.3).abs() < 1e-9);
+        assert_eq!(vap_mm(header, &[all[0], all[3]]), None);
+        assert_eq!(vap_mm(header, &all[2..]), None, "that is drift");
     }
 }

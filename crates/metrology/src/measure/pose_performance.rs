@@ -33,6 +33,12 @@ pub struct PosePerformance {
     pub pose: usize,
     /// Index of the reflector or stylus.
     pub target: usize,
+    /// Sign of each joint's last motion before the pose, where it is recorded.
+    pub direction: Option<Joints<i8>>,
+    /// Mass of the payload as declared, kg.
+    pub payload_kg: Option<f64>,
+    /// First and last minute, where they are recorded.
+    pub minutes: Option<[f64; 2]>,
     /// Joint angles as commanded, joint 1 first, radians.
     pub q_rad: Joints,
     /// Barycentre in the base, metres.
@@ -48,6 +54,12 @@ pub struct PosePerformance {
 }
 
 impl PosePerformance {
+    /// Whether one of the two begins before the other has ended for so long that it is another time of the drift test.
+    pub(super) fn is_at_the_time_of(&self, other: &Self) -> bool {
+        let Some(([from, to], [other_from, other_to])) = self.minutes.zip(other.minutes) else { return true };
+        other_from - to <= SAME_TIME_MIN && from - other_to <= SAME_TIME_MIN
+    }
+
     /// dAP_p: largest change of AP_p from the first time on, metres.
     #[must_use]
     pub fn drift_of_accuracy_m(&self) -> Option<f64> {
@@ -109,6 +121,13 @@ pub(super) fn pose_performance(
         id: first.id.clone(),
         pose,
         target: first.target,
+        direction: first.direction,
+        payload_kg: first.payload_kg,
+        minutes: rows
+            .first()
+            .and_then(|row| row.t_min)
+            .zip(rows.last().and_then(|row| row.t_min))
+            .map(|(from, to)| [from, to]),
         q_rad: first.q_rad,
         barycentre_m: barycentre_m(&attained)?,
         accuracy: command_m.and_then(|command_m| accuracy(&command_m, &attained)),
