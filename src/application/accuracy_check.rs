@@ -157,10 +157,9 @@ impl AccuracyError {
 
 impl From<AccuracyError> for Diagnostic {
     fn from(error: AccuracyError) -> Self {
-        let message = Self::error(error.code(), error.to_string());
         match error {
-            AccuracyError::Performance(_) => message,
-            AccuracyError::NotMeasured { .. } => message.help(
+            AccuracyError::Performance(error) => error.into(),
+            AccuracyError::NotMeasured { .. } => Self::error(error.code(), error.to_string()).help(
                 "repeatability needs a pose measured twice and more, drift at times more than 10 min apart",
             ),
         }

@@ -1,4 +1,4 @@
-//! What `accuracy` makes of rows as shops have them: read in steps, out of order, over midnight, beyond the robot.
+//! What `accuracy` makes of rows as shops have them: read in steps, out of order, over midnight, beyond the robot, of several reflectors.
 
 use assert_cmd::Command;
 use metrology::measure::{ColumnMap, Measurements};
@@ -118,4 +118,37 @@ fn times_of_day_go_on_over_midnight() {
     let minutes: Vec<f64> =
         Measurements::from_table(&table).unwrap().rows.iter().map(|row| row.t_min.unwrap()).collect();
     assert_eq!(minutes, [0.0, 20.0, 40.5, 60.0]);
+}
+
+/// A second reflector 60 mm beside the tool is no error of the robot.
+#[test]
+fn one_place_on_the_flange_is_not_that_of_several_reflectors() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut csv = format!("pose_id,target,{JOINTS},x_mm,y_mm,z_mm\n");
+    for k in 0..12 {
+        let at = |step: f64| (f64::from(k) * step).fract() - 0.5;
+        let q_deg = [
+            180.0 * at(0.618),
+            80.0 * at(0.755),
+            60.0 * at(0.57) - 20.0,
+            200.0 * at(0.414),
+            60.0,
+            100.0 * at(0.236),
+        ];
+        for (target, tool_mm) in [("A", [0.0, 0.0, 100.0]), ("B", [60.0, 0.0, 100.0])] {
+            let [x, y, z] = command_mm(q_deg, tool_mm);
+            writeln!(csv, "{k},{target},{},{x:.5},{y:.5},{z:.5}", joints(q_deg)).unwrap();
+        }
+    }
+    for register in ["base", "none"] {
+        let options = ["--tool", "0,0,100", "--register", register, "--limit-ap-mm", "0.1"];
+        let found = accuracy(folder.path(), &csv, &options);
+        assert!(found.code == 2 && found.err.contains("measure::several-targets"), "{}", found.err);
+        assert!(found.err.contains("2 targets (A, B)"), "{}", found.err);
+        let of_one: String =
+            csv.lines().filter(|line| !line.contains(",B,")).map(|line| format!("{line}\n")).collect();
+        assert_eq!(accuracy(folder.path(), &of_one, &options).code, 0);
+    }
+    let found = accuracy(folder.path(), &csv, &["--limit-ap-mm", "0.001"]);
+    assert_eq!(found.code, 0, "each place is fitted: {}{}", found.out, found.err);
 }

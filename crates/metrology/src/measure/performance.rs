@@ -11,7 +11,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Why a file's performance cannot be judged.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -22,6 +22,16 @@ pub enum PerformanceError {
     /// Touches and lengths only.
     #[error("the file has no measured points: fixed points and lengths say nothing of accuracy")]
     NoPoints,
+    /// One place on the flange is known, and the file has several targets.
+    #[error(
+        "the file has points of {} targets ({}), and --tool is the place of one: those of the others are not known",
+        targets.len(),
+        targets.join(", ")
+    )]
+    SeveralTargets {
+        /// Their names.
+        targets: Vec<String>,
+    },
     /// The rows contradict the robot.
     #[error("{reason}")]
     Fault {
@@ -37,6 +47,7 @@ impl PerformanceError {
         match self {
             Self::Register(error) => error.code(),
             Self::NoPoints => "measure::no-points",
+            Self::SeveralTargets { .. } => "measure::several-targets",
             Self::Fault { .. } => "measure::fault",
         }
     }
@@ -44,7 +55,14 @@ impl PerformanceError {
 
 impl From<PerformanceError> for Diagnostic {
     fn from(error: PerformanceError) -> Self {
-        Self::error(error.code(), error.to_string())
+        let message = Self::error(error.code(), error.to_string());
+        match error {
+            PerformanceError::SeveralTargets { .. } => message.help(
+                "--register base,tool fits the place of each; or judge one alone: only = { column = \"target\", is = [\"NAME\"] } in a column \
+                 map (--columns)",
+            ),
+            _ => message,
+        }
     }
 }
 
@@ -116,6 +134,9 @@ pub fn performance(
     if !measurements.rows.iter().any(|row| matches!(row.reading, Reading::Point { .. })) {
         return Err(PerformanceError::NoPoints);
     }
+    if compared != ComparisonFrame::Fitted {
+        one_target(measurements)?;
+    }
     let measurements = &with_usable_times(measurements, checked.time_usable);
     let used = in_order_of_time(measurements, &checked.used);
     let gathered = gather(measurements, &used, None);
@@ -134,6 +155,20 @@ pub fn performance(
         lines_left_out: left_out.map(|row| row.line).collect(),
         warnings: checked.warnings,
     })
+}
+
+/// Refuses points of several targets, of which one has a known place.
+fn one_target(measurements: &Measurements) -> Result<(), PerformanceError> {
+    let points = measurements.rows.iter().filter(|row| matches!(row.reading, Reading::Point { .. }));
+    let targets: BTreeSet<usize> = points.map(|row| row.target).collect();
+    if targets.len() < 2 {
+        return Ok(());
+    }
+    let name = |target| match measurements.targets.get(target).map_or("", String::as_str) {
+        "" => "one without a name".to_owned(),
+        name => name.to_owned(),
+    };
+    Err(PerformanceError::SeveralTargets { targets: targets.into_iter().map(name).collect() })
 }
 
 /// The measurements without minutes where these cannot be trusted.
