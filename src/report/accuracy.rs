@@ -57,6 +57,14 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     if found.registration.is_none() {
         writeln!(out, "so few poses do not place the robot's base: repeatability is told, accuracy is not")?;
     }
+    let read_back = found.poses.iter().filter(|p| p.joints_differ).count();
+    if read_back > 0 {
+        writeln!(
+            out,
+            "joints differ from row to row in {}: AP is from where each row's own joints put the target, RP of the points as attained",
+            counted(read_back, "pose")
+        )?;
+    }
     if let Some(apart_m) = found.multi_directional_m {
         writeln!(out, "from several sides vAP {}", mm(apart_m))?;
     }

@@ -250,6 +250,7 @@ fn registered(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Point3;
 
     /// One pose seen five times places no base: repeatability is the same in the instrument's frame. By hand, distances from the
     /// barycentre 1, 1, 1, 1, 0 mm: mean 0.8, S = sqrt(0.2), RP = 0.8 + 3 sqrt(0.2).
@@ -272,6 +273,32 @@ mod tests {
             performance(&once, &robot, ComparisonFrame::Fitted),
             Err(PerformanceError::Register(_))
         ));
+    }
+
+    /// A robot without any error, joint 1 turned by +-0.02 deg about 30 deg as its encoder reads: on an arc of r = |p_xy| the points of each
+    /// of the two lie +-r sin 0.02 deg from the chord's middle, all as far, so that RP = r sin 0.02 deg and AP = 0.
+    #[test]
+    fn joints_as_encoders_read_them_are_each_rows_own_command() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let chain = SerialChain::nominal(&robot);
+        let mut text = "pose_id,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+        let mut radius_mm = 0.0;
+        for q1_deg in [30.02, 29.98, 30.02, 29.98] {
+            let q_deg = [q1_deg, 10.0, 5.0, 0.0, 40.0, 0.0];
+            let at_mm =
+                1e3 * (chain.forward(&q_deg.map(f64::to_radians)) * Point3::new(0.0, 0.0, 0.1)).coords;
+            radius_mm = at_mm.xy().norm();
+            let joints = q_deg.map(|q| q.to_string()).join(",");
+            text += &format!("A,{joints},{:.9},{:.9},{:.9}\n", at_mm.x, at_mm.y, at_mm.z);
+        }
+        let measurements = Measurements::from_csv(text.as_bytes()).unwrap();
+        let tool_m = Vector3::new(0.0, 0.0, 0.1);
+        let found = performance(&measurements, &robot, ComparisonFrame::AsMeasured(tool_m)).unwrap();
+        let [pose] = found.poses.as_slice() else { panic!("{} poses", found.poses.len()) };
+        assert!(pose.accuracy.unwrap().ap_m < 1e-9 && pose.joints_differ, "{pose:?}");
+        let expected_mm = radius_mm * 0.02_f64.to_radians().sin();
+        let rp_mm = 1e3 * pose.repeatability.unwrap().rp_m;
+        assert!((rp_mm - expected_mm).abs() < 1e-6, "{rp_mm} {expected_mm}");
     }
 
     /// One pose in the instrument's frame: unloaded at x = 500 mm from one side and 500.3 from the other, with 5 kg at 500.1 from the first

@@ -4,7 +4,7 @@ use super::iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
 };
 use super::{MeasurementRow, Measurements, Registration};
-use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+use nalgebra::{Point3, UnitQuaternion, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::Joints;
 
@@ -39,13 +39,15 @@ pub struct PosePerformance {
     pub payload_kg: Option<f64>,
     /// First and last minute, where they are recorded.
     pub minutes: Option<[f64; 2]>,
-    /// Joint angles as commanded, joint 1 first, radians.
+    /// Joint angles of the first row, joint 1 first, radians.
     pub q_rad: Joints,
+    /// Whether those of other rows differ, as encoders read them.
+    pub joints_differ: bool,
     /// Barycentre in the base, metres.
     pub barycentre_m: Vector3<f64>,
-    /// Accuracy of all rows of the pose.
+    /// Accuracy of all rows of the pose: the mean of what each is off where its own joints put the target.
     pub accuracy: Option<Accuracy>,
-    /// Of all rows, two and more.
+    /// Of all rows, two and more: of the points as attained, whatever the joints read.
     pub repeatability: Option<Repeatability>,
     /// Accuracy and repeatability of the orientation, where it was measured.
     pub orientation: Option<OrientationPerformance>,
@@ -87,35 +89,9 @@ pub(super) fn pose_performance(
 ) -> Option<PosePerformance> {
     let rows: Vec<&MeasurementRow> = rows.iter().filter_map(|&i| measurements.rows.get(i)).collect();
     let first = *rows.iter().min_by_key(|row| row.line)?;
-    let flange = chain.forward(&first.q_rad);
-    let command_m = registration.map(|registration| {
-        let tool_m = registration.tools_m.get(first.target).copied().unwrap_or_default();
-        flange.translation.vector + flange.rotation * tool_m
-    });
-    // Without a base in the instrument's own frame: distances between repeats are the same.
-    let base_from_instrument =
-        registration.map_or_else(Isometry3::identity, |r| r.instrument_from_base.inverse());
-    let in_base = |row: &MeasurementRow| {
-        let seen = row.reading.position_m()?;
-        Some((base_from_instrument * Point3::from(seen)).coords)
-    };
-    let attained: Vec<Vector3<f64>> = rows.iter().filter_map(|row| in_base(row)).collect();
-    let turned: Option<Vec<UnitQuaternion<f64>>> =
-        rows.iter().map(|row| Some(base_from_instrument.rotation * row.orientation?)).collect();
-    let commanded = registration.and_then(|r| r.flange_from_sensor).map(|sensor| flange.rotation * sensor);
-    let mut times: Vec<PerformanceAtTime> = Vec::new();
-    let mut block: Vec<Vector3<f64>> = Vec::new();
-    let mut since: Option<f64> = None;
-    for (k, (row, at)) in rows.iter().zip(&attained).enumerate() {
-        let apart = matches!((since, row.t_min), (Some(a), Some(b)) if b - a > SAME_TIME_MIN);
-        if apart || k == 0 {
-            times.extend(at_time(since, command_m.as_ref(), &block));
-            block.clear();
-            since = row.t_min;
-        }
-        block.push(*at);
-    }
-    times.extend(at_time(since, command_m.as_ref(), &block));
+    let cycles: Vec<Cycle> = rows.iter().filter_map(|row| Cycle::of(row, chain, registration)).collect();
+    let points = points_m(&cycles);
+    let [start, end] = [rows.first(), rows.last()].map(|row| row.and_then(|row| row.t_min));
     Some(PosePerformance {
         line: first.line,
         id: first.id.clone(),
@@ -123,29 +99,90 @@ pub(super) fn pose_performance(
         target: first.target,
         direction: first.direction,
         payload_kg: first.payload_kg,
-        minutes: rows
-            .first()
-            .and_then(|row| row.t_min)
-            .zip(rows.last().and_then(|row| row.t_min))
-            .map(|(from, to)| [from, to]),
+        minutes: start.zip(end).map(|(start, end)| [start, end]),
         q_rad: first.q_rad,
-        barycentre_m: barycentre_m(&attained)?,
-        accuracy: command_m.and_then(|command_m| accuracy(&command_m, &attained)),
-        repeatability: repeatability(&attained),
-        orientation: commanded.zip(turned).and_then(|(command, turned)| orientation(&command, &turned)),
-        times,
+        joints_differ: rows.iter().any(|row| row.q_rad != first.q_rad),
+        barycentre_m: barycentre_m(&points)?,
+        accuracy: accuracy_of(&cycles),
+        repeatability: repeatability(&points),
+        orientation: orientation_of(&cycles),
+        times: by_time(&cycles),
     })
 }
 
-fn at_time(
+/// A pose as it was attained once.
+struct Cycle {
     t_min: Option<f64>,
-    command_m: Option<&Vector3<f64>>,
-    block: &[Vector3<f64>],
-) -> Option<PerformanceAtTime> {
-    barycentre_m(block)?;
-    Some(PerformanceAtTime {
-        t_min,
-        accuracy: command_m.and_then(|command_m| accuracy(command_m, block)),
-        repeatability: repeatability(block),
-    })
+    /// In the base, metres; without one in the instrument's own frame, in which distances between repeats are the same.
+    point_m: Vector3<f64>,
+    /// From where its own joints put the target, metres; `None` without a base.
+    off_m: Option<Vector3<f64>>,
+    turn: Option<Turn>,
+}
+
+/// A measured orientation in the base's axes.
+struct Turn {
+    attained: UnitQuaternion<f64>,
+    /// As its own joints put the sensor.
+    command: UnitQuaternion<f64>,
+}
+
+impl Cycle {
+    fn of(row: &MeasurementRow, chain: &SerialChain, registration: Option<&Registration>) -> Option<Self> {
+        let seen = Point3::from(row.reading.position_m()?);
+        let Some(registration) = registration else {
+            return Some(Self { t_min: row.t_min, point_m: seen.coords, off_m: None, turn: None });
+        };
+        let base_from_instrument = registration.instrument_from_base.inverse();
+        let flange = chain.forward(&row.q_rad);
+        let tool_m = registration.tools_m.get(row.target).copied().unwrap_or_default();
+        let point_m = (base_from_instrument * seen).coords;
+        Some(Self {
+            t_min: row.t_min,
+            point_m,
+            off_m: Some(point_m - (flange.translation.vector + flange.rotation * tool_m)),
+            turn: row.orientation.zip(registration.flange_from_sensor).map(|(seen, sensor)| Turn {
+                attained: base_from_instrument.rotation * seen,
+                command: flange.rotation * sensor,
+            }),
+        })
+    }
+}
+
+fn points_m(cycles: &[Cycle]) -> Vec<Vector3<f64>> {
+    cycles.iter().map(|cycle| cycle.point_m).collect()
+}
+
+/// Each cycle against its own command: read from the encoders, the joints of one pose differ, and with them where the arm believed to be.
+fn accuracy_of(cycles: &[Cycle]) -> Option<Accuracy> {
+    let off_m: Option<Vec<Vector3<f64>>> = cycles.iter().map(|cycle| cycle.off_m).collect();
+    accuracy(&Vector3::zeros(), &off_m?)
+}
+
+/// Accuracy against each cycle's own command, repeatability of the orientations as attained.
+fn orientation_of(cycles: &[Cycle]) -> Option<OrientationPerformance> {
+    let turns: Vec<&Turn> = cycles.iter().map(|cycle| cycle.turn.as_ref()).collect::<Option<_>>()?;
+    let off: Vec<UnitQuaternion<f64>> =
+        turns.iter().map(|turn| turn.command.inverse() * turn.attained).collect();
+    let attained: Vec<UnitQuaternion<f64>> = turns.iter().map(|turn| turn.attained).collect();
+    let of_commands = orientation(&UnitQuaternion::identity(), &off)?;
+    let of_attained = orientation(&turns.first()?.command, &attained)?;
+    Some(OrientationPerformance { rp_rad: of_attained.rp_rad, ..of_commands })
+}
+
+/// The cycles of each time, which are in order of time.
+fn by_time(mut cycles: &[Cycle]) -> Vec<PerformanceAtTime> {
+    let mut times = Vec::new();
+    while let Some(first) = cycles.first() {
+        let is_later =
+            |c: &Cycle| matches!((first.t_min, c.t_min), (Some(a), Some(b)) if b - a > SAME_TIME_MIN);
+        let (block, later) = cycles.split_at(cycles.iter().position(is_later).unwrap_or(cycles.len()));
+        times.push(PerformanceAtTime {
+            t_min: first.t_min,
+            accuracy: accuracy_of(block),
+            repeatability: repeatability(&points_m(block)),
+        });
+        cycles = later;
+    }
+    times
 }
