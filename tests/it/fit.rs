@@ -398,6 +398,22 @@ fn a_touch_that_goes_against_a_drift_does_not_speak_for_it_by_being_left_out() {
     assert!(matches!(refused, FitError::NoDrift { .. }), "{refused}");
 }
 
+/// A file copied four times over says no more than once, and is no reason to be surer.
+#[test]
+fn touches_that_are_copied_count_once() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let recipe = recipe(0.02, Deformation::paper().settled().0);
+    let csv = touches(&robot, &recipe, &mut Rng::new(12, 0)).unwrap();
+    let (head, rows) = csv.split_once('\n').unwrap();
+    let read =
+        |times: usize| Touches::from_csv(format!("{head}\n{}", rows.repeat(times)).as_bytes()).unwrap();
+    let (once, copied) = (read(1), read(4));
+    assert_eq!(copied.touches, once.touches);
+    let codes: Vec<&str> = copied.warnings.iter().map(|warning| warning.code).collect();
+    assert!(codes.contains(&"measure::duplicates"), "{codes:?}");
+    assert!(!once.warnings.iter().any(|warning| warning.code == "measure::duplicates"));
+}
+
 /// The same stop named twice, in pieces, or with one inside it; and one after the last touch, of which no touch tells.
 #[test]
 fn stops_that_overlap_count_once_and_one_to_come_says_nothing_of_cooling() {

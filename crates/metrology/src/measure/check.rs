@@ -119,7 +119,7 @@ fn recorded(row: &MeasurementRow) -> Vec<u64> {
 }
 
 /// What is said of rows that are left out as copies.
-fn copied_rows(copies: &[u64]) -> Option<Diagnostic> {
+pub(super) fn copied_rows(copies: &[u64]) -> Option<Diagnostic> {
     Some(
         Diagnostic::warning("measure::duplicates", repeated(copies)?)
             .help("they are left out: a copied row is no measurement and would make the noise look smaller"),

@@ -44,6 +44,7 @@ impl Touches {
     /// As of [`Touches::from_csv`].
     pub fn from_table(table: &Table) -> Result<Self, MeasureError> {
         let mut found = touches(table)?;
+        found.leave_out_copies();
         let stamped = |touch: &Touch| StampedRow { line: touch.line, point: touch.point, t_min: touch.t_min };
         let mut stamped: Vec<StampedRow> = found.touches.iter().map(stamped).collect();
         stamped.sort_by_key(|row| row.line);

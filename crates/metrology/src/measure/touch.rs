@@ -1,5 +1,6 @@
 //! Few points measured again and again while a robot warms up: fixed points touched (`fixed_id`), or poses seen by a tracker.
 
+use super::check::copied_rows;
 use super::{Measurements, Reading};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -50,5 +51,23 @@ impl Touches {
         touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
         let points = (0..=last).map(|k| format!("pose {}", k + 1)).collect();
         Some(Self { touches, points, warnings: measurements.warnings.clone() })
+    }
+
+    /// Leaves out touches that repeat an earlier one to the last digit: a copied row makes the noise look smaller.
+    pub(super) fn leave_out_copies(&mut self) {
+        let mut copies: Vec<u64> = Vec::new();
+        let mut distinct: Vec<Touch> = Vec::with_capacity(self.touches.len());
+        for touch in std::mem::take(&mut self.touches) {
+            // In order of time: what repeats a touch stands among those of its minute.
+            let same_minute = distinct.iter().rev().take_while(|earlier| earlier.t_min == touch.t_min);
+            if same_minute.into_iter().any(|earlier| Touch { line: touch.line, ..earlier.clone() } == touch) {
+                copies.push(touch.line);
+            } else {
+                distinct.push(touch);
+            }
+        }
+        self.touches = distinct;
+        copies.sort_unstable();
+        self.warnings.extend(copied_rows(&copies));
     }
 }
