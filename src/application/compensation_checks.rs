@@ -117,6 +117,14 @@ impl Compensation {
             let help = "RAPID runs on ABB's controllers alone; where it is ABB's, name it so in the robot file: name = \"ABB IRB ...\"";
             messages.push(Diagnostic::warning("robot::maker-unknown", text).help(help));
         }
+        if let Some((frame, minute)) = self.deformation.model.late_start() {
+            let text = format!(
+                "{}: the rows of joint {frame} begin at minute {minute} with a deformation: before, it is taken to be deformed as much",
+                self.deformation.source.name
+            );
+            let help = "where the cold robot is not, write a row of zeros at minute 0";
+            messages.push(Diagnostic::warning("deform::late-start", text).help(help));
+        }
         if robot.is_of_one_description() {
             let text = format!(
                 "no second public description confirms the dimensions of {}: {}",

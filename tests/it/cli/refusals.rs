@@ -73,6 +73,33 @@ fn deformation_tables_that_cannot_be_used_are_refused() {
 }
 
 #[test]
+fn a_table_that_begins_warm_is_told() {
+    let bench = Bench::default();
+    let result = bench.path("out.mod").display().to_string();
+    let warned = |name: &str, first: &str| {
+        let header = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg";
+        let table = bench.file(name, format!("{header}\n{first}60,3,0.3,0,0,0,0,0\n"));
+        let output = driftpost(&[
+            "compensate",
+            CUBE,
+            "--deformation",
+            &table,
+            "--tau-cool",
+            "60",
+            "-o",
+            &result,
+            "--diff",
+            "none",
+        ]);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        err(&output).contains("warning[deform::late-start]")
+            && err(&output).contains("joint 3 begin at minute")
+    };
+    assert!(warned("late.csv", "10,3,0.1,0,0,0,0,0\n") && warned("later.csv", ""));
+    assert!(!warned("cold.csv", "0,3,0,0,0,0,0,0\n"));
+}
+
+#[test]
 fn numbers_and_names_that_make_no_sense_are_refused() {
     let bench = Bench::default();
     refused(&bench, &[CUBE, "--tolerance-mm", "0"], "schedule::tolerance");

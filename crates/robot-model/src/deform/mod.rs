@@ -138,6 +138,18 @@ impl Deformation {
         }
     }
 
+    /// The first frame, counted from 1 as a table's column `joint` counts, whose rows by warm-up time begin after minute 0 and not with zeros, and that
+    /// minute: before it the frame is held as it is there.
+    #[must_use]
+    pub fn late_start(&self) -> Option<(usize, f64)> {
+        let Tabulation::Scheduled { index: TableIndex::WarmUpTime, knots } = &self.0 else { return None };
+        let late = |row: &Vec<Knot>| {
+            let first = row.first()?;
+            (first.at > 0.0 && first.offsets.iter().any(|offset| *offset != 0.0)).then_some(first.at)
+        };
+        (1..).zip(knots).find_map(|(number, row)| Some((number, late(row)?)))
+    }
+
     /// The minutes (or temperatures) at which a scheduled table has a row, ascending; empty for a static one.
     #[must_use]
     pub fn knots(&self) -> Vec<f64> {

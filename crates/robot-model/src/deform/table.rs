@@ -270,6 +270,9 @@ mod tests {
         let deformation = Deformation::from_csv(SCHEDULED.as_bytes(), None).unwrap();
         assert_eq!(deformation.index(), TableIndex::WarmUpTime);
         assert_eq!(deformation.knots(), [0.0, 10.0, 30.0, 60.0]);
+        assert_eq!(deformation.late_start(), Some((2, 10.0)));
+        let cold = SCHEDULED.replace("10,2,0.1,", "10,2,0,");
+        assert_eq!(Deformation::from_csv(cold.as_bytes(), None).unwrap().late_start(), None);
         let at = |t_min: f64| deformation.offsets_at(t_min);
         assert!((at(20.0).0[1][0] - 0.2e-3).abs() < 1e-18);
         assert!((at(20.0).0[0][2] - 0.2e-3).abs() < 1e-18);
