@@ -182,6 +182,23 @@ fn a_sweep_moves_one_joint_in_small_steps_and_tells_its_lines() {
         }
         assert!(rows.iter().all(|row| robot.is_within_range(&row.q_rad)));
     }
+    // Each joint keeps 5 deg from its ends, in all poses of all seeds, swept ones too.
+    let robot = SerialArm::built_in("irb2600").unwrap();
+    for seed in 0..4 {
+        let sweeps = Sweeps { joints: vec![Axis::at(1), Axis::at(2)], n: 20, step_rad: 0.5_f64.to_radians() };
+        let options = PlanOptions { seed, sweeps, ..options(24, 0) };
+        for row in arm_steps(&plan_from(&robot, &options, 120, 0).unwrap()) {
+            for (joint, q_rad) in robot.joints.iter().zip(&row.q_rad) {
+                let [low, high] = joint.range_rad.unwrap().map(f64::to_degrees);
+                let q_deg = q_rad.to_degrees();
+                assert!(
+                    (low + 5.0 - 1e-9..=high - 5.0 + 1e-9).contains(&q_deg),
+                    "{q_deg} of {low} to {high}"
+                );
+            }
+        }
+    }
+    let robot = SerialArm::built_in("irb140").unwrap();
     let lines = |plan: &MeasurementPlan, joint: usize| {
         plan.outlook.lines.iter().find(|l| Some(l.joint) == Axis::numbered(joint)).cloned().unwrap()
     };

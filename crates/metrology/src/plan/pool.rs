@@ -6,7 +6,7 @@ use nalgebra::{Matrix6xX, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Joint, Joints, SerialArm};
 use robot_model::units::rad_from_deg;
 use std::f64::consts::PI;
 
@@ -63,17 +63,18 @@ pub(super) fn poses(
     random: &mut ChaCha8Rng,
 ) -> Result<Vec<Pose>, PlanError> {
     let chain = SerialChain::nominal(robot);
-    let margin_rad = rad_from_deg(MARGIN_DEG);
     let ranges: Vec<[f64; 2]> = robot
         .joints
         .iter()
         .map(|joint| {
-            if joint.kind.slides() {
-                let [low, high] = joint.range_rad.unwrap_or([-ANY_M, ANY_M]);
-                return [low + MARGIN_M, high - MARGIN_M];
-            }
-            let [low, high] = joint.range_rad.unwrap_or([-PI, PI]);
-            [low.max(-PI) + margin_rad, high.min(PI) - margin_rad]
+            // No joint needs to be turned further than once round.
+            let most = match (joint.kind.slides(), joint.range_rad) {
+                (true, Some(_)) => f64::INFINITY,
+                (true, None) => ANY_M - MARGIN_M,
+                (false, _) => PI - rad_from_deg(MARGIN_DEG),
+            };
+            let [low, high] = kept_range_rad(joint);
+            [low.max(-most), high.min(most)]
         })
         .collect();
     let mut found = Vec::new();
@@ -105,6 +106,13 @@ pub(super) fn poses(
         return Err(PlanError::NoRoom { tried, found: found.len(), restriction });
     }
     Ok(found)
+}
+
+/// The range in which poses keep from a joint's ends, radians or metres; without end where it has none.
+pub(super) fn kept_range_rad(joint: &Joint) -> [f64; 2] {
+    let margin = if joint.kind.slides() { MARGIN_M } else { rad_from_deg(MARGIN_DEG) };
+    let [low, high] = joint.range_rad.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    [low + margin, high - margin]
 }
 
 /// Where the joints come from.

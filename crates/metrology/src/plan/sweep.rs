@@ -1,7 +1,7 @@
 //! Sweeps of single joints in small steps: what tells the lines of a gear from each other, which poses far apart only sample.
 
 use super::options::{PlanError, PlanOptions};
-use super::pool::{Pose, approach_rad, restriction_of};
+use super::pool::{Pose, approach_rad, kept_range_rad, restriction_of};
 use nalgebra::Vector3;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Joints, SerialArm};
@@ -45,6 +45,10 @@ fn around(
         .map(|k| {
             let mut q_rad = middle.q_rad;
             q_rad[joint.index()] += (k as f64 - 0.5 * (sweeps.n as f64 - 1.0)) * sweeps.step_rad;
+            let [low, high] = kept_range_rad(robot.joints.get(joint.index())?);
+            if !(low..=high).contains(&q_rad[joint.index()]) {
+                return None;
+            }
             let direction = Joints::all(robot.joints.len(), 1);
             let approach_rad = approach_rad(robot, &q_rad, &direction);
             let allowed = [q_rad, approach_rad]
