@@ -153,10 +153,13 @@ fn note_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
             "the corrected motions went by its array, as it was made; those of the original go by the new value",
         ),
     };
-    console.note(format_args!(
-        "{path}:{}: {} was {how} by {:.4} {}; {what_now}",
-        touched.line, touched.target, touched.moved, touched.unit
-    ));
+    // To the digits that are shown the tool stands and points as it did.
+    let by = if touched.moved < 5e-5 {
+        "in its configuration or external axes alone".to_owned()
+    } else {
+        format!("by {:.4} {}", touched.moved, touched.unit)
+    };
+    console.note(format_args!("{path}:{}: {} was {how} {by}; {what_now}", touched.line, touched.target));
 }
 
 /// What was changed in the emitted module and has no place in the original.

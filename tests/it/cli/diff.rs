@@ -161,6 +161,23 @@ fn what_the_model_corrects_at_run_time_is_told_by_its_settled_correction() {
     }
 }
 
+/// An external axis that was touched up moves no tool: that is what is said, and no move by 0 deg.
+#[test]
+fn an_external_axis_that_was_touched_up_is_told_as_that() {
+    let bench = Bench::default();
+    let to = bench.path("tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &to, "--form", "live", "--diff", "none"]).status.success());
+    let text = bench.text("tc.mod");
+    let touched = text.replacen("[-1,-1,0,1],[9E+09,", "[-1,-1,0,1],[12.5,", 1);
+    assert_ne!(touched, text);
+    let touched = bench.file("touched.mod", touched);
+    let restored = driftpost(&["restore", &touched, "-o", &bench.path("restored.mod").display().to_string()]);
+    let message = err(&restored);
+    assert_eq!(restored.status.code(), Some(1), "{message}");
+    assert!(message.contains("in its configuration or external axes alone"), "{message}");
+    assert!(bench.text("restored.mod").contains("[12.5,"));
+}
+
 /// A target that the model is asked for, elsewhere than in the source: inline, in a declaration, a joint, a circle point.
 #[test]
 fn a_model_that_is_asked_for_another_target_is_told() {
