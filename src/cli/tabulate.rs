@@ -9,6 +9,7 @@ use super::files::{self, Output};
 use super::minutes::Minutes;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
+use crate::report::LocatedDiagnostic;
 use anyhow::Context;
 use driftpost::application::Tabulation;
 use nalgebra::UnitQuaternion;
@@ -77,6 +78,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         UnitQuaternion::from_euler_angles(roll, pitch, yaw)
     });
     let bytes = files::read(&args.targets, "file of targets")?;
+    if orientation.is_some() && targets::have_orientation(&bytes) {
+        let text = format!("{file} has orientations of its own: --orient-deg is passed over");
+        let message = Diagnostic::warning("targets::own-orientation", text).help("leave it out");
+        console.explain(&LocatedDiagnostic::all([message], &[]), true);
+    }
     let in_file = |error: Diagnostic| model::in_file(&file, error);
     let targets = targets::read(&bytes, orientation.as_ref()).map_err(|error| in_file(error.into()))?;
     let joints_csv = Output::new(args.joints_csv.as_deref())?;

@@ -83,6 +83,11 @@ fn options_with_a_minus_sign_choose_the_branch_and_the_orientation() {
         message.contains("targets::no-orientation") && message.contains("--orient-deg 0,90,0"),
         "{message}"
     );
+    // The paper's targets say for themselves how the flange stands.
+    let output = tabulate(&[CUBE, "--orient-deg", "10,20,30", "--minutes", "0", "--joints-csv", "-"]);
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success() && message.contains("warning[targets::own-orientation]"), "{message}");
+    assert_eq!(output.stdout, tabulate(&[CUBE, "--minutes", "0", "--joints-csv", "-"]).stdout);
 }
 
 #[test]

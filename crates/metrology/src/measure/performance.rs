@@ -1,6 +1,7 @@
 //! Performance after ISO 9283 of a whole measurement file: pose by pose, and over time.
 
 use super::pose_performance::{PosePerformance, pose_performance};
+use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
     FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_cycles, gather,
@@ -236,15 +237,18 @@ fn registered(
 ) -> Result<Registration, RegisterError> {
     let flange: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(chain)).collect();
     let tools = |tool_m: Vector3<f64>| vec![tool_m; targets];
-    match compared {
-        ComparisonFrame::Fitted => register(stations, &flange, targets, None),
+    let (fit, free) = match compared {
+        ComparisonFrame::Fitted => (register(stations, &flange, targets, None)?, FreeParameters::All),
         ComparisonFrame::BaseFitted(tool_m) => {
-            register_with(stations, &flange, &tools(tool_m), FreeParameters::Base)
+            let free = FreeParameters::Base;
+            (register_with(stations, &flange, &tools(tool_m), free)?, free)
         }
         ComparisonFrame::AsMeasured(tool_m) => {
-            register_with(stations, &flange, &tools(tool_m), FreeParameters::Nothing(Isometry3::identity()))
+            let free = FreeParameters::Nothing(Isometry3::identity());
+            (register_with(stations, &flange, &tools(tool_m), free)?, free)
         }
-    }
+    };
+    Ok(with_turns_by_their_scatter(fit, stations, &flange, free))
 }
 
 #[cfg(test)]

@@ -19,27 +19,25 @@ const ITERATIONS: usize = 60;
 /// Orientation residuals weigh as if at this distance at most, metres.
 const ORIENTATION_ARM_M: f64 = 0.3;
 
-/// How much the turns weigh against the points.
-struct TurnWeight {
-    /// A turn counts as so much at the target, metres a radian.
-    arm_m: f64,
-    /// The middle turn or, where that is less, the middle distance as a turn, radians.
-    scale_rad: f64,
+/// By which scatter measured orientations weigh against points, and are false.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum TurnScale {
+    /// That of the points, at the distance at which orientations weigh.
+    OfPoints,
+    /// Their own where that is more. By the scatter of better points all turns but those of one pose would be false, and the sensor would be
+    /// turned as that pose has it: as good for the arm, whose points place it, and no measure of its orientation.
+    Own,
 }
 
-impl TurnWeight {
-    /// Turns that scatter more than points do, `scale_m`, weigh less by as much, and are false by their own scatter: by that of good points
-    /// all turns but those of one pose would be false, and the sensor would be turned as that pose has it.
-    fn of(fit: &Registration, stations: &[Station], poses: &[Isometry3<f64>], scale_m: f64) -> Self {
+impl TurnScale {
+    /// A turn counts as so much at the target, metres a radian; `scale_m` is the middle distance of the points.
+    fn arm_m(self, fit: &Registration, stations: &[Station], poses: &[Isometry3<f64>], scale_m: f64) -> f64 {
+        if self == Self::OfPoints {
+            return ORIENTATION_ARM_M;
+        }
         let turns = stations.iter().zip(poses).filter_map(|(s, p)| fit.residual_rad(s, p));
         let middle_rad = median(&mut turns.map(|turn| turn.norm()).collect::<Vec<f64>>());
-        let scale_rad = middle_rad.max(scale_m / ORIENTATION_ARM_M);
-        Self { arm_m: scale_m / scale_rad, scale_rad }
-    }
-
-    /// Cauchy's weight, as of the points.
-    fn weight_m2(&self, turn_rad: f64) -> f64 {
-        self.arm_m.powi(2) / (1.0 + (turn_rad / (3.0 * self.scale_rad)).powi(2))
+        ORIENTATION_ARM_M.min(scale_m / middle_rad.max(f64::MIN_POSITIVE))
     }
 }
 
@@ -100,6 +98,7 @@ pub(super) fn gauss_newton(
     stations: &[Station],
     poses: &[Isometry3<f64>],
     free: FreeParameters,
+    turn_scale: TurnScale,
 ) -> Registration {
     let oriented = fit.flange_from_sensor.is_some();
     let fixed_points = 6 + 3 * fit.tools_m.len();
@@ -112,7 +111,7 @@ pub(super) fn gauss_newton(
     let mut normal = DMatrix::zeros(width, width);
     for iteration in 0..ITERATIONS {
         let scale_m = median_distance(&fit, stations, poses).max(1e-9);
-        let turns = TurnWeight::of(&fit, stations, poses, scale_m);
+        let arm_m = turn_scale.arm_m(&fit, stations, poses, scale_m);
         normal = DMatrix::zeros(width, width);
         let mut right = DVector::zeros(width);
         for (station, pose) in stations.iter().zip(poses) {
@@ -123,7 +122,8 @@ pub(super) fn gauss_newton(
             normal += weight * position.transpose() * &position;
             right += weight * position.transpose() * residual;
             if let Some(turn) = fit.residual_rad(station, pose) {
-                let weight = turns.weight_m2(turn.norm());
+                let far = turn.norm() * arm_m / (3.0 * scale_m);
+                let weight = arm_m.powi(2) / (1.0 + far * far);
                 normal += weight * orientation.transpose() * &orientation;
                 right += weight * orientation.transpose() * turn;
             }

@@ -5,7 +5,7 @@
 //! finding: all are unknown.
 
 use super::initial_guess::{initial_guess, oriented, with_fixed_points, without_fit};
-use super::refine::{FreeParameters, gauss_newton};
+use super::refine::{FreeParameters, TurnScale, gauss_newton};
 use super::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use thiserror::Error;
@@ -79,13 +79,13 @@ pub fn register(
         let Some(start) = initial_guess(&few, &few_poses, &tools_m, fixed_points) else {
             continue;
         };
-        let fitted = gauss_newton(start, &few, &few_poses, FreeParameters::All);
+        let fitted = gauss_newton(start, &few, &few_poses, FreeParameters::All, TurnScale::OfPoints);
         if best.as_ref().is_none_or(|b| fitted.median_m < 0.98 * b.median_m) {
             best = Some(fitted);
         }
     }
     let best = best.ok_or(RegisterError::Degenerate)?;
-    Ok(gauss_newton(best, stations, base_from_flange, FreeParameters::All))
+    Ok(gauss_newton(best, stations, base_from_flange, FreeParameters::All, TurnScale::OfPoints))
 }
 
 fn unknowns(stations: &[Station], targets: usize) -> usize {
@@ -133,7 +133,21 @@ pub fn register_with(
                 .ok_or(RegisterError::Degenerate)?
         }
     };
-    Ok(gauss_newton(start, stations, base_from_flange, free))
+    Ok(gauss_newton(start, stations, base_from_flange, free, TurnScale::OfPoints))
+}
+
+/// The registration `fit` of what is `free`, in which measured orientations weigh by their own scatter where that is more than the points': the
+/// sensor then lies amid what all poses say of it, whichever comes first. Without orientations it is `fit`.
+pub(super) fn with_turns_by_their_scatter(
+    fit: Registration,
+    stations: &[Station],
+    base_from_flange: &[Isometry3<f64>],
+    free: FreeParameters,
+) -> Registration {
+    if fit.flange_from_sensor.is_none() {
+        return fit;
+    }
+    gauss_newton(fit, stations, base_from_flange, free, TurnScale::Own)
 }
 
 #[cfg(test)]
@@ -236,7 +250,8 @@ mod tests {
         let fitted = |order: [usize; 5]| {
             let stations = order.map(|k| stations[k].clone());
             let poses = order.map(|k| poses[k]);
-            register_with(&stations, &poses, &[tool], FreeParameters::Base).unwrap()
+            let fit = register_with(&stations, &poses, &[tool], FreeParameters::Base).unwrap();
+            with_turns_by_their_scatter(fit, &stations, &poses, FreeParameters::Base)
         };
         let first = fitted([0, 1, 2, 3, 4]);
         for order in [[4, 3, 2, 1, 0], [2, 0, 4, 1, 3], [3, 4, 0, 2, 1]] {

@@ -59,9 +59,6 @@ pub enum TargetsError {
         "the targets have no orientation: say how the flange stands, roll, pitch and yaw in degrees, e.g. --orient-deg 0,90,0"
     )]
     NoOrientation,
-    /// The file says how the flange stands, and so does the caller.
-    #[error("the targets have an orientation of their own: leave --orient-deg out")]
-    OwnOrientation,
     /// A header and nothing under it.
     #[error("the file has no targets")]
     Empty,
@@ -74,7 +71,6 @@ impl From<TargetsError> for Diagnostic {
             TargetsError::Header { .. } => "targets::header",
             TargetsError::Field { .. } => "targets::value",
             TargetsError::NoOrientation => "targets::no-orientation",
-            TargetsError::OwnOrientation => "targets::own-orientation",
             TargetsError::Empty => "targets::empty",
         };
         Self::error(code, error.to_string())
@@ -106,17 +102,13 @@ pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<V
     if !known {
         return Err(TargetsError::Header { header: names.iter().collect::<Vec<_>>().join(",") });
     }
-    let has_own = plain.len() == OURS.len();
-    if has_own && orientation.is_some() {
-        return Err(TargetsError::OwnOrientation);
-    }
     let mut targets = Vec::new();
     for row in reader.into_records() {
         let row = row.map_err(csv_error)?;
         let line = robot_model::csv_lines::line_of_record(&lines, bytes, row.position(), false);
         let number = |column: usize| number(&names, &row, line, column);
         let position = Translation3::new(m_from_mm(number(1)?), m_from_mm(number(2)?), m_from_mm(number(3)?));
-        let rotation = if has_own {
+        let rotation = if plain.len() == OURS.len() {
             let [roll, pitch, yaw] = [number(4)?, number(5)?, number(6)?].map(rad_from_deg);
             UnitQuaternion::from_euler_angles(roll, pitch, yaw)
         } else {
@@ -129,6 +121,14 @@ pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<V
         });
     }
     if targets.is_empty() { Err(TargetsError::Empty) } else { Ok(targets) }
+}
+
+/// Whether a file of targets says for itself how the flange stands; then no orientation that is given counts.
+#[must_use]
+pub fn have_orientation(bytes: &[u8]) -> bool {
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
+    reader.headers().is_ok_and(|names| names.len() == OURS.len())
 }
 
 fn number(names: &StringRecord, row: &StringRecord, line: u64, column: usize) -> Result<f64, TargetsError> {
@@ -159,7 +159,9 @@ mod tests {
         assert!((targets[1].base_from_flange * Vector3::z() - Vector3::x()).norm() < 1e-15);
 
         let ours = b"Name, X_mm,y_mm,z_mm,rx_deg,ry_deg,rz_deg\r\nA,-1,2.5,3,0,0,90\r\n";
-        assert_eq!(read(ours, Some(&UnitQuaternion::identity())), Err(TargetsError::OwnOrientation));
+        assert!(
+            have_orientation(ours) && have_orientation(paper) && !have_orientation(b"name,x_mm,y_mm,z_mm\n")
+        );
         let target = &read(ours, None).unwrap()[0];
         assert_eq!(target.base_from_flange.translation.vector, Vector3::new(-0.001, 0.0025, 0.003));
         assert!((target.base_from_flange * Vector3::x() - Vector3::y()).norm() < 1e-15);
