@@ -104,6 +104,14 @@ mod tests {
         assert!((link.com_m[0] - 0.75 * 0.2).abs() < 1e-9 && link.com_m[1].abs() < 1e-9, "{:?}", link.com_m);
     }
 
+    /// XML has no form feed, and none of its escapes stands for one.
+    #[test]
+    fn a_name_that_xml_cannot_hold_is_written_with_blanks() {
+        let mut robot = Robot::built_in("irb140").unwrap();
+        robot.name = "Arm of \u{c}six & <more>\u{FFFF}".to_owned();
+        assert_eq!(Robot::from_urdf(&robot.to_urdf(), None).unwrap().name, "Arm of  six & <more> ");
+    }
+
     /// What a robot file could not hold is no range either: 284.6 rad are 45 turns.
     #[test]
     fn a_range_that_no_axis_has_is_refused() {

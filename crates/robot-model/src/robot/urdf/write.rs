@@ -78,5 +78,7 @@ fn triple(values: [f64; 3]) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    // XML 1.0 has no control characters but the line's own, which an attribute turns into blanks, and not the last two of the first plane.
+    let is_none = |c: char| c.is_control() || matches!(c, '\u{FFFE}' | '\u{FFFF}');
+    text.replace(is_none, " ").replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
