@@ -1,4 +1,4 @@
-//! What speaks against compensating a program: its text, its meaning, the robot, how it was made.
+//! What speaks against compensating a program: its text, its meaning, the robot, its table, how it was made.
 
 use super::compensation::{Compensation, PAPER_ROBOT};
 use super::named::model_of_another_robot;
@@ -75,6 +75,7 @@ impl Compensation {
             self.own_files(program).flat_map(|file| file.warnings.iter().cloned()).collect();
         found.extend(program.diagnostics.iter().cloned());
         found.extend(self.check_robot(program));
+        found.extend(self.check_table());
         found.extend(already_compensated(program));
         for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
             let text = format!("made with {} kinematics, not with nominal ones", remark.word);
@@ -94,6 +95,17 @@ impl Compensation {
     /// The files of the task that is compensated, or all.
     fn own_files<'p>(&'p self, program: &'p Program) -> impl Iterator<Item = &'p SourceFile> {
         program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
+    }
+
+    /// A table by warm-up time that says nothing of the cold robot.
+    fn check_table(&self) -> Option<Diagnostic> {
+        let (frame, minute) = self.deformation.model.late_start()?;
+        let text = format!(
+            "{}: the rows of joint {frame} begin at minute {minute} with a deformation: before, it is taken to be deformed as much",
+            self.deformation.source.name
+        );
+        let help = "where the cold robot is not, write a row of zeros at minute 0";
+        Some(Diagnostic::warning("deform::late-start", text).help(help))
     }
 
     /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And what is to be
@@ -116,14 +128,6 @@ impl Compensation {
             );
             let help = "RAPID runs on ABB's controllers alone; where it is ABB's, name it so in the robot file: name = \"ABB IRB ...\"";
             messages.push(Diagnostic::warning("robot::maker-unknown", text).help(help));
-        }
-        if let Some((frame, minute)) = self.deformation.model.late_start() {
-            let text = format!(
-                "{}: the rows of joint {frame} begin at minute {minute} with a deformation: before, it is taken to be deformed as much",
-                self.deformation.source.name
-            );
-            let help = "where the cold robot is not, write a row of zeros at minute 0";
-            messages.push(Diagnostic::warning("deform::late-start", text).help(help));
         }
         if robot.is_of_one_description() {
             let text = format!(

@@ -64,7 +64,7 @@ impl StateEstimation {
         let law = self.law.ok_or(StateError::NoLaw)?;
         let options = StateOptions {
             tool_m: self.tool_m,
-            stops: self.stops.clone(),
+            stops: Standstill::merged(self.stops.clone()),
             sigma_m: self.sigma_m,
             tau_cool_min: self.tau_cool_min.or(law.tau_min()).unwrap_or(1.0),
         };

@@ -3,7 +3,7 @@
 use super::number::positive;
 use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
-use super::{Console, Outcome, files, measured};
+use super::{Console, Outcome, files, measured, model};
 use crate::application::sha256;
 use crate::report::LocatedDiagnostic;
 use driftpost::application::ChangeCheck;
@@ -64,10 +64,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
     let found = job.run(&before, &after).map_err(Diagnostic::from)?;
     for (warnings, path) in found.comparison.warnings.iter().zip([&args.before, &args.after]) {
-        let of_file = warnings.iter().cloned().map(|mut warning| {
-            warning.message = format!("{}: {}", path.display(), warning.message);
-            warning
-        });
+        let shown = path.display().to_string();
+        let of_file = warnings.iter().cloned().map(|warning| model::in_file(&shown, warning));
         console.explain(&LocatedDiagnostic::all(of_file, &[]), true);
     }
     let takes_standard_output = json.is_standard();

@@ -139,5 +139,5 @@ pub(super) fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnos
             Diagnostic::error("fit::stop", format!("--stop {text} cannot be read")).help(help)
         })?);
     }
-    Ok(Some(Standstill::merged(stops)))
+    Ok(Some(stops))
 }

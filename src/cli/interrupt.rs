@@ -64,12 +64,12 @@ impl WaitingFile {
     /// Makes a file; there is no moment at which it is there and an interruption does not know of it.
     ///
     /// # Errors
-    /// Those of `create`.
+    /// What `create` cannot do, for its reason.
     pub fn create(create: impl FnOnce() -> io::Result<NamedTempFile>) -> io::Result<(NamedTempFile, Self)> {
         let mut waiting = lock(&WAITING);
         let file = create()?;
-        waiting.0.push(file.path().to_path_buf());
         let path = file.path().to_path_buf();
+        waiting.0.push(path.clone());
         Ok((file, Self(path)))
     }
 }

@@ -7,13 +7,17 @@ use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// What stands in a regular file; `None` of a pipe or device, which may give nothing for ever, and where nothing is.
+fn bytes_of_file(path: &Path) -> Option<Vec<u8>> {
+    path.is_file().then(|| fs::read(path).ok()).flatten()
+}
+
 /// Refuses to overwrite a result that was changed since it was written: touched up, or saved back by a controller.
 ///
 /// # Errors
 /// `output::changed`, naming the file.
 pub fn check_result(path: &Path) -> Result<(), Diagnostic> {
-    let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-    let Some(bytes) = is_file.then(|| fs::read(path).ok()).flatten() else { return Ok(()) };
+    let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
     if EarlierResult::of(&bytes) == Some(EarlierResult::Altered) {
         let text = format!("{} was changed since it was written", path.display());
         return Err(Diagnostic::error("output::changed", text).help(
@@ -28,10 +32,7 @@ pub fn check_result(path: &Path) -> Result<(), Diagnostic> {
 /// # Errors
 /// `output::changed`, naming the file.
 pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
-    let is_file = fs::metadata(path).is_ok_and(|metadata| metadata.is_file());
-    let Some(sheet) = is_file.then(|| fs::read(path).ok()).flatten().filter(|sheet| !is_blank(sheet)) else {
-        return Ok(());
-    };
+    let Some(sheet) = bytes_of_file(path).filter(|sheet| !is_blank(sheet)) else { return Ok(()) };
     // A spreadsheet may have saved it with other separators.
     let head = sheet.split(|byte| *byte == b'\n').next().map(String::from_utf8_lossy);
     if head.is_some_and(|head| MEASURED.iter().all(|column| head.contains(column))) {
@@ -65,7 +66,7 @@ fn is_blank(sheet: &[u8]) -> bool {
 /// # Errors
 /// `output::changed`, naming the file.
 pub fn check_copy(copies: &Copies, to: &Path, new: impl FnOnce() -> Vec<u8>) -> Result<(), Diagnostic> {
-    let Some(there) = to.is_file().then(|| fs::read(to).ok()).flatten() else { return Ok(()) };
+    let Some(there) = bytes_of_file(to) else { return Ok(()) };
     if there == new() || EarlierResult::of(&there).is_some() || copies.is_as_copied(to, &there) {
         return Ok(());
     }

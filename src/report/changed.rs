@@ -62,7 +62,7 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
     Ok(())
 }
 
-/// The first line.
+/// The first line, which says how far the verdict goes.
 fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
     match (is_changed, found.beyond.base_is_moved, found.noise_rms_m) {
         (true, ..) => "CHANGED",

@@ -8,7 +8,7 @@ use super::linearise::{Linearised, shift_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::outcome::FalseRow;
-use super::robust_weights::median;
+use super::robust_weights::upper_median;
 use crate::measure::{Reading, Stations};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
@@ -24,7 +24,7 @@ pub(super) fn false_rows(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) 
     let MeasuredRobot { measurements, stations, .. } = measured;
     let FittedModel { linear, model, .. } = fitted;
     let mut all = Vec::new();
-    let middle_m = median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>());
+    let middle_m = upper_median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>());
     for (i, station) in stations.stations.iter().enumerate().filter(|(i, _)| model.outliers[*i]) {
         let off_m = shift_m(&model.residuals[i]);
         for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {

@@ -11,7 +11,7 @@ use super::linearise::{Linearised, shift_m};
 use super::marginal::NoisePrior;
 use super::model::{FittedModel, Model, Workspace};
 use super::outlier_history::OutlierHistory;
-use super::robust_weights::{FALSE_SIGMAS, RobustWeights, median};
+use super::robust_weights::{FALSE_SIGMAS, RobustWeights, upper_median};
 use super::search::{ALARM_NATS, ChosenCause, Library, cause_columns};
 use super::slow_noise::{self, SlowNoise};
 use super::time_course::TimeCourse;
@@ -236,7 +236,7 @@ fn characteristic_length_m(linear: &Linearised, residuals: &[Twist]) -> Option<f
     let mut place: Vec<f64> = residuals.iter().map(shift_m).collect();
     let mut turn: Vec<f64> =
         residuals.iter().map(|m| (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]).sqrt()).collect();
-    let ratio = median(&mut place) / median(&mut turn).max(1e-12);
+    let ratio = upper_median(&mut place) / upper_median(&mut turn).max(1e-12);
     Some(ratio.clamp(1e-3, 10.0))
 }
 

@@ -42,7 +42,7 @@ impl RobustWeights {
             .zip(&linear.dataset.observations)
             .map(|(d, observation)| d / if observation.rows(3) == 1 { 0.6745 } else { 1.54 })
             .collect();
-        let sigma_m = median(&mut sigmas);
+        let sigma_m = upper_median(&mut sigmas);
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
         let mut outliers: Vec<bool> = (0..residuals.len())
             .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
@@ -121,7 +121,7 @@ fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64
 
 /// Upper median of the values; 0 of none.
 #[must_use]
-pub(super) fn median(values: &mut [f64]) -> f64 {
+pub(super) fn upper_median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }

@@ -30,7 +30,7 @@ pub enum PerformanceError {
         targets.join(", ")
     )]
     SeveralTargets {
-        /// Their names.
+        /// Their names as the column `target` has them.
         targets: Vec<String>,
     },
     /// The rows contradict the robot.

@@ -120,7 +120,7 @@ pub struct TargetChange {
 }
 
 impl TargetChange {
-    /// Whether nothing differs.
+    /// Whether it is the same target, to the last digit and in the same configuration.
     #[must_use]
     pub fn is_none(&self) -> bool {
         self.distance_m == 0.0

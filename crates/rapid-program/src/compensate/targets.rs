@@ -87,7 +87,7 @@ const PAPERS: [&str; 7] = ["no.point", "x[mm]", "y[mm]", "z[mm]", "ox[deg]", "oy
 /// # Errors
 /// [`TargetsError`] with line and column.
 pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<Vec<NamedPose>, TargetsError> {
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let bytes = without_mark(bytes);
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
     let lines = LineIndex::new(bytes);
     let csv_error = |error: csv::Error| {
@@ -123,11 +123,14 @@ pub fn read(bytes: &[u8], orientation: Option<&UnitQuaternion<f64>>) -> Result<V
     if targets.is_empty() { Err(TargetsError::Empty) } else { Ok(targets) }
 }
 
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
+
 /// Whether a file of targets says for itself how the flange stands; then no orientation that is given counts.
 #[must_use]
 pub fn have_orientation(bytes: &[u8]) -> bool {
-    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(without_mark(bytes));
     reader.headers().is_ok_and(|names| names.len() == OURS.len())
 }
 

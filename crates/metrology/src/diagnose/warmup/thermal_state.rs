@@ -2,7 +2,7 @@
 
 use super::cold_reference;
 use super::fit::MOST_ASIDE;
-use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState};
+use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints};
 use crate::measure::Touches;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter, TouchOutcome};
@@ -152,17 +152,8 @@ pub fn thermal_state(
             [arm.cold, arm.settled].map(|arm| arm.under(&conditions).point_m(q_rad, &options.tool_m));
         cold - settled
     };
-    let mut points = cold_reference::placed(touches, tip_m, along_m);
-    let as_touched = points.clone();
-    let mut false_first = cold_reference::correct_cold_references(&mut points, &first, options);
-    let unknown = first.clone();
-    let mut first = if false_first.is_empty() { first } else { cold_reference::cold(&first) };
-    let mut run = ThermalRun::new(first.clone(), &points, options);
-    if !false_first.is_empty() && are_many(&run.touches) {
-        // An arm that drifts otherwise says nothing of single touches.
-        (points, first, false_first) = (as_touched, unknown, Vec::new());
-        run = ThermalRun::new(first.clone(), &points, options);
-    }
+    let touched = cold_reference::placed(touches, tip_m, along_m);
+    let ReferencedRun { points, first, false_first, mut run } = ReferencedRun::new(touched, first, options);
     if run.touches.is_empty() {
         let moved = points.cold.iter().flatten().any(|place| place.along_m.norm() >= LEAST_M);
         return Err(if moved || touches.touches.len() < 2 {
@@ -188,6 +179,33 @@ pub fn thermal_state(
     let stood = options.stops.iter().any(|stop| stop.to_min > begin_min && stop.from_min < end_min);
     let (state, covariance) = (run.filter.state, run.filter.covariance);
     Ok(RobotState { touches: run.touches, false_first, state, covariance, law, stood, plan })
+}
+
+/// A run of the filter over touches, and what it took for cold.
+struct ReferencedRun {
+    points: TouchedPoints,
+    /// The filter that it began with.
+    first: ThermalFilter,
+    false_first: Vec<FirstTouchOutlier>,
+    run: ThermalRun,
+}
+
+impl ReferencedRun {
+    /// By the places that later touches give to points whose first one is false; by the first ones where an arm that drifts otherwise than
+    /// it is taken to says nothing of single touches.
+    fn new(touched: TouchedPoints, first: ThermalFilter, options: &StateOptions) -> Self {
+        let mut points = touched.clone();
+        let false_first = cold_reference::correct_cold_references(&mut points, &first, options);
+        if !false_first.is_empty() {
+            let cold = cold_reference::cold(&first);
+            let run = ThermalRun::new(cold.clone(), &points, options);
+            if !are_many(&run.touches) {
+                return Self { points, first: cold, false_first, run };
+            }
+        }
+        let run = ThermalRun::new(first.clone(), &touched, options);
+        Self { points: touched, first, false_first: Vec::new(), run }
+    }
 }
 
 /// How well touches of a point keep the state over a shift.
