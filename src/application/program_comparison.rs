@@ -8,7 +8,7 @@ use crate::report::{Compared, LocatedDiagnostic, value, write_pretty};
 use rapid_program::compensate::compare::{Comparison, compare};
 use rapid_program::compensate::plan::{PlannedMotion, Status};
 use rapid_program::compensate::{FormChoice, JointsHint, Options, plan};
-use rapid_program::emit::{Difference, WithoutAdded};
+use rapid_program::emit::{Difference, HeldMode, WithoutAdded};
 use rapid_program::program::motion::{Motion, MotionId};
 use rapid_program::program::{FilePairs, Overrides, Program, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -103,7 +103,8 @@ impl<'f> ProgramComparison<'f> {
         }
         let elsewhere = plain.differences;
         let other_files = other_files(&self.before, &self.after)?;
-        Ok(ComparedPrograms { before, after, pairs, comparison, settled, elsewhere, other_files })
+        let modes = HeldMode::of(&after);
+        Ok(ComparedPrograms { before, after, pairs, comparison, settled, elsewhere, other_files, modes })
     }
 
     fn emitted_settings(&self, task: Option<&str>) -> EmittedSettings {
@@ -179,12 +180,14 @@ pub struct ComparedPrograms {
     pub elsewhere: Vec<Difference>,
     /// What differs among files that are no modules, a sentence each.
     pub other_files: Vec<String>,
+    /// Clocks of the second program that do not follow the warm-up, as they are stored.
+    pub modes: Vec<HeldMode>,
 }
 
 impl ComparedPrograms {
     fn shown(&self) -> Compared<'_> {
-        let Self { before, after, pairs, comparison, settled, elsewhere, other_files } = self;
-        Compared { before, after, pairs, comparison, settled, elsewhere, other_files }
+        let Self { before, after, pairs, comparison, settled, elsewhere, other_files, modes } = self;
+        Compared { before, after, pairs, comparison, settled, elsewhere, other_files, modes }
     }
 
     /// Whether the two are the same program, byte for byte.

@@ -1,10 +1,10 @@
 //! Two programs compared, for people.
 
-use super::comparison_figures::{Figures, Worst, bucket, sentence};
+use super::comparison_figures::{Figures, Worst, bucket, held, sentence};
 use super::motion_rows::target_name;
 use super::{Align, Table, counted, plural};
 use rapid_program::compensate::compare::{ComparedMotion, Comparison, TargetChange};
-use rapid_program::emit::Difference;
+use rapid_program::emit::{Difference, HeldMode};
 use rapid_program::program::motion::Motion;
 use rapid_program::program::{FilePairs, Program};
 use rapid_syntax::diagnostic::FileId;
@@ -32,6 +32,8 @@ pub struct Compared<'a> {
     pub elsewhere: &'a [Difference],
     /// What differs among files that are no modules, a sentence each.
     pub other_files: &'a [String],
+    /// Clocks of the second program that do not follow the warm-up, as they are stored.
+    pub modes: &'a [HeldMode],
 }
 
 impl Compared<'_> {
@@ -114,13 +116,16 @@ impl Compared<'_> {
             writeln!(out, "{}", sentence(difference))?;
         }
         self.other_files.iter().try_for_each(|sentence| writeln!(out, "{sentence}"))?;
+        self.modes.iter().try_for_each(|mode| writeln!(out, "{}", held(mode)))?;
         let verdict = match (self.is_same(), self.is_same_elsewhere()) {
             (true, _) => "The same, byte for byte.",
             (_, false) => "DIFFERENT beside the targets of motions: see the lines above.",
             (_, true) if changed + live > 0 => {
                 "Every token that is not the target of a motion is the same in both."
             }
-            (_, true) => "The same but for its layout or for how numbers are spelt.",
+            (_, true) => {
+                "The same but for its layout, for how numbers are spelt or for what a clock has stored."
+            }
         };
         writeln!(out, "{verdict}")
     }

@@ -2,7 +2,7 @@
 
 use super::rounded;
 use rapid_program::compensate::compare::{ComparedMotion, Comparison};
-use rapid_program::emit::Difference;
+use rapid_program::emit::{Difference, HeldMode};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 
@@ -87,4 +87,11 @@ pub(super) fn sentence(difference: &Difference) -> String {
         Difference::Altered { file, what } => format!("{file}:{}: {what}", what.line()),
         Difference::Damaged { file, error } => format!("{file} was edited where it must not be: {error}"),
     }
+}
+
+/// What a program does whose clock does not follow the warm-up, for people.
+pub(super) fn held(mode: &HeldMode) -> String {
+    let HeldMode { file, line, name, value } = mode;
+    let motions = if value == "-2" { "go to the original targets" } else { "do not follow the warm-up" };
+    format!("{file}:{line}: {name} is {value}: its motions {motions} until it is set to -1.")
 }

@@ -1,7 +1,7 @@
 //! Two programs compared, for scripts: JSON, and CSV with a row for each motion and bucket.
 
 use super::comparison::Compared;
-use super::comparison_figures::{Figures, bucket, sentence};
+use super::comparison_figures::{Figures, bucket, held, sentence};
 use super::motion_rows::target_name;
 use super::rounded;
 use rapid_program::compensate::compare::TargetChange;
@@ -91,6 +91,7 @@ impl Serialize for Compared<'_> {
         map.serialize_entry("worst", &Figures::of(self.comparison).json())?;
         let elsewhere = self.elsewhere.iter().map(sentence).chain(self.other_files.iter().cloned());
         map.serialize_entry("elsewhere", &elsewhere.collect::<Vec<_>>())?;
+        map.serialize_entry("held_modes", &self.modes.iter().map(held).collect::<Vec<_>>())?;
         map.serialize_entry("motions", &Motions(self))?;
         map.serialize_entry("only_before", &places(self.before, &self.comparison.only_before))?;
         map.serialize_entry("only_after", &places(self.after, &self.comparison.only_after))?;

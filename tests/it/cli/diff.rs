@@ -313,6 +313,39 @@ fn an_edit_of_what_was_added_is_told() {
     }
 }
 
+/// The operator went back to the original targets before the program was saved: no target differs, and yet nothing is corrected.
+#[test]
+fn a_clock_that_was_saved_switched_off_is_told() {
+    let bench = Bench::default();
+    for core in ["embedded", "separate"] {
+        let (_, clock) = with_clock(&bench, core);
+        let program = bench.path(core).display().to_string();
+        let original = bench.file(&format!("before_{core}/Cube45.mod"), std::fs::read(CUBE).unwrap());
+        let original = original.trim_end_matches("/Cube45.mod").to_owned();
+        let text = std::fs::read_to_string(&clock).unwrap();
+        let told = |value: &str| {
+            let saved = text.replacen("PERS num tcMode:=-1;", &format!("PERS num tcMode:={value};"), 1);
+            std::fs::write(&clock, &saved).unwrap();
+            let line = saved.lines().position(|line| line.contains(" tcMode:=")).unwrap() + 1;
+            let shown = out(&driftpost(&["diff", &original, &program]));
+            let of_it: Vec<String> =
+                shown.lines().filter(|line| line.contains("until it is set")).map(str::to_owned).collect();
+            assert!(of_it.iter().all(|of_it| of_it.starts_with(&format!("{clock}:{line}: "))), "{of_it:?}");
+            (of_it, shown.contains("Every token that is not the target of a motion is the same in both."))
+        };
+        assert_eq!(told("-1"), (Vec::new(), true), "{core}");
+        let (off, is_same) = told("-2");
+        assert!(is_same && off.len() == 1 && off[0].contains("go to the original targets"), "{off:?}");
+        let (held, _) = told("5");
+        assert!(held.len() == 1 && held[0].contains("do not follow the warm-up"), "{held:?}");
+    }
+    let made = compensated(&bench);
+    let off = std::fs::read_to_string(&made).unwrap().replacen("tcMode:=-1;", "tcMode:=-2;", 1);
+    let off = bench.file("off.mod", off);
+    let shown = out(&driftpost(&["diff", &made, &off]));
+    assert!(shown.trim_end().ends_with("or for what a clock has stored."), "{shown}");
+}
+
 #[test]
 fn what_restore_does_not_take_over_is_said() {
     let bench = Bench::default();
