@@ -62,6 +62,10 @@ impl From<PerformanceError> for Diagnostic {
                 "--register base,tool fits the place of each; or judge one alone: only = { column = \"target\", is = [\"NAME\"] } in a column \
                  map (--columns)",
             ),
+            PerformanceError::Register(_) => message.help(
+                "accuracy needs more poses; repeatability does not, but rows that repeat one pose with joints as the encoders read them \
+                 need one `pose_id`",
+            ),
             _ => message,
         }
     }
@@ -273,10 +277,9 @@ mod tests {
         assert!(found.registration.is_none() && pose.accuracy.is_none());
         let once = text.lines().take(2).collect::<Vec<_>>().join("\n");
         let once = Measurements::from_csv(once.as_bytes()).unwrap();
-        assert!(matches!(
-            performance(&once, &robot, ComparisonFrame::Fitted),
-            Err(PerformanceError::Register(_))
-        ));
+        let error = performance(&once, &robot, ComparisonFrame::Fitted).unwrap_err();
+        assert!(matches!(error, PerformanceError::Register(_)));
+        assert!(Diagnostic::from(error).help.iter().any(|help| help.contains("pose_id")));
     }
 
     /// A robot without any error, joint 1 turned by +-0.02 deg about 30 deg as its encoder reads: on an arc of r = |p_xy| the points of each
