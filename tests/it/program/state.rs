@@ -102,6 +102,43 @@ fn what_a_hand_calls_counts_where_it_is_known() {
     assert_eq!(codes(&read), ["keep::tool-unknown"]);
 }
 
+/// What a procedure that is not given is handed it may be there to set, as a camera's work object or a measured tip; a call with a speed
+/// is a move with its own ways, and a move sets neither.
+#[test]
+fn a_tool_or_work_object_that_is_handed_to_a_routine_that_is_not_given_is_not_known_behind_it() {
+    let codes_behind = |call: &str| codes(&main_of(&data(), &format!("{call};\n{MOVE}"))).join(" ");
+    for (call, code) in [
+        ("GetFrame w", "keep::wobj-unknown"),
+        ("%\"GetFrame\"% w", "keep::wobj-unknown"),
+        ("MeasureTip t", "keep::tool-unknown"),
+        ("MeasureTip t.tframe.trans", "keep::tool-unknown"),
+        ("Measure 5\\Tip:=t", "keep::tool-unknown"),
+        ("Approach t,v100.v_tcp", "keep::tool-unknown"),
+    ] {
+        assert_eq!(codes_behind(call), code, "{call}");
+    }
+    for call in [
+        "GoTo p,v100,z10,t\\WObj:=w",
+        "Paint v20,t",
+        "ArcLStart p,v100,sm1,wd1,fine,t",
+        "GetFrame",
+        "TPWrite w.ufmec",
+    ] {
+        assert!(!codes_behind(call).contains("unknown"), "{call}: {}", codes_behind(call));
+    }
+    // Another one than the motion's.
+    assert_eq!(
+        codes(&main_of(
+            &format!(
+                "{}PERS wobjdata other:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];",
+                data()
+            ),
+            &format!("GetFrame other;\n{MOVE}")
+        )),
+        ["-"]
+    );
+}
+
 /// It is taken to change nothing, so what it could change is named: PERS that it sees.
 #[test]
 fn a_routine_that_is_not_given_is_told_with_what_it_can_set() {

@@ -6,13 +6,15 @@
 use super::expressions::{root_of, value_of};
 use super::ids::{DatumId, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved};
+use super::names::lower_case;
+use super::predefined::predefined;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, Expr};
+use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind};
 
 /// What is called and is not among the files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum NotGiven {
-    /// A procedure: tools, work objects, speeds and zones are taken to be left alone, as moves leave them.
+    /// A procedure: one that is handed a speed, too, is taken to move, and to leave tool, work object and load alone, as moves leave them.
     Procedure,
     /// A function: it moves nothing, so it may be there to write any of its arguments.
     Function,
@@ -25,22 +27,41 @@ pub(super) fn doubtful_arguments(
     args: &[Arg],
     callee: NotGiven,
 ) -> Vec<TextRange> {
+    let moves = callee == NotGiven::Procedure
+        && args.iter().filter_map(value_of).any(|expr| is_speed(index, ctx, expr));
     let mut out = Vec::new();
     for arg in args {
         let Some(expr) = value_of(arg) else { continue };
         let Some((root, _)) = root_of(expr) else { continue };
         if let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx) {
-            let left_alone = callee == NotGiven::Procedure
-                && matches!(
-                    index.type_text(index.data[datum].type_name),
-                    "tooldata" | "wobjdata" | "speeddata" | "zonedata" | "loaddata"
-                );
+            let left_alone = match index.type_text(index.data[datum].type_name) {
+                "speeddata" | "zonedata" => callee == NotGiven::Procedure,
+                // A move takes them whole.
+                "tooldata" | "wobjdata" | "loaddata" => moves && matches!(expr.kind, ExprKind::Name),
+                _ => false,
+            };
             if !left_alone {
                 out.push(root);
             }
         }
     }
     out
+}
+
+/// Whether an argument is a speed, which moves alone are handed.
+fn is_speed(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+    let Some((root, _)) = root_of(expr).filter(|_| !matches!(expr.kind, ExprKind::Field(_))) else {
+        return false;
+    };
+    let of_type = match index.datum(root, ctx) {
+        Resolved::Here(datum) | Resolved::Elsewhere(datum) | Resolved::Twice(datum, _) => {
+            index.type_text(index.data[datum].type_name)
+        }
+        Resolved::Nowhere => {
+            predefined(&lower_case(index.text(ctx.file, root))).map_or("", |(of_type, _)| of_type)
+        }
+    };
+    of_type == "speeddata"
 }
 
 /// What a call hands to a parameter of the callee.
