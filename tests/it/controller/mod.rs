@@ -2,6 +2,7 @@
 
 mod arguments;
 mod memory;
+mod outputs;
 mod pure;
 mod searching;
 mod slowing;

@@ -58,8 +58,7 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
         set_clock(vm, args, ClockState { counted_s, since_s: None })
     }),
     instruction!("waittime", (seconds: f32), |vm, args| {
-        vm.machine.calendar.advance_s(f64::from(seconds));
-        Ok(())
+        vm.wait(f64::from(seconds))
     }),
     instruction!("waituntil", (condition: Unevaluated), |vm, args| wait_until(vm, args)),
     instruction!("itimer", (seconds: f32, interrupt: f32), |vm, args| {

@@ -2,16 +2,17 @@
 
 use super::data::call_by_name;
 use super::parameter::{ExtJoint, Instruction, Parameter, RobTarget, Unevaluated, instruction, string};
+use super::signals::put;
 use super::tools::{setup, setup_of, tool_and_object};
 use crate::arm::{ControllerArm, Move, SolvedMove, SpeedOverride};
-use crate::code::{Arg, Expr, ExprKind, NameRef};
+use crate::code::{Arg, Expr, ExprKind, Name, NameRef};
 use crate::frame::{self, Setup};
 use crate::ids::ModuleId;
 use crate::interpreter::{Args, Interpreter};
 use crate::outcome::{Fault, fatal, raise};
 use crate::path::PathKind;
 use crate::predefined;
-use crate::value::Value;
+use crate::value::{Type, Value};
 use nalgebra::{Isometry3, Translation3};
 use robot_model::units::{deg_from_rad, m_from_mm, rad_from_deg};
 
@@ -27,6 +28,8 @@ pub(crate) struct MoveForm {
     tool: usize,
     /// A procedure's name, called at the target.
     procedure: Option<usize>,
+    /// A signal that is set at the target; its value follows, in order or by name.
+    output: Option<usize>,
 }
 
 impl MoveForm {
@@ -38,7 +41,7 @@ impl MoveForm {
             (_, PathKind::Linear | PathKind::Circular) => PathKind::Linear,
             (_, PathKind::Joint | PathKind::AbsJoint) => PathKind::Joint,
         };
-        Self { path, target: self.speed - 1, procedure: None, ..self }
+        Self { path, target: self.speed - 1, procedure: None, output: None, ..self }
     }
 }
 
@@ -61,7 +64,9 @@ pub(crate) fn form(name: &str) -> Option<MoveForm> {
     };
     let targets = if path == Circular { 2 } else { 1 };
     let procedure = name.ends_with("sync").then_some(tool + 1);
-    Some(MoveForm { path, target, speed: target + targets, tool, procedure })
+    let sets_output = name.starts_with("move") && ["do", "ao", "go"].iter().any(|kind| name.ends_with(kind));
+    let output = sets_output.then_some(tool + 1);
+    Some(MoveForm { path, target, speed: target + targets, tool, procedure, output })
 }
 
 /// Fastest joint, for the time a joint move takes, deg/s: data sheets give 200 and more.
@@ -104,7 +109,9 @@ fn with_arm(vm: &mut Interpreter<'_>, change: impl FnOnce(&mut ControllerArm)) -
 
 /// Makes a move, and calls the procedure of a `...Sync` at its end.
 pub(super) fn make(vm: &mut Interpreter<'_>, form: &MoveForm, args: &Args<'_>) -> Result<(), Fault> {
-    match vm.metered(|vm| execute(vm, form, args))? {
+    let procedure = vm.metered(|vm| execute(vm, form, args))?;
+    vm.serve_missed()?;
+    match procedure {
         Some(procedure) => call_by_name(vm, &procedure),
         None => Ok(()),
     }
@@ -147,16 +154,10 @@ pub(crate) fn execute(
     form: &MoveForm,
     args: &Args<'_>,
 ) -> Result<Option<String>, Fault> {
-    let ty = match form.path {
-        PathKind::AbsJoint => vm.program.types.jointtarget.clone(),
-        _ => vm.program.types.robtarget.clone(),
-    };
-    let mut targets = Vec::with_capacity(2);
-    for at in form.target..form.speed {
-        targets.push(vm.eval_as(args.at(at)?, &ty)?.numbers());
-    }
+    let targets = targets_of(vm, form, args)?;
     let (tool, object) = tool_and_object(vm, args.at(form.tool)?, args.named("wobj"))?;
     let setup = setup(&tool, &object, vm.machine.gripped)?;
+    let output = form.output.map(|at| output_at(vm, args, at)).transpose()?;
     let start_q_rad = vm.arm.as_ref().and_then(|arm| arm.q_rad());
     let began_s = vm.machine.calendar.steady_s();
     let search = Search::of(vm, args, &targets, &setup)?;
@@ -196,10 +197,33 @@ pub(crate) fn execute(
         store_search(vm, args, search)?;
     }
     vm.machine.limits.count_move();
+    if let Some((signal, value)) = output {
+        put(vm, signal, value)?;
+    }
     match form.procedure {
         Some(at) => string(vm, args.at(at)?).map(Some),
         None => Ok(None),
     }
+}
+
+/// The numbers of a move's target; of an arc's circle point and of its end.
+fn targets_of(vm: &mut Interpreter<'_>, form: &MoveForm, args: &Args<'_>) -> Result<Vec<Vec<f64>>, Fault> {
+    let ty = match form.path {
+        PathKind::AbsJoint => vm.program.types.jointtarget.clone(),
+        _ => vm.program.types.robtarget.clone(),
+    };
+    (form.target..form.speed).map(|at| Ok(vm.eval_as(args.at(at)?, &ty)?.numbers())).collect()
+}
+
+/// The signal of a `MoveLDO`, `MoveLAO` or `MoveLGO` that stands at `at`, and what it is set to at the target.
+fn output_at(vm: &mut Interpreter<'_>, args: &Args<'_>, at: usize) -> Result<(Name, f32), Fault> {
+    let signal = vm.signal_name(args.at(at)?)?;
+    let value = match (args.named("value"), args.named("dvalue")) {
+        (Some(value), _) => vm.eval_num(value)?,
+        (None, Some(value)) => vm.eval_as(value, &Type::Dnum)?.number().unwrap_or(0.0) as f32,
+        (None, None) => vm.eval_num(args.at(at + 1)?)?,
+    };
+    Ok((signal, value))
 }
 
 /// Stores what a search has found, or raises the error of one that came to its end.

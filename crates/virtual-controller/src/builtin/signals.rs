@@ -47,7 +47,8 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
     instruction!("waitao", (signal: Name, limit: f32), |vm, args| wait_beyond(vm, args, signal, limit)),
 ];
 
-fn put(vm: &mut Interpreter<'_>, name: Name, value: f32) -> Result<(), Fault> {
+/// Sets a signal.
+pub(super) fn put(vm: &mut Interpreter<'_>, name: Name, value: f32) -> Result<(), Fault> {
     if vm.machine.signals.units_down.contains(&name) {
         return raise("err_norununit", format!("no contact with the unit of signal {name}"));
     }
@@ -85,7 +86,7 @@ fn wait(
     // A signal that a scenario or the program has set is what it is; of another the cell takes care.
     if let Some(e) = args.named("maxtime").filter(|_| vm.machine.signals.levels.contains_key(&signal)) {
         let at_most_s = f64::from(vm.eval_num(e)?);
-        vm.machine.calendar.advance_s(at_most_s);
+        vm.wait(at_most_s)?;
         return waited_in_vain(vm, Some(at_most_s), flag);
     }
     vm.report("controller", format!("waits for {signal}; taken as come"));

@@ -153,9 +153,45 @@ impl Interpreter<'_> {
         Ok(())
     }
 
-    /// Start the trap of an interrupt that is due; traps do not interrupt traps.
+    /// Whether an interrupt would be served: traps do not interrupt traps.
+    fn is_interruptible(&self) -> bool {
+        !self.machine.interrupts.list.is_empty() && !self.machine.stack.frames.iter().any(|f| f.trap)
+    }
+
+    /// Waits; traps run when their timers are due, and what they take is part of the wait.
+    pub(crate) fn wait(&mut self, seconds: f64) -> Result<(), Fault> {
+        let end_s = self.machine.calendar.steady_s() + seconds;
+        let left_s = |vm: &Self, until_s: f64| (until_s - vm.machine.calendar.steady_s()).max(0.0);
+        let depth = self.machine.stack.frames.len();
+        while self.is_interruptible()
+            && let Some(due_s) = self.machine.interrupts.next_due_s().filter(|due_s| *due_s <= end_s)
+        {
+            let left_s = left_s(self, due_s);
+            self.machine.calendar.advance_s(left_s);
+            self.interrupt()?;
+            self.run(depth)?;
+        }
+        let left_s = left_s(self, end_s);
+        self.machine.calendar.advance_s(left_s);
+        Ok(())
+    }
+
+    /// Runs the traps whose timers were due during a move, at its end, each as often as it was due.
+    pub(crate) fn serve_missed(&mut self) -> Result<(), Fault> {
+        let end_s = self.machine.calendar.steady_s();
+        let depth = self.machine.stack.frames.len();
+        while self.is_interruptible()
+            && let Some(trap) = self.machine.interrupts.take_first(end_s)
+        {
+            self.enter(trap, Vec::new(), true)?;
+            self.run(depth)?;
+        }
+        Ok(())
+    }
+
+    /// Start the trap of an interrupt that is due.
     pub(crate) fn interrupt(&mut self) -> Result<(), Fault> {
-        if self.machine.interrupts.list.is_empty() || self.machine.stack.frames.iter().any(|f| f.trap) {
+        if !self.is_interruptible() {
             return Ok(());
         }
         match self.machine.interrupts.take_due(self.machine.calendar.steady_s()) {

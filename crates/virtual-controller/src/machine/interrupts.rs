@@ -38,13 +38,30 @@ impl Interrupts {
         let due = |i: &&mut Interrupt| !i.asleep && i.timer.is_some_and(|(_, at_s)| at_s <= now_s);
         let interrupt = self.list.iter_mut().find(due)?;
         interrupt.timer = match interrupt.timer {
-            // What fell due while something else went on is served once.
+            // What fell due while a trap ran is served once.
             Some((period_s, at_s)) if !interrupt.single => {
                 let missed = ((now_s - at_s) / period_s).floor().max(0.0);
                 Some((period_s, at_s + (missed + 1.0) * period_s))
             }
             _ => None,
         };
+        self.intno = interrupt.number;
+        Some(interrupt.trap)
+    }
+
+    /// When a timer is due next, steady seconds; `None` where none is to come.
+    pub(crate) fn next_due_s(&self) -> Option<f64> {
+        let awake = self.list.iter().filter(|interrupt| !interrupt.asleep);
+        awake.filter_map(|interrupt| Some(interrupt.timer?.1)).reduce(f64::min)
+    }
+
+    /// The trap of the interrupt that was due first up to `until_s` of the steady clock; its timer is set on by one period.
+    pub(crate) fn take_first(&mut self, until_s: f64) -> Option<RoutineId> {
+        let at_s = |interrupt: &Interrupt| interrupt.timer.map_or(f64::INFINITY, |(_, at_s)| at_s);
+        let awake = self.list.iter_mut().filter(|interrupt| !interrupt.asleep && at_s(interrupt) <= until_s);
+        let interrupt = awake.min_by(|a, b| at_s(a).total_cmp(&at_s(b)))?;
+        let (period_s, at_s) = interrupt.timer?;
+        interrupt.timer = (!interrupt.single).then_some((period_s, at_s + period_s));
         self.intno = interrupt.number;
         Some(interrupt.trap)
     }
