@@ -13,7 +13,7 @@ use metrology::diagnose::{self, DiagnosisOptions};
 use metrology::measure::Measurements;
 use nalgebra::{Isometry3, Vector3};
 use rapid_program::emit::{Clock, renamed};
-use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, mm_from_m};
@@ -46,10 +46,10 @@ impl ClosedLoop {
     pub fn run(&self, program: &ProgramFiles, rng: &mut Rng) -> Result<LoopClosed, LoopFailure> {
         let Identification { findings, model, set } = self.identify(rng)?;
         match self.measure_again(&model, &set, program, rng) {
-            Ok([before, after]) => {
+            Ok(MeasuredAgain { before, after, kept }) => {
                 let (withheld, n) = (self.withheld.clone(), self.recipe.n);
                 let floor_mm = self.recipe.sigma_mm * 3.0_f64.sqrt();
-                Ok(LoopClosed { withheld, n, floor_mm, findings, model, before, after })
+                Ok(LoopClosed { withheld, n, floor_mm, findings, model, before, after, kept })
             }
             Err(why) => Err(LoopFailure { why, model: Some(Box::new(model)) }),
         }
@@ -95,7 +95,7 @@ impl ClosedLoop {
         set: &DataSet,
         program: &ProgramFiles,
         rng: &mut Rng,
-    ) -> Result<[LeftAtTargets; 2], Diagnostic> {
+    ) -> Result<MeasuredAgain, Diagnostic> {
         let robot = &self.robot.model;
         let model = Named::new(found.clone(), "what was found", &[]);
         let mut compensation = Compensation::with_model(self.robot.clone(), model);
@@ -112,7 +112,9 @@ impl ClosedLoop {
         let done = moves(robot, &made.loaded())?;
         let under_test = VirtualRobot::from_truth(&robot.into(), &set.truth);
         let sigma_mm = self.recipe.sigma_mm;
-        Ok([&meant, &done].map(|done| left_at_targets(&under_test, &meant, done, sigma_mm, rng)))
+        let [before, after] =
+            [&meant, &done].map(|done| left_at_targets(&under_test, &meant, done, sigma_mm, rng));
+        Ok(MeasuredAgain { before, after, kept: made.totals.kept })
     }
 }
 
@@ -121,6 +123,14 @@ struct Identification {
     findings: diagnose::Findings,
     model: Identified,
     set: DataSet,
+}
+
+/// What is left at a program's targets.
+struct MeasuredAgain {
+    before: LeftAtTargets,
+    after: LeftAtTargets,
+    /// Motions that are not corrected.
+    kept: usize,
 }
 
 /// A loop that was closed.
@@ -140,6 +150,8 @@ pub struct LoopClosed {
     pub before: LeftAtTargets,
     /// What is left once it is compensated.
     pub after: LeftAtTargets,
+    /// How many of the program's motions were kept as they are: what is left at their targets is no fault of the model.
+    pub kept: usize,
 }
 
 impl LoopClosed {
@@ -161,6 +173,12 @@ impl LoopClosed {
                 left.n, left.measured_mm, left.true_mm, left.max_mm
             );
         }
+        if self.kept > 0 {
+            let kept = counted(self.kept, "motion");
+            text += &format!(
+                "{kept} kept uncorrected: `driftpost compensate --model` with --model-out's file says why\n"
+            );
+        }
         let verdict = if self.is_within(times) { "within" } else { "NOT within" };
         text + &format!("{verdict} {times} times the noise floor\n")
     }
@@ -171,7 +189,7 @@ impl LoopClosed {
         json!({
             "withheld": self.withheld, "verdict": self.findings.verdict,
             "causes": self.findings.causes.iter().map(diagnose::describe).collect::<Vec<_>>(),
-            "targets": self.before.n, "floor_rms_mm": self.floor_mm,
+            "targets": self.before.n, "kept": self.kept, "floor_rms_mm": self.floor_mm,
             "before": self.before.json(), "after": self.after.json(),
         })
     }

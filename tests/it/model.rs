@@ -430,6 +430,8 @@ fn what_is_withheld_is_found_and_compensated_down_to_the_noise() {
         ("joint_compliance:2,gear_mesh:3:20", "3"),
         ("joint_offset:3,joint_compliance:3", "2"),
         ("backlash:1", "3"),
+        // A step is judged once it has come, as the model holds it.
+        ("joint_step:3:50", "3"),
     ] {
         let output =
             driftpost(&["closed-loop", CUBE, "--inject", effects, "--seed", seed, "--json", &at("r.json")]);
@@ -449,4 +451,14 @@ fn what_is_withheld_is_found_and_compensated_down_to_the_noise() {
     }
     let drift = driftpost(&["rehearse", CUBE, "--withhold", "base_drift"]);
     assert_eq!(drift.status.code(), Some(2));
+    // What is left at a motion that is kept is told as that.
+    let cube = std::fs::read_to_string(CUBE).unwrap();
+    let first = cube.lines().find(|line| line.contains("MoveL")).unwrap();
+    let displaced = format!("PDispSet [[0,0,5],[1,0,0,0]];\n{first}\nENDPROC");
+    std::fs::write(at("kept.mod"), cube.replacen("ENDPROC", &displaced, 1)).unwrap();
+    let effect = ["--inject", "joint_offset:3,joint_compliance:3", "--seed", "2", "--json", &at("r.json")];
+    let output = driftpost(&[&["closed-loop", &at("kept.mod")], &effect[..]].concat());
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains("1 motion kept uncorrected"), "{text}{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(json(&at("r.json"))["kept"], 1);
 }

@@ -30,7 +30,7 @@ pub struct VirtualRobot {
     effects: Vec<SizedEffect>,
 }
 
-/// The effects that stay as they are: those of warmth need a history that a program does not have.
+/// The effects that stay as they are, a step once it has come: those of warmth need a history that a program does not have.
 #[must_use]
 pub fn is_lasting(effect: &Effect) -> bool {
     !matches!(
@@ -54,14 +54,14 @@ impl VirtualRobot {
         Self { arm: ScrewArm::new(robot), effects: truth.sized() }
     }
 
-    /// `base_from_flange` as it really is.
+    /// `base_from_flange` as it really is, every step having come.
     #[must_use]
     pub fn flange(&self, at: &Commanded) -> Isometry3<f64> {
         let payload_at_m = Point3::from(Vector3::from(at.payload_at_m));
         let nominal = self.arm.flange(&at.q_rad, &Disturbance::default());
         let now = ArmState {
             q_rad: at.q_rad,
-            t_min: 0.0,
+            t_min: f64::INFINITY,
             direction: at.direction,
             payload_kg: at.payload_kg,
             payload_at_m,
