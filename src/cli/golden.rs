@@ -10,7 +10,7 @@ use super::files::{self, Output, Pending};
 use super::program_input::ProgramInput;
 use super::settings;
 use super::{Console, Outcome};
-use crate::application::write_file_diff;
+use crate::application::{check_tasks, write_file_diff};
 use crate::report::{self, ColorMode};
 use clap::{Args as _, FromArgMatches};
 use rapid_program::emit::EmittedFile;
@@ -113,17 +113,29 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         result.entry(place).or_default().extend(file.bytes);
         Ok(())
     };
-    let job = args.compensation(None)?;
-    let messages = match job.run_each(&given.program(), &mut accept) {
-        Ok(made) => {
-            let mut text = Vec::new();
-            made.write_review(&mut text, true)?;
-            result.insert("review.txt".to_owned(), text);
-            result.insert("changes.diff".to_owned(), diff);
-            made.messages
+    let program = given.program();
+    let (mut review, mut messages, mut is_refused) = (Vec::new(), Vec::new(), false);
+    check_tasks(&args.task.iter().map(|of| of.task.as_str()).collect::<Vec<_>>(), &program)?;
+    for job in &args.jobs()? {
+        match job.run_each(&program, &mut accept) {
+            Ok(made) => {
+                made.write_review(&mut review, true)?;
+                messages.extend(made.messages);
+            }
+            Err(refusal) => {
+                messages = refusal.messages;
+                is_refused = true;
+                break;
+            }
         }
-        Err(refusal) => refusal.messages,
-    };
+    }
+    // Where one task's robot cannot be corrected, no task's files are written.
+    if is_refused {
+        result.clear();
+    } else {
+        result.insert("review.txt".to_owned(), review);
+        result.insert("changes.diff".to_owned(), diff);
+    }
     report::write_messages(&mut message_text, &messages, color_mode, true)?;
     if !message_text.is_empty() {
         result.insert("messages.txt".to_owned(), message_text);
@@ -140,9 +152,17 @@ fn options(case: &Path) -> Result<compensate::Args, Diagnostic> {
     let table: toml::Table = toml::from_str(&text).map_err(|error| wrong(error.message().to_owned()))?;
     let mut words = vec![OsString::from("compensate")];
     for (name, value) in &table {
-        words.extend(settings::words(name, value, |text| {
+        let in_case = |text: &str| {
             let file = case.join(text);
             if file.is_file() { file.display().to_string() } else { text.to_owned() }
+        };
+        words.extend(settings::words(name, value, |text| match text.split_once('=') {
+            // A robot's file and its table's, TASK=ROBOT,TABLE.
+            Some((task, files)) if name == "task" => {
+                let files: Vec<String> = files.split(',').map(in_case).collect();
+                format!("{task}={}", files.join(","))
+            }
+            _ => in_case(text),
         }));
     }
     words.push(case.join("source").into());

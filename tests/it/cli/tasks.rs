@@ -303,3 +303,47 @@ fn home_and_start_joints_are_a_tasks_own() {
         assert!(err(&output).contains("task::"), "{start:?}: {}", err(&output));
     }
 }
+
+/// A cell of two robots is kept under review as one is: what `golden` expects of each module is what `compensate` writes.
+#[test]
+fn a_golden_case_has_the_robots_of_its_tasks() {
+    let bench = Bench::default();
+    let source = backup(&bench);
+    let table = bench.file("drift2.csv", TABLE);
+    let to = bench.path("made").display().to_string();
+    let second = format!("TASK2={LARGE},{table}");
+    let tasks = ["--task", "TASK1=irb140", "--task", second.as_str(), "--growth", "two-stage:60"];
+    let made = driftpost(&[["compensate", &source, "-o", &to, "--diff", "none"].as_slice(), &tasks].concat());
+    assert!(made.status.success(), "{}", err(&made));
+
+    bench.file("cases/cell/source/RAPID/TASK1/PROGMOD/Cube45.mod", fs::read_to_string(CUBE).unwrap());
+    bench.file("cases/cell/source/RAPID/TASK2/PROGMOD/Press.mod", PRESS);
+    bench.file("cases/cell/drift2.csv", TABLE);
+    let options = |second: &str| {
+        let text = format!("task = [\"TASK1=irb140\", \"TASK2={second}\"]\ngrowth = \"two-stage:60\"\n");
+        bench.file("cases/cell/options.toml", text);
+    };
+    options("irb4600,drift2.csv");
+    let cases = bench.path("cases").display().to_string();
+    let updated = driftpost(&["golden", &cases, "--update"]);
+    assert!(updated.status.success(), "{}", err(&updated));
+    for place in ["RAPID/TASK1/PROGMOD/Cube45.mod", "RAPID/TASK2/PROGMOD/Press.mod"] {
+        // Where the program came from stands in the header.
+        let code = |text: String| {
+            text.lines().filter(|line| !line.trim_start().starts_with('!')).collect::<Vec<_>>().join("\n")
+        };
+        let [expected, written] = [format!("cases/cell/expected/{place}"), format!("made/{place}")]
+            .map(|place| code(bench.text(&place)));
+        assert_eq!(expected, written, "{place}");
+    }
+    let review = bench.text("cases/cell/expected/review.txt");
+    assert!(review.contains("ABB IRB 140") && review.contains("ABB IRB 4600"), "{review}");
+    assert_eq!(driftpost(&["golden", &cases]).status.code(), Some(0));
+    // The second robot's corrections are beyond what is allowed: nothing of the cell would be written.
+    bench.file("cases/cell/far.csv", TABLE.replacen("0.02,0,0.09", "20,0,9", 1));
+    options("irb4600,far.csv");
+    assert_eq!(driftpost(&["golden", &cases]).status.code(), Some(1));
+    assert!(driftpost(&["golden", &cases, "--update"]).status.success());
+    assert!(!bench.path("cases/cell/expected/review.txt").exists());
+    assert!(!bench.path("cases/cell/expected/RAPID/TASK1/PROGMOD/Cube45.mod").exists());
+}
