@@ -55,6 +55,7 @@ pub fn json(report: &Report) -> Value {
         "executed": { "motions": report.executed[0], "of": report.executed[1] },
         "unknown_instructions": report.unknown_instructions,
         "messages": report.messages.iter().map(message_json).collect::<Vec<_>>(),
+        "messages_dropped": report.messages_dropped,
         "functions": report.efforts.iter().map(|(name, e)| effort_json(name, e)).collect::<Vec<_>>(),
     })
 }
@@ -152,8 +153,9 @@ fn write_trouble(to: &mut dyn Write, report: &Report) -> io::Result<()> {
     for m in report.messages.iter().take(20) {
         writeln!(to, "{} ({}:{}): {}", m.source, m.at.file, m.at.line, m.text)?;
     }
-    if report.messages.len() > 20 {
-        writeln!(to, "... and {} more", counted(report.messages.len() - 20, "message"))?;
+    let unseen = report.messages.len().saturating_sub(20) + report.messages_dropped;
+    if unseen > 0 {
+        writeln!(to, "... and {} more", counted(unseen, "message"))?;
     }
     Ok(())
 }

@@ -56,6 +56,44 @@ fn a_compensated_cube_is_within_and_its_original_is_not() {
     driftpost(&["simulate", CUBE, "--minutes", "180"]).assert().code(1);
 }
 
+/// One move that goes to two places by turns, and 1,100 lines that the program writes: the 50 mm between the places are no jump of a bucket,
+/// and what the report does not keep is counted.
+#[test]
+fn what_the_program_does_by_turns_is_no_jump_of_its_bucket() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let source = "MODULE Turns
+  CONST robtarget c10:=[[450,100,400],[0,0,1,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget c20:=[[450,150,400],[0,0,1,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PERS num n:=0;
+  PROC main()
+    n:=n+1;
+    MoveL c10,v100,fine,tool0;
+    IF n MOD 2=0 THEN
+      MoveL c10,v100,fine,tool0;
+    ELSE
+      MoveL c20,v100,fine,tool0;
+    ENDIF
+    FOR i FROM 1 TO 220 DO
+      TPWrite \"part\";
+    ENDFOR
+  ENDPROC
+ENDMODULE
+";
+    std::fs::write(at("turns.mod"), source).unwrap();
+    driftpost(&["compensate", &at("turns.mod"), "-o", &at("tc.mod"), "--diff", "none"]).assert().success();
+    let arguments =
+        ["simulate", &at("tc.mod"), "--original", &at("turns.mod"), "--minutes", "0:40:10", "--json", "-"];
+    let run = driftpost(&arguments).assert().success();
+    let json: Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    let jumps: Vec<f64> =
+        json["switches"].as_array().unwrap().iter().map(|s| s["jump_mm"].as_f64().unwrap()).collect();
+    assert!(jumps.len() >= 2 && jumps.iter().all(|jump| *jump < 0.2), "{jumps:?}");
+    assert!(jumps.iter().any(|jump| *jump > 0.001), "{jumps:?}");
+    assert_eq!(json["messages"].as_array().unwrap().len(), 1000);
+    assert_eq!(json["messages_dropped"], 100);
+}
+
 /// Joint 1 of an IRB 140 ends at 180 deg: a line behind the robot cannot cross there, whatever joints reach its other end.
 #[test]
 fn a_line_that_takes_joint_1_over_its_end_is_not_gone() {

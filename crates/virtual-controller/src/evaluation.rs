@@ -55,7 +55,7 @@ impl Session {
         {
             statistics.rms_m = (statistics.rms_m / (n.max(1) as f64)).sqrt();
         }
-        self.note_switch(&pass, executed, arm_at);
+        self.note_switch(&pass, intended.into_iter().zip(executed).collect(), arm_at);
         self.finish(pass);
     }
 
@@ -86,29 +86,31 @@ impl Session {
         }
     }
 
-    /// Notes how far targets jumped where the program has changed its bucket since the last pass.
+    /// Notes how far targets jumped where the program has changed its bucket since the last pass; moves that then went to another place,
+    /// or with another tool or work object, tell nothing of it.
     fn note_switch(
         &mut self,
         pass: &Pass,
-        executed: Vec<Move>,
+        moves: Vec<(Move, Move)>,
         arm_at: &mut dyn FnMut(usize) -> DeformedArm,
     ) {
         let evaluator = MoveComparator { closed: &self.closed, nominal: &self.nominal };
-        if let (Some(index), Some((last, moves))) = (pass.index, &self.last)
+        if let (Some(index), Some((last, last_moves))) = (pass.index, &self.last)
             && index != *last
         {
-            let truth = executed.len().checked_sub(1).map(arm_at);
+            let truth = moves.len().checked_sub(1).map(arm_at);
             let jump = truth.map_or(0.0, |truth| {
-                moves
-                    .iter()
-                    .zip(&executed)
-                    .filter_map(|(a, b)| evaluator.jump_m(&truth, a, b))
+                let same_place = last_moves.iter().zip(&moves).filter(|((last, _), (now, _))| {
+                    is_same(last.q_rad.as_ref(), now.q_rad.as_ref()) && last.setup == now.setup
+                });
+                same_place
+                    .filter_map(|((_, last), (_, now))| evaluator.jump_m(&truth, last, now))
                     .fold(0.0, f64::max)
             });
             self.report.switches.push(BucketSwitch { t_min: pass.t_min, jump_m: jump });
         }
         if let Some(index) = pass.index {
-            self.last = Some((index, executed));
+            self.last = Some((index, moves));
         }
     }
 

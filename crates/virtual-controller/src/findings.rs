@@ -113,6 +113,8 @@ pub struct Report {
     pub unknown_instructions: Vec<String>,
     /// What the controller showed.
     pub messages: Vec<Message>,
+    /// How many more there were.
+    pub messages_dropped: usize,
     /// What the functions take that motions call in their arguments, by name.
     pub efforts: BTreeMap<String, EffortRange>,
 }

@@ -12,6 +12,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 pub use super::findings::{BucketSwitch, ErrorStatistics, Pass, Report, ScenarioMark, WorstMove};
 
+/// Messages that a report keeps.
+const MOST_MESSAGES: usize = 1_000;
+
 /// A file of a program: its path and bytes.
 pub type ProgramFile<'f> = (&'f str, &'f [u8]);
 
@@ -83,8 +86,8 @@ pub struct Session {
     pub(super) options: SessionOptions,
     pub(super) closed: ClosedForm,
     pub(super) nominal: Chain,
-    /// The program's index in the last pass, and its moves then.
-    pub(super) last: Option<(f64, Vec<Move>)>,
+    /// The program's index in the last pass, and its moves then: as the original means them and as executed.
+    pub(super) last: Option<(f64, Vec<(Move, Move)>)>,
     /// Moves that went elsewhere than the original's at least once, by file and line.
     pub(super) changed: BTreeSet<(String, u32)>,
     /// Motion instructions of the program that were executed, by file and place.
@@ -193,8 +196,10 @@ impl Session {
 
     pub(super) fn collect_messages(&mut self) {
         for message in self.program.take_messages() {
-            if self.report.messages.len() < 1_000 {
+            if self.report.messages.len() < MOST_MESSAGES {
                 self.report.messages.push(message);
+            } else {
+                self.report.messages_dropped += 1;
             }
         }
         self.original.take_messages();
