@@ -10,6 +10,8 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -241,19 +243,22 @@ def _table(rows: list[dict]) -> Table:
 
 
 def _csv_table(text: str) -> Table:
-    return _table([{name: _cell(cell) for name, cell in row.items()} for row in csv.DictReader(io.StringIO(text))])
+    rows = list(csv.DictReader(io.StringIO(text)))
+    kinds = {name: _kind(name, [row[name] for row in rows if row[name]]) for name in (rows[0] if rows else ())}
+    return _table([{name: kinds[name](cell) if cell else None for name, cell in row.items()} for row in rows])
 
 
-def _cell(text: str):
-    if text == "":
-        return None
-    for kind in (int, float):
-        try:
-            value = kind(text)
-            return value if value == value and abs(value) != float("inf") else None
-        except ValueError:
-            pass
-    return text
+# As their file writes them: 007, 1e3 and 3_4 are names.
+_NAMES = {"id", "pose_id", "target", "fixed_id"}
+
+
+def _kind(name: str, cells: list[str]):
+    """What makes the values of a column of its cells."""
+    if all(re.fullmatch("-?(0|[1-9][0-9]*)", cell) for cell in cells):
+        return int
+    if name in _NAMES or not all(re.fullmatch("[+-]?([0-9.]+([eE][+-]?[0-9]+)?|nan|inf)", cell, re.IGNORECASE) for cell in cells):
+        return str
+    return lambda cell: value if math.isfinite(value := float(cell)) else None
 
 
 def _decoded(text: bytes) -> str:

@@ -23,8 +23,9 @@ def words(options: dict) -> list[str]:
         for one in value if isinstance(value, list) else [value]:
             if isinstance(one, Robot):
                 one = one._core.source
-            if isinstance(one, tuple):
-                one = ",".join(map(repr, one))
+            one = _plain(one)
+            if isinstance(one, (tuple, list)):
+                one = ",".join(str(_plain(part)) for part in one)
             if isinstance(one, bool):
                 found += [option] if one else []
             elif one is not None:
@@ -32,6 +33,11 @@ def words(options: dict) -> list[str]:
                     raise DriftpostError(f"{name} is {type(one).__name__}, not a number, a text or a path", "option::usage")
                 found.append(f"{option}={path_of(name, one) if isinstance(one, (str, os.PathLike)) else one}")
     return found
+
+
+def _plain(value):
+    """Numbers and arrays of numpy as Python's own."""
+    return value.tolist() if hasattr(value, "tolist") else value
 
 
 def numbers(name: str, values) -> tuple[float, ...]:

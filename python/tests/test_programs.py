@@ -7,6 +7,7 @@ import sys
 import sysconfig
 import threading
 
+import numpy as np
 import pytest
 
 import driftpost
@@ -50,6 +51,17 @@ def test_options_have_their_names_of_the_command_line(cube):
     import pyarrow
     rows = pyarrow.table(result.motions).to_pylist()
     assert [row["reason"] is not None for row in rows].count(True) == 1, "the joint move is kept"
+
+
+def test_numbers_and_arrays_of_numpy_are_options_and_tuples_are_lists_of_names(cube):
+    joints = (0, 0, 0, 0, 30, 0)
+    plain = driftpost.compensate(cube, form="ramp", start_joints=joints, tolerance_mm=0.25)
+    for start in (np.array(joints), tuple(np.array(joints, float)), tuple(np.array(joints))):
+        made = driftpost.compensate(cube, form="ramp", start_joints=start, tolerance_mm=np.float32(0.25))
+        assert made.text.splitlines()[-40:] == plain.text.splitlines()[-40:]
+    assert driftpost.plan(n=np.int64(24)).poses.column_names
+    with pytest.raises(driftpost.DriftpostError, match="p1"):
+        driftpost.compensate(cube, keep=("p1", "p2"))
 
 
 def test_the_corrected_program_stands_where_it_should(cube):

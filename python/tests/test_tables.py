@@ -40,6 +40,16 @@ def test_a_diagnosis(expected, measured):
     assert len(expected.residuals) == len((measured / "measurements.csv").read_text().splitlines()) - 1
 
 
+def test_ids_come_back_as_they_were_written(measured):
+    rows = pandas.read_csv(measured / "measurements.csv")
+    names = ["3_4", "34", "007", "7", "1e3", "nan", "+5", *(f"p{k}" for k in range(len(rows) - 7))]
+    text = rows.assign(id=names, pose_id=range(len(rows))).to_csv(index=False)
+    found = driftpost.diagnose(text, robot=measured / "robot.toml")
+    residuals = pyarrow.table(found.residuals).to_pydict()
+    assert residuals["id"] == names
+    assert all(isinstance(number, float) for number in residuals["before_x_mm"])
+
+
 @pytest.mark.parametrize("library", READERS)
 def test_every_library_gives_the_same_diagnosis(library, measured, expected):
     table = READERS[library](measured / "measurements.csv")

@@ -1,9 +1,9 @@
 //! Which column is missing is told by what the gap follows: the load that was changed, the side from which a joint came.
 
-use super::anywhere_deg;
 use super::noise;
 use super::told_apart::{answer, chain, turned};
-use nalgebra::Point3;
+use super::{anywhere_deg, diagnose, file};
+use nalgebra::{Point3, Vector3};
 use robot_model::kinematics::Chain;
 
 /// The hand where joints 2 and 3 give by 8 urad/(N.m) under so many kilograms at it: their torque is the weight times how fast each
@@ -69,8 +69,36 @@ fn play_without_directions_is_told_as_the_column_that_is_missing() {
     assert!((told_mrad - 0.7).abs() < 0.07, "{reason}");
     let noisy = |q_rad, k| {
         let shift_m = |axis: usize| 6e-5 * noise(7919 * k + 5 + 1000 * axis);
-        turned(&chain, q_rad, 0, 0.0) + nalgebra::Vector3::new(shift_m(0), shift_m(1), shift_m(2))
+        turned(&chain, q_rad, 0, 0.0) + Vector3::new(shift_m(0), shift_m(1), shift_m(2))
     };
     let (_, text, found) = answer(anywhere_deg, noisy, &[]);
     assert_eq!(found["missing_channel"], serde_json::Value::Null, "{text}");
+}
+
+/// A tracker measures lengths better than angles: its noise along the beam is a third of that across it, as much in all as is stated.
+/// That is the instrument's, and no joint's.
+#[test]
+fn noise_across_the_beam_of_a_tracker_is_no_scatter_of_a_joint() {
+    let chain = chain();
+    let (tracker_m, sigma_mm) = (Point3::new(2.6, -1.1, 0.7), 0.03);
+    let (along, across) = (0.397 * sigma_mm, 1.192 * sigma_mm);
+    for seed in 0..4 {
+        let csv = file(200, |k| {
+            let q_deg =
+                std::array::from_fn(|j| 0.35 * anywhere_deg(k)[j] + [10.0, 20.0, 0.0, 5.0, 40.0, 0.0][j]);
+            let hand_m = turned(&chain, q_deg.map(f64::to_radians), 0, 0.0) - tracker_m;
+            let beam = hand_m.normalize();
+            // A sum of six has nearly the shape of a normal distribution; its variance is 2.
+            let normal = |axis: usize| -> f64 {
+                (0..6).map(|part| noise(100_000 * seed + 31 * (3 * k + axis) + 5 * part)).sum::<f64>()
+                    / 2.0_f64.sqrt()
+            };
+            let shift = Vector3::new(normal(0), normal(1), normal(2));
+            let off_mm = beam * beam.dot(&shift) * along + (shift - beam * beam.dot(&shift)) * across;
+            (q_deg, std::array::from_fn(|axis| 1000.0 * hand_m[axis] + off_mm[axis]))
+        });
+        let (_, text, found) = diagnose(csv.as_bytes(), &["--sigma-mm", "0.03"]);
+        let verdict = &found.unwrap()["verdict"];
+        assert!(verdict == "nothing_above_noise" || verdict == "geometry", "{seed}: {text}");
+    }
 }

@@ -28,6 +28,9 @@ const CLEAR_NATS: f64 = 8.0;
 /// either way, the size speaks for rounding as well: plain noise could have any.
 const MORE_SCATTER: f64 = 3.0;
 const BY_SIZE_NATS: f64 = 2.5;
+/// Without any cause rounding is the whole of what is left, as a variance: more than so many times what it makes beside the noise, and other
+/// things are in it.
+const MOST_SCATTER: f64 = 9.0;
 
 /// What else is known of the file, which decides how clearly rounding has to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,9 +59,12 @@ pub(super) fn find(
     let grid = Grid::of(measurements)?;
     let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
-    let scatter = RoundedScatter::of(&linear.dataset, &grid, model.noise.known.map(|known| known.sigma_m));
+    let known_m2 = model.noise.known.map(|known| known.sigma_m.powi(2));
+    let scatter = RoundedScatter::of(&linear.dataset, &model.outliers, &grid, known_m2);
+    // One false reading would decide by where it happens to lie.
     let points = |twists: &[Twist]| -> Vec<Vector3<f64>> {
-        twists.iter().map(|m| Vector3::new(m[0], m[1], m[2])).collect()
+        let kept = twists.iter().zip(&model.outliers).filter(|(_, is_outlier)| !**is_outlier);
+        kept.map(|(m, _)| Vector3::new(m[0], m[1], m[2])).collect()
     };
     // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
     let groups = workspace.design.all_groups();
@@ -75,10 +81,12 @@ pub(super) fn find(
     let contradicted =
         model.noise.known.is_some_and(|known| best_m2 > (MORE_SCATTER * known.sigma_m).powi(2));
     let clear_nats = if as_large && contradicted { clear_nats.min(BY_SIZE_NATS) } else { clear_nats };
-    let without_causes = gain_nats > clear_nats && gain_nats > fitted.log_odds();
+    let plain_m2 = scatter.mean_square(&bare);
+    let without_causes = gain_nats > clear_nats
+        && gain_nats > fitted.log_odds()
+        && plain_m2 < MOST_SCATTER * (expected_m2 + known_m2.unwrap_or(0.0));
     let beside_causes =
         best_m2 > 0.3 * expected_m2 && scatter.rounded(&best) > scatter.plain(&best) + clear_nats;
-    let plain_m2 = scatter.mean_square(&bare);
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
@@ -108,14 +116,14 @@ fn rounded_joints(grid: &Grid, robot: &SerialArm, all_joints: bool, scatter_mm: 
 
 /// What rounding joints does to the measured points, and how likely residuals are with it and without.
 struct RoundedScatter {
-    /// Covariance of each observation's point, m^2.
+    /// Covariance of each observation's point that is not set aside, m^2.
     shapes: Vec<Matrix3<f64>>,
-    /// The noise of one coordinate where it is known, metres.
-    known_sigma_m: Option<f64>,
+    /// The variance of one coordinate's noise where it is known, m^2.
+    known_m2: Option<f64>,
 }
 
 impl RoundedScatter {
-    fn of(dataset: &Dataset, grid: &Grid, known_sigma_m: Option<f64>) -> Self {
+    fn of(dataset: &Dataset, outliers: &[bool], grid: &Grid, known_m2: Option<f64>) -> Self {
         // Uniform over one step.
         let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
         // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
@@ -138,7 +146,8 @@ impl RoundedScatter {
                 })
                 .sum()
         };
-        Self { shapes: dataset.observations.iter().map(shape).collect(), known_sigma_m }
+        let kept = dataset.observations.iter().zip(outliers).filter(|(_, is_outlier)| !**is_outlier);
+        Self { shapes: kept.map(|(observation, _)| shape(observation)).collect(), known_m2 }
     }
 
     /// Square of one coordinate that this rounding leads one to expect.
@@ -159,7 +168,7 @@ impl RoundedScatter {
     /// The same where joints are rounded, with the likeliest of some sizes of noise beside that.
     fn rounded(&self, residuals: &[Vector3<f64>]) -> f64 {
         let plain_m2 = self.mean_square(residuals);
-        let known_m2 = self.known_sigma_m.map_or(1e-10, |sigma_m| sigma_m * sigma_m);
+        let known_m2 = self.known_m2.unwrap_or(1e-10);
         [0.05, 0.15, 0.4, 0.7]
             .into_iter()
             .map(|k| self.log_likelihood(residuals, 0.9, k * plain_m2))

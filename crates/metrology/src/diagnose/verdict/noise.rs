@@ -8,7 +8,7 @@ use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{rms_m, shift_m};
 use crate::diagnose::marginal::KnownNoise;
 use crate::diagnose::model::FittedModel;
-use crate::diagnose::scatter::{self, JointScatter};
+use crate::diagnose::scatter::{self, JointScatter, Residuals};
 use crate::diagnose::search::{ChosenCause, cause_columns};
 use crate::diagnose::smoothness::smooth_over_rough_nats;
 use crate::measure::variance_ratio;
@@ -79,14 +79,15 @@ pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
     // Orientation has rows of its own; half of the parameters are then the points'.
     let share = 3.0 / linear.dataset.rows_per_observation as f64;
     let used = share * nuisance.parameters(model.peak.geometry_ratio);
-    scatter::along_joints(
-        &linear.dataset,
-        &model.residuals,
-        &model.base_weights,
-        &model.outliers,
-        &model.noise,
+    scatter::along_joints(&Residuals {
+        dataset: &linear.dataset,
+        residuals: &model.residuals,
+        weights: &model.base_weights,
+        outliers: &model.outliers,
+        noise: &model.noise,
         used,
-    )
+        instrument_m: linear.registration.instrument_from_base.inverse().translation.vector,
+    })
 }
 
 /// Scatter beyond the noise as known, 3-D rms, metres.
