@@ -3,7 +3,7 @@
 //! Knows the search as one call, and nothing of verdicts.
 
 use super::dataset::{Dataset, Twist};
-use super::design::{Design, SharedError, Whitening};
+use super::design::{Design, SharedError, VisitScatter, Whitening};
 use super::effects::Candidate;
 use super::evidence::NuisanceModel;
 use super::linear_fit::solve;
@@ -89,6 +89,8 @@ struct NoiseEstimates {
     slow: Option<SlowNoise>,
     /// What the targets of a visit share.
     shared: SharedError,
+    /// What is known of the rest.
+    known: NoisePrior,
 }
 
 impl NoiseEstimates {
@@ -104,6 +106,7 @@ impl NoiseEstimates {
             slow: None,
             // Beside what no cause explains yet it would be all that is wrong with the arm: it is judged by what causes leave.
             shared: SharedError::default(),
+            known: noise,
         };
         let base_weights = start.base_weights(dataset);
         for round in 1..=START_ROUNDS {
@@ -113,9 +116,13 @@ impl NoiseEstimates {
             let groups = design.all_groups();
             let ratio = NuisanceModel::new(&design, &groups, &[], noise).null().geometry_ratio;
             let fit = solve(&design, &groups, &[], Some(ratio));
-            start.robust = RobustWeights::of(linear, &design.residuals(&fit.coefficients), &base_weights);
+            let residuals = design.residuals(&fit.coefficients);
+            start.robust = RobustWeights::of(linear, &residuals, &base_weights);
             if round == START_ROUNDS {
-                start.slow = slow_noise::likeliest(&design, dataset, &[], noise);
+                let by_repeats = Whitening::independent(base_weights.clone(), start.characteristic_length_m);
+                let visits = VisitScatter::of(dataset, &by_repeats, &residuals, &start.robust.outliers);
+                start.known = beside_visits(noise, visits.as_ref(), 1.0);
+                start.slow = slow_noise::likeliest(&design, dataset, &[], start.known);
             }
         }
         start
@@ -166,8 +173,8 @@ fn settled<'a>(problem: &SearchProblem<'a>, start: NoiseEstimates) -> FittedMode
 
 /// The search for causes under one estimate of the noise.
 fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> FittedModel<'a> {
-    let SearchProblem { linear, candidates, noise, targets, group_of } = *problem;
-    let dataset = &linear.dataset;
+    let SearchProblem { linear, candidates, targets, group_of, .. } = *problem;
+    let (dataset, noise) = (&linear.dataset, assumed.known);
     let base_weights = assumed.base_weights(dataset);
     let whitening = Whitening {
         weights: assumed.weights(&base_weights),
@@ -188,6 +195,7 @@ fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> Fitted
         residuals: design.residuals(&fit.coefficients),
         chosen,
         noise,
+        given: problem.noise,
         base_weights,
         outliers: assumed.robust.outliers.clone(),
         peak,
@@ -211,11 +219,14 @@ fn seen_in(
     for station in carried {
         (robust.weights[station.index], robust.outliers[station.index]) = (station.weight, true);
     }
-    // A row of weight 1 scatters by `variance_ratio` + 1 times what repeats do.
-    let of_a_row = assumed.variance_ratio + 1.0;
-    let least_m2 = model.noise.known.map_or(0.0, |known| known.sigma_m * known.sigma_m * of_a_row);
+    // Where poses are repeated a row of weight 1 scatters by `variance_ratio` + 1 times what repeats do.
+    let is_repeated = dataset.observations.iter().any(|station| station.repeats > 1);
+    let of_a_row = if is_repeated { assumed.variance_ratio + 1.0 } else { 1.0 };
     let by_repeats = Whitening::independent(model.base_weights.clone(), assumed.characteristic_length_m);
-    let shared = SharedError::seen(dataset, &by_repeats, &model.residuals, &robust.outliers, least_m2);
+    let visits = VisitScatter::of(dataset, &by_repeats, &model.residuals, &robust.outliers);
+    let known = beside_visits(model.given, visits.as_ref(), of_a_row);
+    let least_m2 = known.known.map_or(0.0, |known| known.sigma_m * known.sigma_m * of_a_row);
+    let shared = visits.map_or_else(SharedError::default, |visits| visits.shared(least_m2));
     let shared_variance = shared.at_targets(dataset) * of_a_row;
     NoiseEstimates {
         variance_ratio: pose_variance_ratio(linear, model, &robust.outliers, shared_variance)
@@ -225,7 +236,13 @@ fn seen_in(
         robust,
         slow: slow_noise::likeliest(&workspace.design, dataset, &model.chosen, model.noise),
         shared,
+        known,
     }
+}
+
+/// `noise` with what `visits` show of it, where a row of weight 1 scatters by `of_a_row` times what a reading does.
+fn beside_visits(noise: NoisePrior, visits: Option<&VisitScatter>, of_a_row: f64) -> NoisePrior {
+    visits.map_or(noise, |visits| noise.beside_visits(visits.own_m2 / of_a_row, visits.freedom))
 }
 
 /// Distance at which an orientation error looks like the position error beside it, metres; `None` where no orientation is measured.

@@ -12,6 +12,8 @@ pub(super) const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
 
 /// The degrees of freedom that a stated sigma is worth.
 const STATED: f64 = STATED_FREEDOM as f64;
+/// A variance that is so many of its standard deviations less than another is another one.
+const CLEARLY_LESS: f64 = 3.0;
 /// Repeats with fewer degrees of freedom than this say nothing of the noise.
 const FEWEST_FREEDOM: usize = 6;
 
@@ -61,6 +63,27 @@ impl NoisePrior {
             }
             (None, None) => Self { known: None, from_repeats: false },
         }
+    }
+
+    /// With what visits show of the instrument's own noise: a variance `own_m2` of a row of weight 1, of so many degrees of freedom. Where that is
+    /// less than is known, the latter has in it what the targets of a visit share.
+    #[must_use]
+    pub(super) fn beside_visits(self, own_m2: f64, freedom: usize) -> Self {
+        let Some(known) = self.known else { return self };
+        let (known_m2, freedom) = (known.sigma_m.powi(2), freedom as f64);
+        let ratio = own_m2 / known_m2;
+        if freedom < STATED || ratio >= 1.0 {
+            return self;
+        }
+        if ratio < 1.0 - CLEARLY_LESS * (2.0 / freedom).sqrt() {
+            let known = KnownNoise { sigma_m: own_m2.sqrt(), freedom: freedom.min(MOST_FREEDOM) };
+            return Self { known: Some(known), from_repeats: true };
+        }
+        if self.from_repeats {
+            return self;
+        }
+        let sigma_m = ((STATED * known_m2 + freedom * own_m2) / (STATED + freedom)).sqrt();
+        Self { known: Some(KnownNoise { sigma_m, ..known }), ..self }
     }
 
     /// Whether the repeats speak against the stated sigma.

@@ -26,6 +26,8 @@ pub(super) struct Model {
     pub peak: EvidencePeak,
     /// Noise that is the same for neighbouring rows.
     pub slow: Option<SlowNoise>,
+    /// What was known of the noise before any fit; `noise` beside it has what visits show of the instrument's own.
+    pub given: NoisePrior,
     /// Variance of what the targets of a visit share, at one coordinate of a target, over the noise's.
     pub shared_ratio: f64,
 }

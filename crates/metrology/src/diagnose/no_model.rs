@@ -169,7 +169,7 @@ pub(super) fn holds(
     stated_m: Option<f64>,
 ) -> Result<(), NoModel> {
     // Where repeats scatter by more than is stated they are believed.
-    let repeated_m = fitted.model.noise.known.map_or(0.0, |known| known.sigma_m);
+    let repeated_m = fitted.model.given.known.map_or(0.0, |known| known.sigma_m);
     let stated_m = stated_m.map(|stated_m| independent_floor_m(fitted, stated_m.max(repeated_m)));
     let floor_m = stated_m.unwrap_or_else(|| floor_m(fitted));
     if left_m > OWN_ROWS * floor_m || left_m > before_m {

@@ -28,7 +28,7 @@ pub(super) fn noise_beyond_stated(
 ) -> Option<Fault> {
     let MeasuredRobot { robot, stations, .. } = measured;
     let FittedModel { linear, model, .. } = fitted;
-    let known_m = model.noise.known?.sigma_m;
+    let known_m = model.given.known?.sigma_m;
     let noise_m = model.noise_m();
     let play = judgement.verdict == Verdict::UnexplainedScatter
         && judgement.location.joint.is_some()
@@ -49,7 +49,7 @@ pub(super) fn noise_beyond_stated(
     let of_joint = || judgement.location.joint.map(|joint| robot.column(joint));
     let column = column.or_else(of_joint).unwrap_or_else(|| AXES.join(", "));
     let source =
-        if model.noise.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };
+        if model.given.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };
     Some(Fault::in_rows(FaultKind::NoiseBeyondStated, &column, lines, |count, which| {
         format!(
             "{source} {:.3} mm in one coordinate, but about the best model the points scatter by {:.3} mm, and nothing recorded \

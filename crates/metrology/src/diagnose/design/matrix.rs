@@ -284,12 +284,28 @@ impl Design {
     /// Residual of `coefficients` (one for each column after the data) at each observation, unwhitened: metres, radians.
     #[must_use]
     pub(crate) fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
-        let d = self.rows_per_observation;
+        let mut left = self.left(coefficients);
+        self.visits.restore(&mut left);
+        self.without_weights(&left)
+    }
+
+    /// The same in units of each target's own noise: what the targets of a visit share is scaled down to it.
+    #[must_use]
+    pub(crate) fn independent_residuals(&self, coefficients: &[f64]) -> Vec<Twist> {
+        self.without_weights(&self.left(coefficients))
+    }
+
+    /// What `coefficients` leave of the data column.
+    fn left(&self, coefficients: &[f64]) -> Vec<f64> {
         let mut left = self.column(0).to_vec();
         for (c, column) in coefficients.iter().zip(1..).filter(|(c, _)| **c != 0.0) {
             left.iter_mut().zip(self.column(column)).for_each(|(left, value)| *left -= c * value);
         }
-        self.visits.restore(&mut left);
+        left
+    }
+
+    fn without_weights(&self, left: &[f64]) -> Vec<Twist> {
+        let d = self.rows_per_observation;
         let mut out = vec![Twist::default(); self.order.len()];
         for (rows, &i) in left.chunks_exact(d).zip(&self.order) {
             let root = self.whitening.weights[i].sqrt().max(1e-12);

@@ -15,5 +15,5 @@ pub(super) use inner_products::inner_products;
 pub(super) use matrix::{Design, SlowColumns, side_by_side};
 pub(super) use products::{Products, Sums};
 pub(super) use scaled_motions::ScaledMotions;
-pub(super) use visits::Visits;
+pub(super) use visits::{VisitScatter, Visits};
 pub(super) use whitening::{SharedError, Whitening};

@@ -19,20 +19,26 @@ const SMALLEST_M: f64 = 1e-3;
 /// Fewer visits with several targets do not tell what those share.
 const FEWEST_VISITS: usize = 5;
 
-impl SharedError {
-    /// From the `residuals` of visits with several targets, those that are no `outliers`, by the analysis of variance: what
-    /// they scatter along the rigid motions, over what they scatter otherwise (Searle, Casella and McCulloch 1992, ch. 3);
-    /// the latter is no less than `least_m2`. Nothing where there are no such visits.
+/// How visits with several targets scatter, by the analysis of variance (Searle, Casella and McCulloch 1992, ch. 3).
+pub(crate) struct VisitScatter {
+    /// Variance of what no rigid motion takes, of a row of weight 1, m^2.
+    pub own_m2: f64,
+    /// Degrees of freedom of that.
+    pub freedom: usize,
+    /// Along shifts and along turns: squares, how many directions, and what a shared variance of 1 would give.
+    along: [(f64, f64, f64); 2],
+}
+
+impl VisitScatter {
+    /// From the `residuals` of visits with several targets, those that are no `outliers`; `None` where there are too few such visits.
     #[must_use]
-    pub(crate) fn seen(
+    pub(crate) fn of(
         dataset: &Dataset,
         whitening: &Whitening,
         residuals: &[Twist],
         outliers: &[bool],
-        least_m2: f64,
-    ) -> Self {
+    ) -> Option<Self> {
         let (mut own, mut freedom, mut visits) = (0.0, 0, 0);
-        // Of shifts and of turns: squares, how many, and what a shared variance of 1 would give.
         let mut along = [(0.0, 0.0, 0.0); 2];
         for visit in &dataset.visits {
             let kept: Vec<usize> = visit.iter().copied().filter(|&i| !outliers[i]).collect();
@@ -54,15 +60,22 @@ impl SharedError {
             }
             visits += 1;
         }
-        if visits < FEWEST_VISITS || freedom == 0 {
-            return Self::default();
-        }
-        let own = (own / freedom as f64).max(least_m2).max(1e-18);
-        let [shift, turn] =
-            along.map(|(squares, count, strength)| (squares - count * own) / (own * strength.max(1e-18)));
-        Self { shift: shift.clamp(0.0, MOST_SHIFT), turn: turn.clamp(0.0, MOST_TURN) }
+        let is_enough = visits >= FEWEST_VISITS && freedom > 0;
+        is_enough.then(|| Self { own_m2: own / freedom as f64, freedom, along })
     }
 
+    /// What the targets of a visit share, where their own noise has at least the variance `least_m2`.
+    #[must_use]
+    pub(crate) fn shared(&self, least_m2: f64) -> SharedError {
+        let own = self.own_m2.max(least_m2).max(1e-18);
+        let [shift, turn] = self
+            .along
+            .map(|(squares, count, strength)| (squares - count * own) / (own * strength.max(1e-18)));
+        SharedError { shift: shift.clamp(0.0, MOST_SHIFT), turn: turn.clamp(0.0, MOST_TURN) }
+    }
+}
+
+impl SharedError {
     /// Variance of one coordinate of a target, mean over the visits.
     #[must_use]
     pub(crate) fn at_targets(&self, dataset: &Dataset) -> f64 {
@@ -274,13 +287,15 @@ mod tests {
                 residuals[i][..3].copy_from_slice(moved.as_slice());
             }
         }
-        let seen =
-            |dataset: &Dataset| SharedError::seen(dataset, &whitening, &residuals, &vec![false; n], 0.0);
-        let shared = seen(&dataset);
+        let seen = |dataset: &Dataset| VisitScatter::of(dataset, &whitening, &residuals, &vec![false; n]);
+        let scatter = seen(&dataset).unwrap();
+        let shared = scatter.shared(0.0);
+        assert!((scatter.own_m2 / 4e-10 - 1.0).abs() < 0.1, "{}", scatter.own_m2);
+        assert_eq!(scatter.freedom, 900);
         // Variances as 4 to 1 and, for 0.2 mrad over 0.02 mm, 100 per m^2; 900 numbers tell a variance to 5 %.
         assert!((shared.shift - 4.0).abs() < 0.6, "{shared:?}");
         assert!((shared.turn - 100.0).abs() < 15.0, "{shared:?}");
         dataset.visits = (0..n).map(|i| vec![i]).collect();
-        assert_eq!(seen(&dataset), SharedError::default());
+        assert!(seen(&dataset).is_none());
     }
 }

@@ -96,7 +96,8 @@ fn excess_m(fitted: &FittedModel<'_>) -> f64 {
     let Some(KnownNoise { sigma_m, .. }) = model.noise.known else { return 0.0 };
     let expected =
         linear.dataset.observations.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
-            / linear.dataset.observations.len() as f64;
+            / linear.dataset.observations.len() as f64
+            + 3.0 * model.shared_ratio * model.peak.sigma_m.powi(2);
     (rms_m(&model.residuals, |i| !model.outliers[i]).powi(2) - expected).max(0.0).sqrt()
 }
 
@@ -131,7 +132,8 @@ pub(super) fn reduced_chi_square(
     let fit = solve(&workspace.design, &groups, chosen, Some(ratio)).without_slow(&workspace.design);
     let mut sum = 0.0;
     let mut rows = 0.0;
-    let residuals = workspace.design.residuals(&fit.coefficients);
+    // Where the arm stood is what targets of a visit share: no repeat and no statement of the instrument's noise knows of it.
+    let residuals = workspace.design.independent_residuals(&fit.coefficients);
     for ((m, observation), out) in residuals.iter().zip(&linear.dataset.observations).zip(&model.outliers) {
         if !*out {
             sum += shift_m(m).powi(2) * observation.repeats as f64;
