@@ -49,7 +49,7 @@ pub(super) struct SearchProblem<'a> {
 #[must_use]
 pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
     let start = NoiseEstimates::of_bare_data(problem);
-    let plain = settled(problem, NoiseEstimates { slow: None, ..start.clone() });
+    let plain = beside_shared(problem, NoiseEstimates { slow: None, ..start.clone() });
     let in_time = |c: &ChosenCause| problem.candidates[c.candidate].effect().time() != TimeCourse::Constant;
     let constant: Vec<ChosenCause> = plain.model.chosen.iter().filter(|c| !in_time(c)).cloned().collect();
     if constant.len() == plain.model.chosen.len() {
@@ -64,16 +64,53 @@ pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
     }
     let start = NoiseEstimates { slow, ..start };
     let plain_odds = plain.log_odds();
-    // Products take hundreds of megabytes in a large set: those of one search at a time.
-    let FittedModel { linear, model, workspace } = plain;
-    let Workspace { design, column_index, .. } = workspace;
-    let wandering = settled(problem, start);
+    let plain = WithoutLibrary::of(plain);
+    let wandering = beside_shared(problem, start);
     if wandering.model.slow.is_some() && wandering.log_odds() > plain_odds {
         return wandering;
     }
     drop(wandering);
-    let library = Library::new(&design, &linear.dataset, problem.candidates);
-    FittedModel { linear, model, workspace: Workspace { design, library, column_index } }
+    plain.again(problem)
+}
+
+/// A search's result while another runs: products take hundreds of megabytes in a large set, those of one search at a time.
+struct WithoutLibrary<'a> {
+    linear: &'a Linearised,
+    model: Model,
+    design: Design,
+    column_index: BTreeMap<usize, Vec<usize>>,
+}
+
+impl<'a> WithoutLibrary<'a> {
+    fn of(fitted: FittedModel<'a>) -> Self {
+        let FittedModel { linear, model, workspace: Workspace { design, column_index, .. } } = fitted;
+        Self { linear, model, design, column_index }
+    }
+
+    fn again(self, problem: &SearchProblem<'a>) -> FittedModel<'a> {
+        let Self { linear, model, design, column_index } = self;
+        let library = Library::new(&design, &linear.dataset, problem.candidates);
+        FittedModel { linear, model, workspace: Workspace { design, library, column_index } }
+    }
+}
+
+/// Searches from `start`, in which the targets of a visit share nothing: what they share is what causes leave. Where they do, causes may
+/// have taken that for theirs before it was known: the search begins anew from all that the bare data let them share, and the
+/// likelier of both answers stands.
+fn beside_shared<'a>(problem: &SearchProblem<'a>, start: NoiseEstimates) -> FittedModel<'a> {
+    let shared = start.bare_shared;
+    let plain = settled(problem, start.clone());
+    if shared == SharedError::default() || plain.model.chosen.is_empty() {
+        return plain;
+    }
+    let evidence = plain.log_evidence();
+    let plain = WithoutLibrary::of(plain);
+    let sharing = settled(problem, NoiseEstimates { shared, ..start });
+    if sharing.log_evidence() > evidence {
+        return sharing;
+    }
+    drop(sharing);
+    plain.again(problem)
 }
 
 /// What one round takes for the noise; the next takes what this one's residuals say of it.
@@ -89,6 +126,8 @@ struct NoiseEstimates {
     slow: Option<SlowNoise>,
     /// What the targets of a visit share.
     shared: SharedError,
+    /// The most that they may share: what registration and geometry leave, with all that is wrong with the arm.
+    bare_shared: SharedError,
     /// What is known of the rest.
     known: NoisePrior,
 }
@@ -106,6 +145,7 @@ impl NoiseEstimates {
             slow: None,
             // Beside what no cause explains yet it would be all that is wrong with the arm: it is judged by what causes leave.
             shared: SharedError::default(),
+            bare_shared: SharedError::default(),
             known: noise,
         };
         let base_weights = start.base_weights(dataset);
@@ -122,6 +162,9 @@ impl NoiseEstimates {
                 let by_repeats = Whitening::independent(base_weights.clone(), start.characteristic_length_m);
                 let visits = VisitScatter::of(dataset, &by_repeats, &residuals, &start.robust.outliers);
                 start.known = beside_visits(noise, visits.as_ref(), 1.0);
+                let least_m2 = start.known.known.map_or(0.0, |known| known.sigma_m.powi(2));
+                start.bare_shared =
+                    visits.map_or_else(SharedError::default, |visits| visits.shared(least_m2));
                 start.slow = slow_noise::likeliest(&design, dataset, &[], start.known);
             }
         }
@@ -236,6 +279,7 @@ fn seen_in(
         robust,
         slow: slow_noise::likeliest(&workspace.design, dataset, &model.chosen, model.noise),
         shared,
+        bare_shared: assumed.bare_shared,
         known,
     }
 }

@@ -117,4 +117,18 @@ impl FittedModel<'_> {
         }
         odds
     }
+
+    /// ln evidence of the data, but for what is the same whatever is taken for their noise.
+    #[must_use]
+    pub(super) fn log_evidence(&self) -> f64 {
+        let design = &self.workspace.design;
+        let nothing = NuisanceModel::with_slow(
+            design,
+            &design.all_groups(),
+            &[],
+            self.model.noise,
+            SlowColumns::default(),
+        );
+        nothing.null().log_evidence + self.log_odds() + design.log_determinant()
+    }
 }

@@ -281,6 +281,15 @@ impl Design {
         out
     }
 
+    /// ln of the determinant of the matrix that the rows are whitened by.
+    #[must_use]
+    pub(crate) fn log_determinant(&self) -> f64 {
+        let d = self.rows_per_observation;
+        let length = (d.saturating_sub(3)) as f64 * self.whitening.characteristic_length_m.ln();
+        let of_row = |&i: &usize| 0.5 * d as f64 * self.whitening.weights[i].max(1e-24).ln() + length;
+        self.order.iter().map(of_row).sum::<f64>() + self.visits.log_determinant()
+    }
+
     /// Residual of `coefficients` (one for each column after the data) at each observation, unwhitened: metres, radians.
     #[must_use]
     pub(crate) fn residuals(&self, coefficients: &[f64]) -> Vec<Twist> {

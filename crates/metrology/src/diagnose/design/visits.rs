@@ -171,6 +171,18 @@ impl Visits {
         Self { visits, shared: whitening.shared, rows_per_observation: dataset.rows_per_observation }
     }
 
+    /// ln of the determinant of the matrix that [`whiten`](Self::whiten) multiplies by.
+    pub(crate) fn log_determinant(&self) -> f64 {
+        let directions = self.visits.iter().flat_map(|(_, directions)| directions);
+        -directions.map(|direction| self.spread(direction).ln()).sum::<f64>()
+    }
+
+    /// Standard deviation along a direction, that of a target's own noise being 1.
+    fn spread(&self, direction: &Direction) -> f64 {
+        let shared = if direction.turns { self.shared.turn } else { self.shared.shift };
+        (1.0 + shared * direction.strength).sqrt()
+    }
+
     /// Takes the rows of a column, weighted, to rows whose errors are independent.
     pub(crate) fn whiten(&self, column: &mut [f64]) {
         self.scale(column, |spread| 1.0 / spread);
@@ -188,9 +200,7 @@ impl Visits {
             rows.clear();
             rows.extend(positions.iter().flat_map(|position| &column[position * d..(position + 1) * d]));
             for direction in directions {
-                let shared = if direction.turns { self.shared.turn } else { self.shared.shift };
-                let spread = (1.0 + shared * direction.strength).sqrt();
-                let more = (factor(spread) - 1.0) * direction.along(&rows);
+                let more = (factor(self.spread(direction)) - 1.0) * direction.along(&rows);
                 let changed = positions.iter().flat_map(|position| position * d..(position + 1) * d);
                 changed.zip(&direction.rows).for_each(|(row, unit)| column[row] += more * unit);
             }
