@@ -173,9 +173,8 @@ fn reflectors_of_one_pose_share_where_the_arm_stood() {
     }
 }
 
-#[test]
-fn fixed_points_touched_again_need_no_tracker() {
-    let mut cell = Cell::new(Effect::JointCompliance { joint: 2 }, 400, 2);
+/// Touches of four fixed points, from as many of a cell's poses as reach them.
+fn touched(cell: &mut Cell) -> String {
     let goals = [[0.45, -0.2, 0.3], [0.5, 0.25, 0.35], [0.35, 0.0, 0.55], [0.55, 0.05, 0.2]];
     let mut csv = format!("fixed_id,{HEADER}\n");
     let mut n = [0; 4];
@@ -188,6 +187,34 @@ fn fixed_points_touched_again_need_no_tracker() {
         }
     }
     assert!(n.iter().all(|n| *n >= 12), "{n:?}");
+    csv
+}
+
+/// Touches measure no length: an arm that shrinks with its tool closes upon its points the better the smaller it is. Where nobody says how large
+/// the noise is, it is still the noise that was made, and no growth of the links by a hundred percent.
+#[test]
+fn touches_without_a_stated_noise_do_not_shrink_the_arm() {
+    let robot = SerialArm::built_in("irb140").unwrap();
+    for (effects, expected) in [
+        (Vec::new(), Verdict::NothingAboveNoise),
+        (vec![(Effect::JointCompliance { joint: 2 }, 8.0)], Verdict::Explained),
+    ] {
+        let csv = touched(&mut Cell::with(effects, 300, 2));
+        let measurements = Measurements::from_csv(csv.as_bytes()).unwrap();
+        let found = diagnose(&measurements, &robot, &DiagnosisOptions { tool_m: None, sigma_m: None });
+        let noise = found.noise.model_sigma_mm.unwrap() * 1e-3 / SIGMA_M;
+        assert!((0.8..1.25).contains(&noise), "{noise} {}", found.reason);
+        assert_eq!(found.verdict, expected, "{}", found.reason);
+        if expected == Verdict::Explained {
+            assert_found(&found, "joint_compliance", 2);
+        }
+    }
+}
+
+#[test]
+fn fixed_points_touched_again_need_no_tracker() {
+    let mut cell = Cell::new(Effect::JointCompliance { joint: 2 }, 400, 2);
+    let csv = touched(&mut cell);
     let found = answer(&csv);
     // All touches are within half a metre of each other: under much the same moments link 1's bending is of nearly the same shape.
     // With the payload's centre free in both it is not likely enough to be named.

@@ -54,6 +54,8 @@ pub(super) struct Dataset {
     pub stands: usize,
     /// Observations that an instrument made while the arm stood in one pose, each of another target.
     pub visits: Vec<Vec<usize>>,
+    /// Whether all of them are touches of fixed points, which measure no length.
+    pub touches_alone: bool,
 }
 
 impl Dataset {
@@ -86,6 +88,7 @@ impl Dataset {
             stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),
             torque_limit_n_m: torque_limits_n_m(&observations, robot.joints.len()),
             visits: visits(&observations),
+            touches_alone: observations.iter().all(|s| matches!(s.kind, ObservationKind::Touch)),
             observations,
             channels,
             neighbours_in_time,

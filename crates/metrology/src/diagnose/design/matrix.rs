@@ -35,6 +35,8 @@ pub(crate) struct Design {
     pub(super) rows_per_observation: usize,
     /// Numbers measured in each group.
     counts: Vec<usize>,
+    /// Whether all observations are touches of fixed points.
+    pub touches_alone: bool,
     /// A row for each row of an observation in the order of groups.
     columns: DMatrix<f64>,
     /// Columns of registration, flat prior.
@@ -86,6 +88,7 @@ impl Design {
             groups,
             rows_per_observation: d,
             counts,
+            touches_alone: dataset.touches_alone,
             columns: DMatrix::zeros(0, 0),
             registration: 0..0,
             geometry: 0..0,

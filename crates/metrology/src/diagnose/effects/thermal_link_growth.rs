@@ -74,6 +74,10 @@ impl Effect for ThermalLinkGrowth {
                 grown[1][k] += along[k];
             }
         }
+        // What is constant of it is the arm's scale, which touches cannot tell.
+        if at.dataset.touches_alone && variant.joint.is_none() {
+            grown[1] = [0.0; 6];
+        }
         out.extend(grown.map(Twist));
     }
 }

@@ -30,7 +30,7 @@ use super::marginal::{Marginal, NoiseIntegral, NoisePrior, log_sum};
 use elimination::{Direction, RANK};
 use nalgebra::{DMatrix, DVector};
 use principal::SizeTerm;
-use prior::{NO_GEOMETRY, RatioGrids, geometry_prior, size_prior};
+use prior::{MOST_OF_TOUCHES, NO_GEOMETRY, RatioGrids, geometry_prior, size_prior};
 use sum::EvidenceSum;
 
 /// How far ln evidence may lie from the integral that it stands for, nats.
@@ -59,6 +59,8 @@ pub(super) struct NuisanceModel {
     rows: f64,
     noise: NoisePrior,
     marginal: Marginal,
+    /// The largest size that is believed, over what is usual.
+    most_size: f64,
     /// Geometry at ln-spaced s_g/sigma, ascending from 0.
     geometry_terms: Vec<GeometryTerm>,
     /// ln-spaced s/sigma of a candidate, ascending.
@@ -118,6 +120,7 @@ impl NuisanceModel {
             rows,
             noise,
             marginal: noise.marginal_over(rows),
+            most_size: if design.touches_alone { MOST_OF_TOUCHES } else { f64::INFINITY },
             geometry_terms: Vec::new(),
             size_ratios: Vec::new(),
             yy: gram[(0, 0)],
@@ -209,7 +212,7 @@ impl NuisanceModel {
     fn without_candidate(&self, geometry: &GeometryTerm) -> NoiseIntegral {
         let NoiseIntegral { log, sigma_m } = self.marginal.at(geometry.squares);
         NoiseIntegral {
-            log: log - 0.5 * geometry.log_det + geometry_prior(geometry.ratio * sigma_m),
+            log: log - 0.5 * geometry.log_det + geometry_prior(geometry.ratio * sigma_m, self.most_size),
             sigma_m,
         }
     }
@@ -243,9 +246,10 @@ impl NuisanceModel {
             return;
         }
         let (geometry_ratio, size_ratio) = (geometry.ratio, size.ratio);
-        let mut log_evidence = log + geometry_prior(geometry_ratio * sigma_m);
+        let mut log_evidence = log + geometry_prior(geometry_ratio * sigma_m, self.most_size);
         if size_ratio > 0.0 {
-            log_evidence += size_prior(size_ratio * sigma_m, size_ratio * signal_of_unit_size);
+            log_evidence +=
+                size_prior(size_ratio * sigma_m, size_ratio * signal_of_unit_size, self.most_size);
         }
         sum.add(EvidencePeak { log_evidence, sigma_m, geometry_ratio, size_ratio });
     }

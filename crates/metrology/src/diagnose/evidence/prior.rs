@@ -6,6 +6,12 @@ use nalgebra::DVector;
 /// Prior weight of geometry exactly as drawn.
 pub(super) const NO_GEOMETRY: f64 = 0.25;
 
+/// Touches of fixed points measure no length: an arm of half the size closes upon its points twice as well, noise and all. No error is believed there
+/// that is more than so many times as large as it usually is.
+pub(super) const MOST_OF_TOUCHES: f64 = 24.0;
+/// ln prior mass of what is not believed at all.
+const NEVER: f64 = -1e6;
+
 /// Smallest size that is looked at, in prior sigmas.
 const SMALLEST: f64 = 1.0 / 64.0;
 
@@ -37,10 +43,13 @@ impl RatioGrids {
     }
 }
 
-/// ln prior mass of one factor-of-two cell at `s_g`: about the tolerance, with a tail for arms never calibrated.
-pub(super) fn geometry_prior(s_g: f64) -> f64 {
+/// ln prior mass of one factor-of-two cell at `s_g`: about the tolerance, with a tail for arms never calibrated, and none beyond `most`.
+pub(super) fn geometry_prior(s_g: f64, most: f64) -> f64 {
     if s_g <= 0.0 {
         return NO_GEOMETRY.ln();
+    }
+    if s_g > most {
+        return NEVER;
     }
     let x = s_g.ln();
     let density = 0.85 * normal_pdf(x, -0.3, 0.8) + 0.15 * normal_pdf(x, 1.6, 1.0);
@@ -51,8 +60,11 @@ pub(super) fn geometry_prior(s_g: f64) -> f64 {
 const BY_NOISE: f64 = 0.5;
 
 /// ln prior mass of one factor-of-two cell at size `s` times usual, whose signal is `rho` times the noise. What is looked
-/// for is of its usual size, or so large that these data just begin to ask for it, whatever is usual.
-pub(super) fn size_prior(s: f64, rho: f64) -> f64 {
+/// for is of its usual size, or so large that these data just begin to ask for it, whatever is usual; beyond `most` it is not believed.
+pub(super) fn size_prior(s: f64, rho: f64, most: f64) -> f64 {
+    if s > most {
+        return NEVER;
+    }
     let x = s.max(1e-9).ln();
     let prior_sigma = 0.8 * normal_pdf(x, 0.0, 0.9) + 0.2 * normal_pdf(x, 1.2, 1.3);
     let seen = normal_pdf(rho.max(1e-9).ln(), 0.0, 1.1);
@@ -71,13 +83,13 @@ mod tests {
         for signal_of_unit_size in [0.01, 1.0, 300.0] {
             let total: f64 = (-60..60)
                 .map(|k| f64::from(k).exp2())
-                .map(|s| size_prior(s, s * signal_of_unit_size).exp())
+                .map(|s| size_prior(s, s * signal_of_unit_size, f64::INFINITY).exp())
                 .sum();
             assert!((total - 1.0).abs() < 1e-3, "{total}");
         }
         // 1/300 of usual: 6.3 standard deviations of the prior sigmas, but the middle of those by the noise:
         // ln(0.5 ln 2 / (1.1 sqrt(2 pi)))
-        let seen = size_prior(1.0 / 300.0, 1.0);
+        let seen = size_prior(1.0 / 300.0, 1.0, f64::INFINITY);
         let middle = (0.5 * std::f64::consts::LN_2 / (1.1 * std::f64::consts::TAU.sqrt())).ln();
         assert!((seen - middle).abs() < 1e-2, "{seen} {middle}");
     }

@@ -113,7 +113,11 @@ impl NuisanceModel {
                 let log_evidence = point.base
                     + log
                     + size.log_occam
-                    + size_prior(size.ratio * point.sigma_m, size.ratio * signal_of_unit_size);
+                    + size_prior(
+                        size.ratio * point.sigma_m,
+                        size.ratio * signal_of_unit_size,
+                        self.most_size,
+                    );
                 if log_evidence > best.log_evidence {
                     let (geometry_ratio, size_ratio) = (point.geometry.ratio, size.ratio);
                     best = EvidencePeak { log_evidence, sigma_m, geometry_ratio, size_ratio };

@@ -125,11 +125,11 @@ impl Problem {
                 let by_sigma = sigmas(noise).map(|(sigma_m, log_prior)| {
                     // Densities over the logarithms: the code's priors are masses of factor-of-two cells.
                     let geometry = match r > 0.0 {
-                        true => geometry_prior(r * sigma_m) - LN_2.ln() + STEP.ln(),
+                        true => geometry_prior(r * sigma_m, f64::INFINITY) - LN_2.ln() + STEP.ln(),
                         false => NO_GEOMETRY.ln(),
                     };
                     let size = match t > 0.0 {
-                        true => size_prior(t * sigma_m, t * signal) - LN_2.ln() + STEP.ln(),
+                        true => size_prior(t * sigma_m, t * signal, f64::INFINITY) - LN_2.ln() + STEP.ln(),
                         false => 0.0,
                     };
                     log_prior + geometry + size - m * sigma_m.ln() - 0.5 * q / (sigma_m * sigma_m)
@@ -329,8 +329,9 @@ fn two_causes_together_are_as_likely_as_dense_matrices_say() {
             let cholesky = covariance.cholesky().unwrap();
             let half_log_det: f64 = cholesky.l().diagonal().iter().map(|v| v.ln()).sum();
             let NoiseIntegral { log, sigma_m } = nuisance.marginal.at(e.dot(&cholesky.solve(&e)));
-            let sizes = size_prior(s * sigma_m, s * signal(&a)) + size_prior(t * sigma_m, t * signal(&b));
-            exact = log_add(exact, log - half_log_det + geometry_prior(r * sigma_m) + sizes);
+            let sizes = size_prior(s * sigma_m, s * signal(&a), f64::INFINITY)
+                + size_prior(t * sigma_m, t * signal(&b), f64::INFINITY);
+            exact = log_add(exact, log - half_log_det + geometry_prior(r * sigma_m, f64::INFINITY) + sizes);
         }
     }
     assert!((found.log_evidence - exact).abs() < 1e-6, "{} {exact}", found.log_evidence);
