@@ -161,7 +161,7 @@ impl NoiseEstimates {
             if round == START_ROUNDS {
                 let by_repeats = Whitening::independent(base_weights.clone(), start.characteristic_length_m);
                 let visits = VisitScatter::of(dataset, &by_repeats, &residuals, &start.robust.outliers);
-                start.known = beside_visits(noise, visits.as_ref(), 1.0);
+                start.known = beside_visits(noise, visits.as_ref(), of_reading(dataset, &base_weights));
                 let least_m2 = start.known.known.map_or(0.0, |known| known.sigma_m.powi(2));
                 start.bare_shared =
                     visits.map_or_else(SharedError::default, |visits| visits.shared(least_m2));
@@ -267,8 +267,14 @@ fn seen_in(
     let of_a_row = if is_repeated { assumed.variance_ratio + 1.0 } else { 1.0 };
     let by_repeats = Whitening::independent(model.base_weights.clone(), assumed.characteristic_length_m);
     let visits = VisitScatter::of(dataset, &by_repeats, &model.residuals, &robust.outliers);
-    let known = beside_visits(model.given, visits.as_ref(), of_a_row);
-    let least_m2 = known.known.map_or(0.0, |known| known.sigma_m * known.sigma_m * of_a_row);
+    let known = beside_visits(model.given, visits.as_ref(), of_reading(dataset, &model.base_weights));
+    let least_m2 = match (known.known, visits.as_ref()) {
+        (Some(own), Some(visits)) if known != model.given => {
+            visits.own_m2.min(own.sigma_m * own.sigma_m * of_a_row)
+        }
+        (Some(known), _) => known.sigma_m * known.sigma_m * of_a_row,
+        (None, _) => 0.0,
+    };
     let shared = visits.map_or_else(SharedError::default, |visits| visits.shared(least_m2));
     let shared_variance = shared.at_targets(dataset) * of_a_row;
     NoiseEstimates {
@@ -284,9 +290,16 @@ fn seen_in(
     }
 }
 
-/// `noise` with what `visits` show of it, where a row of weight 1 scatters by `of_a_row` times what a reading does.
-fn beside_visits(noise: NoisePrior, visits: Option<&VisitScatter>, of_a_row: f64) -> NoisePrior {
-    visits.map_or(noise, |visits| noise.beside_visits(visits.own_m2 / of_a_row, visits.freedom))
+/// `noise` with what `visits` show of it, where a row of weight 1 scatters at least by `of_reading` times what a reading does, as variances.
+fn beside_visits(noise: NoisePrior, visits: Option<&VisitScatter>, of_reading: f64) -> NoisePrior {
+    visits.map_or(noise, |visits| noise.beside_visits(visits.own_m2 / of_reading, visits.freedom))
+}
+
+/// Variance of a row of weight 1 over that of a reading, where nothing but the readings' noise is in it.
+fn of_reading(dataset: &Dataset, base_weights: &[f64]) -> f64 {
+    let stations = dataset.observations.iter().zip(base_weights);
+    let sum: f64 = stations.map(|(station, weight)| weight / station.repeats as f64).sum();
+    sum / dataset.observations.len().max(1) as f64
 }
 
 /// Distance at which an orientation error looks like the position error beside it, metres; `None` where no orientation is measured.

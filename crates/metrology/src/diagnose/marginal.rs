@@ -27,7 +27,7 @@ pub(super) struct KnownNoise {
 }
 
 /// What is known of the noise before the fit.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NoisePrior {
     /// Size of the noise, where repeats or a statement say one.
     pub known: Option<KnownNoise>,
