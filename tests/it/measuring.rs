@@ -175,6 +175,33 @@ fn reflectors_of_one_pose_share_where_the_arm_stood() {
     }
 }
 
+/// Three reflectors at 40 stops, two of which in a row the arm left too early, each time otherwise: six rows, and no step of base or tool there
+/// and back.
+#[test]
+fn two_false_stops_of_three_reflectors_are_no_steps() {
+    for (seed, off_mm) in
+        [(1, [[0.3, -0.2, 0.1], [-0.1, 0.25, 0.3]]), (2, [[0.2, 0.3, -0.2], [0.3, 0.1, 0.2]])]
+    {
+        let mut cell = Cell::with(Vec::new(), 40, seed);
+        let mut csv = format!("t_min,pose_id,target,{HEADER},x_mm,y_mm,z_mm\n");
+        for (k, at) in cell.at.clone().iter().enumerate() {
+            let off_m = k
+                .checked_sub(7)
+                .and_then(|k| off_mm.get(k))
+                .map_or_else(Vector3::zeros, |&mm| Vector3::from(mm) * 1e-3);
+            for (name, on_flange_m) in
+                [("A", [0.08, 0.02, 0.05]), ("B", [-0.05, 0.07, 0.06]), ("C", [0.0, -0.09, 0.12])]
+            {
+                let seen = cell.tip_m(at, on_flange_m) + cell.noise_m() + off_m;
+                let seen = (instrument_from_base() * Point3::from(seen)).coords;
+                writeln!(csv, "{k},{k},{name},{},{}", cells(at), mm(&seen)).unwrap();
+            }
+        }
+        let found = answer(&csv);
+        assert_eq!(found.verdict, Verdict::NothingAboveNoise, "{seed}: {}", found.reason);
+    }
+}
+
 /// Who states the noise may mean the instrument's, 0.01 mm, or the scatter of a coordinate that is seen, 0.044 mm with where the arm stood: it is
 /// the same arm.
 #[test]

@@ -3,8 +3,10 @@
 use super::dataset::{Observation, Twist};
 use super::linearise::{Linearised, shift_m};
 use nalgebra::{DMatrix, DVector, Vector3};
+use std::collections::BTreeSet;
 
-/// Fewest stations in a row that are one motion: the six parameters of a rigid one could absorb a few false readings.
+/// Fewest visits in a row that are one motion: the six parameters of a rigid one could absorb a few false readings, however many targets
+/// each has.
 const FEWEST: usize = 6;
 /// Of stations in a row so many at least are far off, three of four.
 const MOST_OF: [usize; 2] = [3, 4];
@@ -17,6 +19,10 @@ pub(super) fn excuse(linear: &Linearised, residuals: &[Twist], off: &mut [bool])
     let observations = &linear.dataset.observations;
     let mut order: Vec<usize> = (0..observations.len()).collect();
     order.sort_by(|&a, &b| observations[a].clock().total_cmp(&observations[b].clock()).then(a.cmp(&b)));
+    let mut visit_of = vec![0; observations.len()];
+    for (visit, members) in linear.dataset.visits.iter().enumerate() {
+        members.iter().for_each(|&i| visit_of[i] = visit);
+    }
     let mut from = 0;
     while from < order.len() {
         if !off[order[from]] {
@@ -34,7 +40,8 @@ pub(super) fn excuse(linear: &Linearised, residuals: &[Twist], off: &mut [bool])
             }
         }
         let run: Vec<usize> = order[from..end].iter().copied().filter(|&i| off[i]).collect();
-        if run.len() >= FEWEST && is_one_motion(linear, residuals, &run) {
+        let visits: BTreeSet<usize> = run.iter().map(|&i| visit_of[i]).collect();
+        if visits.len() >= FEWEST && is_one_motion(linear, residuals, &run) {
             run.iter().for_each(|&i| off[i] = false);
         }
         from = end;

@@ -38,7 +38,8 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
         .into()
 }
 
-/// Fewest observations on each side of a step: their three numbers each are twice as many as a rigid motion has parameters.
+/// Fewest visits on each side of a step: the three numbers of a target each are twice as many as a rigid motion has parameters. More targets
+/// of one visit say the same once more.
 const MIN_BESIDE_STEP: usize = 4;
 /// Fewest between two steps: what two motions take between them may be one or two false readings.
 const MIN_BETWEEN_STEPS: usize = 6;
@@ -46,7 +47,8 @@ const MIN_BETWEEN_STEPS: usize = 6;
 /// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
 pub(crate) fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
     let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
-    let between = dataset.observations.iter().map(|s| s.clock()).filter(|t| low < *t && *t < high).count();
+    let is_between = |(from, to): &(f64, f64)| low < *from && *to < high;
+    let between = visit_times(dataset).iter().filter(|visit| is_between(visit)).count();
     0 < between && between < MIN_BETWEEN_STEPS
 }
 
@@ -55,9 +57,17 @@ pub(super) fn step_times(dataset: &Dataset) -> Vec<f64> {
     if dataset.clock.is_none() {
         return Vec::new();
     }
-    let times: Vec<f64> = dataset.observations.iter().map(|s| s.clock()).collect();
-    let most = if times.len() > LARGE_SET { MAX_STEP_TIMES / 3 } else { MAX_STEP_TIMES };
-    gaps(times, most, MIN_BESIDE_STEP)
+    let most = if dataset.observations.len() > LARGE_SET { MAX_STEP_TIMES / 3 } else { MAX_STEP_TIMES };
+    gaps(visit_times(dataset), most, MIN_BESIDE_STEP)
+}
+
+/// When the first and the last target of each visit was read.
+fn visit_times(dataset: &Dataset) -> Vec<(f64, f64)> {
+    let of_visit = |visit: &Vec<usize>| {
+        let times = visit.iter().map(|&i| dataset.observations[i].clock());
+        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)))
+    };
+    dataset.visits.iter().map(of_visit).collect()
 }
 
 /// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like
@@ -66,18 +76,19 @@ const MAX_STEP_TIMES: usize = 240;
 /// In a set of more observations than this every step tried costs too much memory and time.
 const LARGE_SET: usize = 2000;
 
-/// Middle times between observations, at most `most`, with `aside` observations or more on each side.
-fn gaps(mut times: Vec<f64>, most: usize, aside: usize) -> Vec<f64> {
-    times.sort_by(f64::total_cmp);
-    if times.len() < 2 * aside {
+/// Middle times between visits, at most `most`, with `aside` visits or more on each side.
+fn gaps(mut visits: Vec<(f64, f64)>, most: usize, aside: usize) -> Vec<f64> {
+    visits.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if visits.len() < 2 * aside {
         return Vec::new();
     }
-    let middles: Vec<f64> = times
+    let middles: Vec<f64> = visits
         .windows(2)
         .skip(aside - 1)
-        .take(times.len() + 1 - 2 * aside)
-        .filter(|w| w[1] > w[0])
-        .map(|w| 0.5 * (w[0] + w[1]))
+        .take(visits.len() + 1 - 2 * aside)
+        .map(|w| (w[0].1, w[1].0))
+        .filter(|(before, after)| after > before)
+        .map(|(before, after)| 0.5 * (before + after))
         .collect();
     let step = middles.len().div_ceil(most).max(1);
     middles.into_iter().step_by(step).collect()
@@ -90,10 +101,14 @@ mod tests {
     /// 150 observations a minute apart, in any order: every gap but the outer three.
     #[test]
     fn a_step_is_looked_for_in_every_gap_of_an_ordinary_set() {
-        let times: Vec<f64> = (0..150).rev().map(f64::from).collect();
+        let visits: Vec<(f64, f64)> =
+            (0..150).rev().map(|minute| (f64::from(minute), f64::from(minute))).collect();
         let expected: Vec<f64> = (3..146).map(|minute| f64::from(minute) + 0.5).collect();
-        assert_eq!(gaps(times.clone(), MAX_STEP_TIMES, 4), expected);
-        assert_eq!(gaps(times, 50, 4).len(), 48, "every third of 143");
-        assert_eq!(gaps(vec![1.0; 9], 50, 4), Vec::<f64>::new(), "all at once");
+        assert_eq!(gaps(visits.clone(), MAX_STEP_TIMES, 4), expected);
+        assert_eq!(gaps(visits, 50, 4).len(), 48, "every third of 143");
+        assert_eq!(gaps(vec![(1.0, 1.0); 9], 50, 4), Vec::<f64>::new(), "all at once");
+        // Several targets at each stop, the last half a minute after the first: no step while the arm stands.
+        let stops = (0..9).map(|minute| (f64::from(minute), f64::from(minute) + 0.5)).collect();
+        assert_eq!(gaps(stops, 50, 4), [3.75, 4.75]);
     }
 }
