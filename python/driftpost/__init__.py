@@ -135,6 +135,8 @@ def compensate(program, *, robot="irb140", deformation=None, model=None,
 
     Raises DriftpostError where the program is refused, with code, file and line.
     """
+    if "task" in options:
+        raise DriftpostError("task is no option here: compensate the folder of each task with its own robot", "option::usage")
     with Folder() as folder:
         options = _models(folder, robot, deformation, model, options)
         if is_text(program):

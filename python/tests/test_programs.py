@@ -119,6 +119,7 @@ def test_the_place_is_told():
     ({"tolerance_mm": "much"}, "option::usage"),
     ({"tolerence_mm": 1}, "option::usage"),
     ({"form": "spiral"}, "option::usage"),
+    ({"task": ["TASK1=irb140"]}, "option::usage"),
     ({"robot": "irb2400"}, "robot::coupled"),
     ({"robot": 140}, "robot::"),
     ({"deformation": 5}, "option::usage"),

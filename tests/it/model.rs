@@ -66,6 +66,10 @@ fn what_is_found_in_some_rows_holds_in_rows_not_seen() {
     let tight =
         driftpost(&["validate", &at("unseen.csv"), "--model", &at("model.toml"), "--limit-mm", "0.01"]);
     assert_eq!(tight.status.code(), Some(1));
+    // The rows that it was found in lie inside of their own range: nothing is outside, and no distance of nothing is less than 0.
+    done(&["validate", &at("seen.csv"), "--model", &at("model.toml"), "--json", &at("v.json")]);
+    assert_eq!(json(&at("v.json"))["outside"]["n"], 0);
+    assert!(!std::fs::read_to_string(at("v.json")).unwrap().contains("-0.0"));
 }
 
 /// Play that gravity holds where its torque about the joint is large: from how much on is told by all rows, not by the twentieth of them

@@ -194,8 +194,10 @@ fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> PoseSubset {
     let distances = |of: fn(&Distance) -> f64| {
         let n: usize = rows.clone().map(|d| d.weight).sum();
         let over = 1.0 / n.max(1) as f64;
-        let weighted =
-            |f: &dyn Fn(f64) -> f64| rows.clone().map(|d| f(of(d)) * d.weight as f64).sum::<f64>() * over;
+        // The sum of no numbers is -0.
+        let weighted = |f: &dyn Fn(f64) -> f64| {
+            rows.clone().map(|d| f(of(d)) * d.weight as f64).fold(0.0, |sum, one| sum + one) * over
+        };
         DistanceStatistics {
             rms_mm: mm_from_m(weighted(&|m| m * m).sqrt()),
             mean_mm: mm_from_m(weighted(&|m| m)),
