@@ -361,3 +361,24 @@ fn what_the_data_say_nothing_of_is_no_first_candidate() {
         json["causes"].as_array().unwrap().iter().map(|c| c["effect"].as_str().unwrap()).collect();
     assert!(!candidates.is_empty() && candidates[0] != "instrument_scale", "{candidates:?}");
 }
+
+/// A base that creeps by 4 mm in two hours, a hundred times what is usual: the answer says that no model can be made of it, whether one is asked
+/// for or not. One that creeps by 0.1 mm goes into a model.
+#[test]
+fn what_is_too_large_for_a_model_is_said_without_asking_for_one() {
+    let chain = chain();
+    let crept = |by_m: f64| {
+        let chain = &chain;
+        move |q_rad, k| turned(chain, q_rad, 0, 0.0) + Vector3::x() * (by_m * k as f64 / 120.0)
+    };
+    let (_, text, found) = answer(anywhere_deg, crept(4e-3), &[]);
+    assert_eq!(found["causes"][0]["effect"], "base_drift", "{text} {found:#}");
+    let why = found["no_model"].as_str().unwrap_or_default();
+    assert!(
+        why.contains("base_drift came out at") && why.contains("times its usual size"),
+        "{why} {found:#}"
+    );
+    let (_, text, found) = answer(anywhere_deg, crept(1e-4), &[]);
+    assert_eq!(found["causes"][0]["effect"], "base_drift", "{text} {found:#}");
+    assert!(found["no_model"].is_null(), "{found:#}");
+}

@@ -16,7 +16,7 @@ use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::next_measurements::next_measurements;
-use super::no_model::NoModel;
+use super::no_model::{NoModel, only_cause_beyond};
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
 use super::outcome::{
@@ -109,7 +109,8 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
     diagnosis.untestable.sort_by_key(|kind| kind.name());
     diagnosis.untestable.dedup();
     let Some(identification) = identification else {
-        diagnosis.no_model = misses_stated(&fitted, prepared.options).map(|why| why.to_string());
+        let why = misses_stated(&fitted, prepared.options).or_else(|| only_cause_beyond(&fitted));
+        diagnosis.no_model = why.map(|why| why.to_string());
         return Evaluation::without_model(diagnosis);
     };
     diagnosis.warnings.splice(0..0, identification.warnings());

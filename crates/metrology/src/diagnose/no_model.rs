@@ -133,6 +133,26 @@ pub(super) fn is_usual(
     Ok(())
 }
 
+/// Why the only cause of a fit makes no model, as far as that shows before one is made: it is far beyond its usual size.
+#[must_use]
+pub(super) fn only_cause_beyond(fitted: &FittedModel<'_>) -> Option<NoModel> {
+    let FittedModel { linear, model, workspace } = fitted;
+    let [cause] = model.chosen.as_slice() else { return None };
+    let candidate = workspace.library.candidates.get(cause.candidate)?;
+    let fit = fitted.fit(&model.chosen);
+    // The data's column has no coefficient.
+    let values: Option<Vec<f64>> =
+        cause.columns.iter().map(|&column| fit.coefficients.get(column - 1).copied()).collect();
+    let times = times_usual(&linear.dataset, candidate, &values?);
+    let is_beyond = times > candidate.effect().furthest_sigmas();
+    is_beyond.then(|| NoModel::Beyond {
+        cause: candidate.cause_key(),
+        n: candidate.variant.n,
+        term: describe_candidate(candidate, &linear.dataset),
+        times,
+    })
+}
+
 /// What a candidate whose parameters are `values`, in prior sigmas, does to the points, over what its prior leads one to expect: of a base that tilts
 /// under masses that are not as guessed the whole tilt counts, not a part of it that another takes back.
 fn times_usual(dataset: &Dataset, candidate: &Candidate, values: &[f64]) -> f64 {
