@@ -82,8 +82,9 @@ fn what_the_controllers_own_instructions_hand_back_is_not_constant() {
     let tool = |call: &str| codes(&main_of(&data(), &format!("{call};\n{MOVE}")));
     assert_eq!(tool("SToolRotCalib p1,p2,p3,t"), ["keep::tool-unknown"]);
     assert_eq!(tool("GripLoad t.tload"), ["-"]);
-    // A routine that is not given is taken to leave tools alone, whatever it is called.
-    assert_eq!(tool("GetReady t"), ["-"]);
+    // A routine that is not given is taken to leave tools alone that it is not handed, whatever it is called.
+    assert_eq!(tool("GetReady"), ["-"]);
+    assert_eq!(tool("GetReady t"), ["keep::tool-unknown"]);
 }
 
 #[test]

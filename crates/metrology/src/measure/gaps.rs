@@ -177,6 +177,13 @@ mod tests {
     }
 
     #[test]
+    fn what_a_spreadsheet_could_not_compute_is_an_empty_cell() {
+        let m = read("t_min", &["0", "#REF!", "2", "#DIV/0!", "4", "#NAME?", "6", "7", "8"]);
+        let warning = "t_min is empty or no number in 3 rows: lines 3, 5, 7";
+        assert_eq!(lines_and_warnings(&m), (vec![2, 4, 6, 8, 9, 10], vec![warning]));
+    }
+
+    #[test]
     fn of_columns_that_count_together_those_that_are_empty_are_named() {
         let columns: Vec<String> = (1..=6).map(|j| format!("temp_j{j}_c")).collect();
         let m = read(&columns.join(","), &["20,20,20,20,20,20", "20,,20,20,,20", "21,21,21,21,21,21"]);

@@ -109,9 +109,10 @@ fn unused(
         .collect()
 }
 
-/// Whether a cell says that nothing was measured.
+/// Whether a cell says that nothing was measured, or is what a spreadsheet writes where it could not compute (`#REF!`, `#NAME?`).
 fn is_nothing(text: &str) -> bool {
     text.is_empty()
+        || text.starts_with('#') && text.ends_with(['!', '?'])
         || ["nan", "null", "none", "n/a", "#n/a", "na", "-"]
             .iter()
             .any(|word| text.eq_ignore_ascii_case(word))
@@ -317,8 +318,11 @@ impl RowCells<'_> {
             }
         };
         let payload_kg = self.optional("payload_kg")?;
-        if payload_kg.is_some_and(|kg| !(0.0..1e5).contains(&kg)) {
-            return Err(self.impossible("payload_kg", "a payload weighs 0 kg or more"));
+        // A payload of a tonne in grams is a fault of the column, which is told as that.
+        if payload_kg.is_some_and(|kg| !(0.0..1e7).contains(&kg)) {
+            return Err(
+                self.impossible("payload_kg", "a payload weighs 0 kg or more, and less than 10,000 t")
+            );
         }
         Ok(MeasurementRow {
             line: self.line.number,
