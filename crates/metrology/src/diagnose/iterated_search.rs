@@ -70,7 +70,7 @@ pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
         return wandering;
     }
     drop(wandering);
-    plain.again(problem)
+    plain.with_library(problem)
 }
 
 /// A search's result while another runs: products take hundreds of megabytes in a large set, those of one search at a time.
@@ -87,7 +87,7 @@ impl<'a> WithoutLibrary<'a> {
         Self { linear, model, design, column_index }
     }
 
-    fn again(self, problem: &SearchProblem<'a>) -> FittedModel<'a> {
+    fn with_library(self, problem: &SearchProblem<'a>) -> FittedModel<'a> {
         let Self { linear, model, design, column_index } = self;
         let library = Library::new(&design, &linear.dataset, problem.candidates);
         FittedModel { linear, model, workspace: Workspace { design, library, column_index } }
@@ -110,7 +110,7 @@ fn beside_shared<'a>(problem: &SearchProblem<'a>, start: NoiseEstimates) -> Fitt
         return sharing;
     }
     drop(sharing);
-    plain.again(problem)
+    plain.with_library(problem)
 }
 
 /// What one round takes for the noise; the next takes what this one's residuals say of it.
