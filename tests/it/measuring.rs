@@ -21,6 +21,9 @@ const SIGMA_M: f64 = 2e-5;
 /// Where the payload hangs in the generator.
 const PAYLOAD_AT_M: [f64; 3] = [0.02, 0.0, 0.09];
 const TIP_M: [f64; 3] = [0.06, -0.03, 0.11];
+/// Three reflectors on the flange.
+const REFLECTORS: [(&str, [f64; 3]); 3] =
+    [("A", [0.08, 0.02, 0.05]), ("B", [-0.05, 0.07, 0.06]), ("C", [0.0, -0.09, 0.12])];
 
 /// A virtual robot with one effect, and poses to measure it at.
 struct Cell {
@@ -131,9 +134,7 @@ fn three_reflectors_say_together_what_gives() {
     let mut cell = Cell::new(Effect::JointCompliance { joint: 2 }, 40, 1);
     let mut csv = format!("pose_id,target,{HEADER},x_mm,y_mm,z_mm\n");
     for (k, at) in cell.at.clone().iter().enumerate() {
-        for (name, on_flange_m) in
-            [("A", [0.08, 0.02, 0.05]), ("B", [-0.05, 0.07, 0.06]), ("C", [0.0, -0.09, 0.12])]
-        {
+        for (name, on_flange_m) in REFLECTORS {
             let seen = cell.tip_m(at, on_flange_m) + cell.noise_m();
             let seen = (instrument_from_base() * Point3::from(seen)).coords;
             writeln!(csv, "{k},{name},{},{}", cells(at), mm(&seen)).unwrap();
@@ -148,10 +149,9 @@ fn unsteady(mut cell: Cell, sigma_m: Option<f64>) -> Findings {
     let mut csv = format!("pose_id,target,{HEADER},x_mm,y_mm,z_mm\n");
     for (k, at) in cell.at.clone().iter().enumerate() {
         let [shift_m, turn_rad] = [4e-5, 2e-4].map(|sigma| Vector3::from(cell.rng.normal3()) * sigma);
-        let on_flange_m = [[0.08, 0.02, 0.05], [-0.05, 0.07, 0.06], [0.0, -0.09, 0.12]];
-        let targets = on_flange_m.map(|on_flange_m| cell.tip_m(at, on_flange_m));
-        let centre = targets.iter().sum::<Vector3<f64>>() / 3.0;
-        for (name, tip_m) in ["A", "B", "C"].into_iter().zip(targets) {
+        let targets = REFLECTORS.map(|(name, on_flange_m)| (name, cell.tip_m(at, on_flange_m)));
+        let centre = targets.iter().map(|(_, tip_m)| tip_m).sum::<Vector3<f64>>() / 3.0;
+        for (name, tip_m) in targets {
             let seen = tip_m + shift_m + turn_rad.cross(&(tip_m - centre)) + 0.5 * cell.noise_m();
             let seen = (instrument_from_base() * Point3::from(seen)).coords;
             writeln!(csv, "{k},{name},{},{}", cells(at), mm(&seen)).unwrap();
@@ -189,9 +189,7 @@ fn two_false_stops_of_three_reflectors_are_no_steps() {
                 .checked_sub(7)
                 .and_then(|k| off_mm.get(k))
                 .map_or_else(Vector3::zeros, |&mm| Vector3::from(mm) * 1e-3);
-            for (name, on_flange_m) in
-                [("A", [0.08, 0.02, 0.05]), ("B", [-0.05, 0.07, 0.06]), ("C", [0.0, -0.09, 0.12])]
-            {
+            for (name, on_flange_m) in REFLECTORS {
                 let seen = cell.tip_m(at, on_flange_m) + cell.noise_m() + off_m;
                 let seen = (instrument_from_base() * Point3::from(seen)).coords;
                 writeln!(csv, "{k},{k},{name},{},{}", cells(at), mm(&seen)).unwrap();

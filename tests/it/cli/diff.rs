@@ -270,14 +270,19 @@ fn with_clock(bench: &Bench, core: &str) -> (String, String) {
     (to, clock)
 }
 
+/// A folder with the original alone.
+fn original_in(bench: &Bench, folder: &str) -> String {
+    bench.file(&format!("{folder}/Cube45.mod"), std::fs::read(CUBE).unwrap());
+    bench.path(folder).display().to_string()
+}
+
 #[test]
 fn an_edit_of_what_was_added_is_told() {
     let bench = Bench::default();
     for core in ["embedded", "separate"] {
         let (to, clock) = with_clock(&bench, core);
         let program = bench.path(core).display().to_string();
-        let original = bench.file(&format!("original_{core}/Cube45.mod"), std::fs::read(CUBE).unwrap());
-        let original = original.trim_end_matches("/Cube45.mod").to_owned();
+        let original = original_in(&bench, &format!("original_{core}"));
         let elsewhere = || {
             let json = driftpost(&["diff", &original, &program, "--json", "-"]).stdout;
             let json: Value = serde_json::from_slice(&json).unwrap();
@@ -320,8 +325,7 @@ fn a_clock_that_was_saved_switched_off_is_told() {
     for core in ["embedded", "separate"] {
         let (_, clock) = with_clock(&bench, core);
         let program = bench.path(core).display().to_string();
-        let original = bench.file(&format!("before_{core}/Cube45.mod"), std::fs::read(CUBE).unwrap());
-        let original = original.trim_end_matches("/Cube45.mod").to_owned();
+        let original = original_in(&bench, &format!("original_{core}"));
         let text = std::fs::read_to_string(&clock).unwrap();
         let told = |value: &str| {
             let saved = text.replacen("PERS num tcMode:=-1;", &format!("PERS num tcMode:={value};"), 1);

@@ -161,10 +161,7 @@ impl NoiseEstimates {
             if round == START_ROUNDS {
                 let by_repeats = Whitening::independent(base_weights.clone(), start.characteristic_length_m);
                 let visits = VisitScatter::of(dataset, &by_repeats, &residuals, &start.robust.outliers);
-                start.known = beside_visits(noise, visits.as_ref(), of_reading(dataset, &base_weights));
-                let least_m2 = start.known.known.map_or(0.0, |known| known.sigma_m.powi(2));
-                start.bare_shared =
-                    visits.map_or_else(SharedError::default, |visits| visits.shared(least_m2));
+                (start.known, start.bare_shared) = beside_visits(noise, visits, dataset, &base_weights, 1.0);
                 start.slow = slow_noise::likeliest(&design, dataset, &[], start.known);
             }
         }
@@ -267,15 +264,7 @@ fn seen_in(
     let of_a_row = if is_repeated { assumed.variance_ratio + 1.0 } else { 1.0 };
     let by_repeats = Whitening::independent(model.base_weights.clone(), assumed.characteristic_length_m);
     let visits = VisitScatter::of(dataset, &by_repeats, &model.residuals, &robust.outliers);
-    let known = beside_visits(model.given, visits.as_ref(), of_reading(dataset, &model.base_weights));
-    let least_m2 = match (known.known, visits.as_ref()) {
-        (Some(own), Some(visits)) if known != model.given => {
-            visits.own_m2.min(own.sigma_m * own.sigma_m * of_a_row)
-        }
-        (Some(known), _) => known.sigma_m * known.sigma_m * of_a_row,
-        (None, _) => 0.0,
-    };
-    let shared = visits.map_or_else(SharedError::default, |visits| visits.shared(least_m2));
+    let (known, shared) = beside_visits(model.given, visits, dataset, &model.base_weights, of_a_row);
     let shared_variance = shared.at_targets(dataset) * of_a_row;
     NoiseEstimates {
         variance_ratio: pose_variance_ratio(linear, model, &robust.outliers, shared_variance)
@@ -290,9 +279,21 @@ fn seen_in(
     }
 }
 
-/// `noise` with what `visits` show of it, where a row of weight 1 scatters at least by `of_reading` times what a reading does, as variances.
-fn beside_visits(noise: NoisePrior, visits: Option<&VisitScatter>, of_reading: f64) -> NoisePrior {
-    visits.map_or(noise, |visits| noise.beside_visits(visits.own_m2 / of_reading, visits.freedom))
+/// `noise` with what `visits` show of the instrument's own, and what the targets of a visit share beside it. A row of weight 1 scatters by
+/// `of_a_row` times what is known, as variances.
+fn beside_visits(
+    noise: NoisePrior,
+    visits: Option<VisitScatter>,
+    dataset: &Dataset,
+    base_weights: &[f64],
+    of_a_row: f64,
+) -> (NoisePrior, SharedError) {
+    let Some(visits) = visits else { return (noise, SharedError::default()) };
+    let known = noise.beside_visits(visits.own_m2 / of_reading(dataset, base_weights), visits.freedom);
+    // What was known holds from below, unless the visits have just corrected it.
+    let least_m2 =
+        known.known.filter(|_| known == noise).map_or(0.0, |known| known.sigma_m.powi(2) * of_a_row);
+    (known, visits.shared(least_m2))
 }
 
 /// Variance of a row of weight 1 over that of a reading, where nothing but the readings' noise is in it.

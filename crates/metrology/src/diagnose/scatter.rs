@@ -36,7 +36,7 @@ pub(super) struct Residuals<'a> {
     pub dataset: &'a Dataset,
     /// What the model leaves at each station.
     pub residuals: &'a [Twist],
-    /// Each station's weight.
+    /// Weight of each station: 1 = one row of usual noise.
     pub weights: &'a [f64],
     /// Stations that are set aside.
     pub outliers: &'a [bool],

@@ -47,7 +47,7 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
     instruction!("waitao", (signal: Name, limit: f32), |vm, args| wait_beyond(vm, args, signal, limit)),
 ];
 
-/// Sets a signal.
+/// Sets a signal, or raises `ERR_NORUNUNIT` where its unit has no contact.
 pub(super) fn put(vm: &mut Interpreter<'_>, name: Name, value: f32) -> Result<(), Fault> {
     if vm.machine.signals.units_down.contains(&name) {
         return raise("err_norununit", format!("no contact with the unit of signal {name}"));
