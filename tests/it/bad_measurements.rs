@@ -297,6 +297,19 @@ fn rounded_joints_are_named_with_their_columns_in_few_rows() {
     }
 }
 
+#[test]
+fn joints_read_from_an_encoder_of_few_counts_are_rounded_whatever_their_decimals() {
+    let joint = |name: &str| name.starts_with('q');
+    for step_deg in [360.0 / 4096.0, 360.0 / 8192.0, 1e-3_f64.to_degrees()] {
+        let counted = |cell: &str| {
+            let counts = (cell.parse::<f64>().unwrap() / step_deg).round();
+            format!("{:.3}", counts * step_deg)
+        };
+        let (kind, column, _) = fault(&rewritten(joint, counted));
+        assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q1_deg to q6_deg"), "{step_deg}");
+    }
+}
+
 /// Cells of the sound file, line by line.
 fn cells() -> (Vec<String>, Vec<Vec<String>>) {
     let split = |line: &str| line.split(',').map(str::to_owned).collect();

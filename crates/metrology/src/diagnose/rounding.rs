@@ -1,21 +1,18 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
+use super::angle_grid::AngleGrid;
 use super::dataset::{Dataset, Observation, Twist};
 use super::evidence::NuisanceModel;
 use super::linear_fit::solve;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
-use crate::measure::{Fault, FaultKind, Measurements};
+use crate::measure::{Fault, FaultKind};
 use nalgebra::{Matrix3, Vector3};
 use rapid_syntax::diagnostic::is_or_are;
-use robot_model::robot::{Axis, SerialArm};
-use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
-use std::collections::{BTreeMap, BTreeSet};
+use robot_model::robot::SerialArm;
+use robot_model::units::{mm_from_m, rad_from_deg};
+use std::collections::BTreeMap;
 
-/// Steps that joints come rounded to lie between these, degrees: finer ones are no fault, coarser ones are postures.
-const STEPS_DEG: [f64; 2] = [0.01, 1.0];
-/// Angles nearer to each other than this are one: what reading decimals, or radians, leaves, degrees.
-const SAME_DEG: f64 = 1e-6;
 /// Steps that people command poses in: their being common to all joints proves nothing.
 const COMMANDED_DEG: [f64; 4] = [1.0, 0.5, 0.1, 0.01];
 /// A step that nobody commands in need not show so clearly, nats.
@@ -56,7 +53,7 @@ pub(super) fn find(
     if !all_seen {
         return None;
     }
-    let grid = Grid::of(measurements)?;
+    let grid = AngleGrid::of(measurements)?;
     let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     let known_m2 = model.noise.known.map(|known| known.sigma_m.powi(2));
@@ -97,7 +94,7 @@ pub(super) fn find(
 }
 
 /// The fault itself; `scatter_mm`: rms of the points.
-fn rounded_joints(grid: &Grid, robot: &SerialArm, all_joints: bool, scatter_mm: f64) -> Fault {
+fn rounded_joints(grid: &AngleGrid, robot: &SerialArm, all_joints: bool, scatter_mm: f64) -> Fault {
     let step_deg = grid.step_deg;
     let columns = grid.columns(robot);
     let rounded = match all_joints {
@@ -123,7 +120,7 @@ struct RoundedScatter {
 }
 
 impl RoundedScatter {
-    fn of(dataset: &Dataset, outliers: &[bool], grid: &Grid, known_m2: Option<f64>) -> Self {
+    fn of(dataset: &Dataset, outliers: &[bool], grid: &AngleGrid, known_m2: Option<f64>) -> Self {
         // Uniform over one step.
         let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
         // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
@@ -187,116 +184,5 @@ impl RoundedScatter {
                     .map_or(f64::NEG_INFINITY, |l| -0.5 * e.dot(&l.solve(e)) - 0.5 * l.determinant().ln())
             })
             .sum()
-    }
-}
-
-/// Joints that are written on the multiples of one step.
-struct Grid {
-    step_deg: f64,
-    /// Their indices, counted from 0.
-    joints: Vec<usize>,
-}
-
-impl Grid {
-    /// The coarsest step on which every joint stands, however many decimals it is written with and wherever its zero is; where there is
-    /// none, the coarsest on which some do, most of whose rows have an angle of their own.
-    fn of(measurements: &Measurements) -> Option<Self> {
-        let rows = || measurements.rows.iter().filter(|row| row.reading.involves_arm());
-        let kinds = measurements.joint_kinds.iter().enumerate();
-        let turning: Vec<usize> = kinds.filter(|(_, kind)| !kind.slides()).map(|(j, _)| j).collect();
-        let moves = |j: usize| {
-            let angles: BTreeSet<u64> = rows().map(|row| row.q_rad[j].to_bits()).collect();
-            2 * angles.len() > rows().count()
-        };
-        let of_joint = |j: usize| common_step_deg(rows().map(|row| deg_from_rad(row.q_rad[j])));
-        let own: Vec<(usize, f64)> = turning.iter().map(|&j| (j, of_joint(j))).collect();
-        let all = own.iter().fold(0.0, |step_deg, (_, own_deg)| common_divisor(step_deg, *own_deg));
-        if let Some(step_deg) = rounding_step(all) {
-            return Some(Self { step_deg, joints: turning });
-        }
-        let own = || own.iter().filter(|(j, _)| moves(*j));
-        let coarsest = own().filter_map(|(_, own_deg)| rounding_step(*own_deg)).reduce(f64::max)?;
-        let stands = |own_deg: f64| common_divisor(coarsest, own_deg) > coarsest - SAME_DEG;
-        let joints = own().filter(|(_, own_deg)| stands(*own_deg)).map(|(j, _)| *j).collect();
-        Some(Self { step_deg: coarsest, joints })
-    }
-
-    fn columns(&self, robot: &SerialArm) -> String {
-        let all = robot.joints.iter().filter(|joint| !joint.kind.slides()).count();
-        if self.joints.len() == all && all == robot.joints.len() {
-            return robot.columns();
-        }
-        let columns: Vec<String> = self.joints.iter().map(|&j| robot.column(Axis::at(j))).collect();
-        columns.join(", ")
-    }
-}
-
-/// The step of which the differences of all `angles_deg` are multiples; 0 of angles that are all the same.
-fn common_step_deg(mut angles_deg: impl Iterator<Item = f64>) -> f64 {
-    let first = angles_deg.next().unwrap_or(0.0);
-    angles_deg.fold(0.0, |step_deg, angle_deg| common_divisor(step_deg, (angle_deg - first).abs()))
-}
-
-/// Euclid's algorithm on numbers that are known to [`SAME_DEG`]; the divisor of 0 and another number is that number.
-fn common_divisor(a: f64, b: f64) -> f64 {
-    let largest = a.max(b);
-    let (mut a, mut b) = (a, b);
-    while b > SAME_DEG {
-        // The nearest multiple: a rest just under the divisor is none.
-        (a, b) = (b, (a - b * (a / b).round()).abs());
-    }
-    // Rests have lost digits: the largest number tells the divisor best.
-    if a > SAME_DEG { largest / (largest / a).round() } else { a }
-}
-
-/// The step that joints are rounded to whose angles are multiples of `common_deg`, to the last digit that counts: itself, or of a coarse one the
-/// coarsest part that can be; `None` of a fine one, or of joints that stand still.
-fn rounding_step(common_deg: f64) -> Option<f64> {
-    let [finest, coarsest] = STEPS_DEG;
-    let step_deg = common_deg / (common_deg / coarsest - SAME_DEG).ceil().max(1.0);
-    let written = (step_deg / SAME_DEG).round() * SAME_DEG;
-    (common_deg > SAME_DEG && step_deg > finest - SAME_DEG).then(|| (written * 1e6).round() / 1e6)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn file(cells: impl Fn(usize, usize) -> f64) -> Measurements {
-        let mut text = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
-        for k in 0..40 {
-            let row: Vec<String> = (0..6).map(|j| format!("{:.5}", cells(k, j))).collect();
-            text.push_str(&format!("{},1,2,{k}\n", row.join(",")));
-        }
-        Measurements::from_csv(text.as_bytes()).unwrap()
-    }
-
-    /// Multiples all over a joint's range: of the fractions of the golden section's powers.
-    fn multiple(k: usize, j: usize) -> f64 {
-        ((1.0 + k as f64 * 0.618_034_f64.powi(j as i32 + 1)).fract() * 9000.0).round() - 4500.0
-    }
-
-    #[test]
-    fn a_step_is_that_of_the_differences_wherever_its_zero_lies() {
-        for (step, offset) in
-            [(0.1, 0.0), (0.03, 0.0), (0.1, 0.037), (0.05, 0.01), (0.02, 0.0), (0.01, 0.0045)]
-        {
-            let grid = Grid::of(&file(|k, j| multiple(k, j) * step + offset * (j + 1) as f64)).unwrap();
-            assert_eq!((grid.step_deg, grid.joints.len()), (step, 6), "{step} from {offset} on");
-        }
-        assert!(Grid::of(&file(|k, j| multiple(k, j) * 0.00317)).is_none(), "fine enough");
-    }
-
-    #[test]
-    fn joints_rounded_alone_are_told_from_those_that_are_not() {
-        let grid = Grid::of(&file(|k, j| multiple(k, j) * if j == 4 { 0.06 } else { 0.00317 })).unwrap();
-        assert_eq!((grid.step_deg, grid.joints), (0.06, vec![4]));
-    }
-
-    #[test]
-    fn of_postures_the_step_is_a_part_of_theirs() {
-        assert_eq!(rounding_step(5.0), Some(1.0));
-        assert_eq!(rounding_step(1.5), Some(0.75));
-        assert_eq!(rounding_step(0.0), None);
     }
 }
