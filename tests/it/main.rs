@@ -12,6 +12,7 @@ mod architecture;
 mod arms;
 mod bad_cells;
 mod bad_measurements;
+mod bad_orientations;
 mod branch_end;
 mod calibration;
 mod cli;

@@ -10,8 +10,8 @@ use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use crate::measure::{
     Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, RowCheck, Stations, alone,
-    check_rows, describe_move, find_fault, find_in_cells, find_in_rows, find_joint_columns, find_pose_names,
-    gather, register,
+    check_rows, describe_move, find_fault, find_in_cells, find_in_orientations, find_in_rows,
+    find_joint_columns, find_pose_names, gather, register,
 };
 use nalgebra::{Isometry3, Point3};
 use robot_model::deform::identified::{FoundBy, Identified};
@@ -225,6 +225,9 @@ fn evaluated(
     let MeasuredRobot { robot, stations, .. } = measured;
     let chain = SerialChain::nominal(robot);
     let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
+    if let Some(fault) = find_in_orientations(&stations.stations, &flange, stations.targets, options.tool_m) {
+        return Err(fault.into());
+    }
     let registration = register(&stations.stations, &flange, stations.targets, options.tool_m)?;
     if let Some(fault) =
         find_fault(robot, &stations.stations, stations.targets, &registration, options.tool_m)

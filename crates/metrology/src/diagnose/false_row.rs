@@ -4,7 +4,7 @@
 //! said, as a likeness and not as a finding: chance alone does as much once in twenty rows.
 
 use super::dataset::{ObservationKind, Twist};
-use super::linearise::{Linearised, shift_m};
+use super::linearise::{Linearised, shift_m, turn_rad};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::outcome::FalseRow;
@@ -16,6 +16,8 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// A likeness leaves at most this share of the distance.
 const LEFT: f64 = 0.1;
+/// What turns a flange moves its target by more than the turn at this distance, metres: a smaller shift is that of a turn misread.
+const LEVER_M: f64 = 0.01;
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Every row set aside, in the file's order.
@@ -80,6 +82,12 @@ fn likeness(stations: &Stations, linear: &Linearised, left: &Twist, i: usize) ->
         return None;
     }
     let place = shift(left);
+    if place.norm() < LEVER_M * turn_rad(left) {
+        return Some(format!(
+            "its orientation is off by {:.2} deg, its point is not: the sensor read wrongly?",
+            deg_from_rad(turn_rad(left))
+        ));
+    }
     let limit_m = LEFT * place.norm();
     // Before this row in the file: an arm that is still coming lies on the way from there.
     let observations = &linear.dataset.observations;
@@ -103,8 +111,7 @@ fn likeness(stations: &Stations, linear: &Linearised, left: &Twist, i: usize) ->
             return Some(format!("{short}: read before the arm had arrived?"));
         }
     }
-    let turned =
-        linear.dataset.rows_per_observation == 6 && Vector3::new(left[3], left[4], left[5]).norm() > 1e-3;
+    let turned = linear.dataset.rows_per_observation == 6 && turn_rad(left) > 1e-3;
     let seen = linear.registration.instrument_from_base.rotation * place;
     let single = (0..3).find(|&k| {
         let others = Vector3::from_fn(|r, _| if r == k { 0.0 } else { seen[r] });

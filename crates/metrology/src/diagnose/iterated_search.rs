@@ -7,7 +7,7 @@ use super::design::{Design, SharedError, VisitScatter, Whitening};
 use super::effects::Candidate;
 use super::evidence::NuisanceModel;
 use super::linear_fit::solve;
-use super::linearise::{Linearised, shift_m};
+use super::linearise::{Linearised, shift_m, turn_rad};
 use super::marginal::NoisePrior;
 use super::model::{FittedModel, Model, Workspace};
 use super::outlier_history::OutlierHistory;
@@ -141,7 +141,7 @@ impl NoiseEstimates {
             variance_ratio: INITIAL_VARIANCE_RATIO,
             characteristic_length_m: characteristic_length_m(linear, &linear.residuals)
                 .unwrap_or(USUAL_LENGTH_M),
-            robust: RobustWeights::full(dataset.observations.len()),
+            robust: RobustWeights::at_first(&linear.residuals),
             slow: None,
             // Beside what no cause explains yet it would be all that is wrong with the arm: it is judged by what causes leave.
             shared: SharedError::default(),
@@ -309,8 +309,7 @@ fn characteristic_length_m(linear: &Linearised, residuals: &[Twist]) -> Option<f
         return None;
     }
     let mut place: Vec<f64> = residuals.iter().map(shift_m).collect();
-    let mut turn: Vec<f64> =
-        residuals.iter().map(|m| (m[3] * m[3] + m[4] * m[4] + m[5] * m[5]).sqrt()).collect();
+    let mut turn: Vec<f64> = residuals.iter().map(turn_rad).collect();
     let ratio = upper_median(&mut place) / upper_median(&mut turn).max(1e-12);
     Some(ratio.clamp(1e-3, 10.0))
 }

@@ -137,6 +137,12 @@ pub(super) fn shift_m(twist: &Twist) -> f64 {
     (twist[0] * twist[0] + twist[1] * twist[1] + twist[2] * twist[2]).sqrt()
 }
 
+/// Angle of the turn, radians.
+#[must_use]
+pub(super) fn turn_rad(twist: &Twist) -> f64 {
+    (twist[3] * twist[3] + twist[4] * twist[4] + twist[5] * twist[5]).sqrt()
+}
+
 /// 3-D rms of the `twists` that count, metres.
 #[must_use]
 pub(super) fn rms_m(twists: &[Twist], counts: impl Fn(usize) -> bool) -> f64 {

@@ -8,6 +8,7 @@ use super::verdict::Judgement;
 use super::{Verdict, dataset::Twist};
 use crate::measure::{Fault, FaultKind};
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::{counted, is_or_are};
 use robot_model::units::mm_from_m;
 
 /// Noise about the best model over what is stated or repeated, from which on the file is wrong.
@@ -51,12 +52,20 @@ pub(super) fn noise_beyond_stated(
     let source =
         if model.given.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };
     Some(Fault::in_rows(FaultKind::NoiseBeyondStated, &column, lines, |count, which| {
+        let rows = match count {
+            0 => "no row stands out".to_owned(),
+            _ => format!(
+                "{} ({which}) {} more than {:.2} mm off",
+                counted(count, "row"),
+                is_or_are(count),
+                mm_from_m(limit_m)
+            ),
+        };
         format!(
             "{source} {:.3} mm in one coordinate, but about the best model the points scatter by {:.3} mm, and nothing recorded \
-             explains it: {count} rows ({which}) are more than {:.2} mm off; look at {column}",
+             explains it: {rows}; look at {column}",
             mm_from_m(known_m),
-            mm_from_m(noise_m),
-            mm_from_m(limit_m)
+            mm_from_m(noise_m)
         )
     }))
 }

@@ -1,11 +1,14 @@
 //! Weights of stations that do not go with the model, and which of them are false readings; knows nothing of causes.
 
 use super::dataset::Twist;
-use super::linearise::{Linearised, shift_m};
+use super::linearise::{Linearised, shift_m, turn_rad};
 use super::moved_together;
 
 /// A station further than this many sigmas from the model, and alone there, is false.
 pub(super) const FALSE_SIGMAS: f64 = 4.5;
+/// A station whose measured orientation is so many sigmas from the model is false, whatever its neighbours: no structure is so much larger
+/// at one station than in the middle, a sensor that was read wrongly is.
+const FALSE_TURN_SIGMAS: f64 = 25.0;
 /// So many of the nearest stations are asked whether they are off alike.
 const NEAREST: usize = 3;
 /// Two errors point the same way, or one along a joint's motion, from this cosine on.
@@ -24,10 +27,14 @@ pub(super) struct RobustWeights {
 }
 
 impl RobustWeights {
-    /// So many stations, all of full weight.
+    /// Of what a registration leaves: all of full weight but where the orientation is false, which a fit of all would spread over the others.
     #[must_use]
-    pub(super) fn full(stations: usize) -> Self {
-        Self { weights: vec![1.0; stations], outliers: vec![false; stations] }
+    pub(super) fn at_first(residuals: &[Twist]) -> Self {
+        let beyond = turns_beyond(residuals, &vec![1.0; residuals.len()]);
+        Self {
+            weights: beyond.iter().map(|beyond| beyond.max(1.0).powi(-4)).collect(),
+            outliers: beyond.iter().map(|beyond| *beyond > 1.0).collect(),
+        }
     }
 
     /// From the `residuals` of stations whose repeats weigh `base_weights`: a station that is far from the model, and alone there, is
@@ -48,13 +55,23 @@ impl RobustWeights {
             .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
             .collect();
         moved_together::excuse(linear, residuals, &mut outliers);
-        let weights = distances
-            .iter()
-            .zip(&outliers)
-            .map(|(d, out)| if *out { (limit_m / d).powi(4) } else { 1.0 })
-            .collect();
+        let mut beyond: Vec<f64> =
+            distances.iter().zip(&outliers).map(|(d, out)| if *out { d / limit_m } else { 1.0 }).collect();
+        for (i, turned_beyond) in turns_beyond(residuals, base_weights).into_iter().enumerate() {
+            if turned_beyond > beyond[i] {
+                (beyond[i], outliers[i]) = (turned_beyond, true);
+            }
+        }
+        let weights = beyond.iter().map(|beyond| beyond.powi(-4)).collect();
         Self { weights, outliers }
     }
+}
+
+/// How far each station's orientation is from the model, as a share of what makes it false; 0 where none was measured.
+fn turns_beyond(residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
+    let turns: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| turn_rad(m) * w.sqrt()).collect();
+    let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()) / 1.54;
+    turns.iter().map(|turn| if limit_rad > 0.0 { turn / limit_rad } else { 0.0 }).collect()
 }
 
 /// Whether the nearest stations in place or time are off in much the same way: then it is structure, not a

@@ -34,8 +34,8 @@ pub use check::{RowCheck, check_cycles, check_rows};
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
-    Fault, FaultKind, PartFault, PosedRow, describe_move, find_fault, find_in_cells, find_in_rows,
-    find_joint_columns, find_pose_names,
+    Fault, FaultKind, PartFault, PosedRow, describe_move, find_fault, find_in_cells, find_in_orientations,
+    find_in_rows, find_joint_columns, find_pose_names,
 };
 pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,

@@ -33,4 +33,32 @@ impl Rotation {
             Self::Vector => UnitQuaternion::from_scaled_axis(Vector3::from(rad)),
         }
     }
+
+    /// Three angles, radians, that mean `turn`.
+    #[must_use]
+    pub fn angles_rad(self, turn: &UnitQuaternion<f64>) -> [f64; 3] {
+        match self {
+            Self::FixedXyz => turn.euler_angles().into(),
+            Self::MovingXyz => <[f64; 3]>::from(turn.inverse().euler_angles()).map(|angle_rad| -angle_rad),
+            Self::MovingZyx => {
+                let (c, b, a) = turn.euler_angles();
+                [a, b, c]
+            }
+            Self::Vector => turn.scaled_axis().into(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_mean_the_orientation_that_they_are_of() {
+        use Rotation::{FixedXyz, MovingXyz, MovingZyx, Vector};
+        let turn = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.7));
+        for rotation in [FixedXyz, MovingXyz, MovingZyx, Vector] {
+            assert!(rotation.quaternion(rotation.angles_rad(&turn)).angle_to(&turn) < 1e-12, "{rotation:?}");
+        }
+    }
 }

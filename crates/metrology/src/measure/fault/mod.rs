@@ -2,10 +2,12 @@
 
 mod columns;
 mod frozen;
+mod orientation;
 mod rows;
 mod whole;
 
 pub use columns::{find_in_cells, find_pose_names};
+pub use orientation::find_in_orientations;
 pub use rows::{PartFault, PosedRow, describe_move, find_in_rows};
 pub use whole::{find_fault, find_joint_columns};
 
@@ -34,6 +36,8 @@ pub enum FaultKind {
     FrozenJoints,
     /// Points and joints are shifted against each other.
     RowsShifted,
+    /// Orientations that do not go with the points.
+    Orientations,
     /// Rows of one `pose_id` at different joints.
     PoseNames,
     /// A payload that weighs more than the arm.
@@ -65,6 +69,7 @@ impl FaultKind {
             Self::FrozenPoint => "frozen_point",
             Self::FrozenJoints => "frozen_joints",
             Self::RowsShifted => "rows_shifted",
+            Self::Orientations => "orientations",
             Self::PoseNames => "pose_names",
             Self::PayloadBeyondArm => "payload_beyond_arm",
             Self::WrongTool => "wrong_tool",

@@ -1,0 +1,105 @@
+//! Orientations that contradict points and joints: what happened to them is named, and sound ones are believed.
+
+use metrology::diagnose::{DiagnosisOptions, Findings, Verdict, diagnose};
+use metrology::measure::Measurements;
+use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
+use std::fmt::Write as _;
+
+const ROWS: usize = 40;
+
+/// Parts w, x, y, z of each row's orientation, by its number and what was seen.
+type Written<'a> = &'a dyn Fn(usize, &[UnitQuaternion<f64>]) -> [f64; 4];
+
+fn parts(turn: UnitQuaternion<f64>) -> [f64; 4] {
+    [turn.w, turn.i, turn.j, turn.k]
+}
+
+/// An arm as drawn at 40 poses, a reflector and a sensor on its flange; points good to 0.02 mm.
+fn answer(written: Written<'_>) -> Findings {
+    let robot = SerialArm::built_in("irb140").unwrap();
+    let chain = SerialChain::nominal(&robot);
+    let instrument_from_base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.1, -0.2, 2.0));
+    let flange_from_sensor = UnitQuaternion::from_scaled_axis(Vector3::new(0.6, -1.0, 0.4));
+    // Square roots of primes: multiples that fill an interval evenly and follow nothing.
+    let even = |k: usize, root: f64| 2.0 * ((k + 1) as f64 * root.sqrt()).fract() - 1.0;
+    let poses: Vec<([f64; 6], Isometry3<f64>)> = (0..ROWS)
+        .map(|k| {
+            let widest = [1.2, 0.7, 0.6, 1.5, 1.0, 2.0];
+            let q_rad = std::array::from_fn(|j| {
+                even(k, [2.0, 3.0, 5.0, 7.0, 11.0, 13.0][j]) * widest[j] + f64::from(u8::from(j == 4)) * 1.1
+            });
+            (q_rad, instrument_from_base * chain.forward(&Joints::from(q_rad)))
+        })
+        .collect();
+    let seen: Vec<UnitQuaternion<f64>> =
+        poses.iter().map(|(_, pose)| pose.rotation * flange_from_sensor).collect();
+    let mut csv = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz\n".to_owned();
+    for (k, (q_rad, pose)) in poses.iter().enumerate() {
+        let noise_mm = [17.0, 19.0, 23.0].map(|root| 0.035 * even(k, root));
+        let point_mm = (pose * Point3::new(0.05, -0.03, 0.12)).coords * 1e3 + Vector3::from(noise_mm);
+        let joints = q_rad.map(|q| format!("{:.6}", q.to_degrees())).join(",");
+        let turn = written(k, &seen).map(|part| format!("{part:.7}")).join(",");
+        writeln!(csv, "{joints},{:.4},{:.4},{:.4},{turn}", point_mm.x, point_mm.y, point_mm.z).unwrap();
+    }
+    let options = DiagnosisOptions { tool_m: None, sigma_m: Some(2e-5) };
+    diagnose(&Measurements::from_csv(csv.as_bytes()).unwrap(), &robot, &options)
+}
+
+/// What is said of a file whose orientations are `written` so, and the lines.
+fn fault(written: Written<'_>) -> (String, Vec<u64>) {
+    let found = answer(written);
+    let Some(fault) = found.fault.filter(|_| found.verdict == Verdict::DataFault) else {
+        panic!("{:?}: {}", found.verdict, found.reason)
+    };
+    assert_eq!((fault.kind.name(), fault.column.as_deref()), ("orientations", Some("qw, qx, qy, qz")));
+    (found.reason, fault.lines)
+}
+
+#[test]
+fn sound_orientations_are_no_fault_nor_is_a_single_false_one() {
+    let found = answer(&|k, seen| parts(seen[k]));
+    assert_eq!(found.verdict, Verdict::NothingAboveNoise, "{}", found.reason);
+    let found = answer(&|k, seen| parts(seen[if k == 7 { 30 } else { k }]));
+    assert_eq!(found.verdict, Verdict::NothingAboveNoise, "{}", found.reason);
+    let aside: Vec<_> = found.false_rows.iter().map(|row| (row.line, row.looks_like.as_deref())).collect();
+    assert!(matches!(aside[..], [(9, Some(what))] if what.contains("its orientation is off")), "{aside:?}");
+}
+
+#[test]
+fn orientations_of_another_order_or_direction_are_named_as_that() {
+    let (reason, lines) = fault(&|k, seen| {
+        let [w, x, y, z] = parts(seen[k]);
+        [x, y, z, w]
+    });
+    assert!(reason.contains("hold x, y, z, w:") && lines.is_empty(), "{reason}");
+    let (reason, _) = fault(&|k, seen| parts(seen[k].inverse()));
+    assert!(reason.contains("the orientation is the inverse"), "{reason}");
+    let (reason, _) = fault(&|k, seen| parts(seen[k.saturating_sub(1)]));
+    assert!(reason.contains("that of the row before"), "{reason}");
+    // Roll, pitch, yaw about fixed axes, given to turns about the moving ones.
+    let (reason, _) = fault(&|k, seen| {
+        let (roll, pitch, yaw) = seen[k].euler_angles();
+        let about = UnitQuaternion::from_scaled_axis;
+        parts(about(Vector3::x() * roll) * about(Vector3::y() * pitch) * about(Vector3::z() * yaw))
+    });
+    assert!(reason.contains("angles are fixed-xyz and were taken for moving-xyz"), "{reason}");
+    let (reason, _) = fault(&|k, seen| parts(seen[(7 * k + 3) % ROWS]));
+    assert!(reason.contains("leave the columns qw, qx, qy, qz out"), "{reason}");
+}
+
+#[test]
+fn orientations_that_change_from_a_row_on_are_named_with_their_lines() {
+    let from = 28;
+    let last = (from as u64 + 2..ROWS as u64 + 2).collect::<Vec<u64>>();
+    let (reason, lines) = fault(&|k, seen| {
+        let [w, x, y, z] = parts(seen[k]);
+        if k < from { [w, x, y, z] } else { [x, y, z, w] }
+    });
+    assert!(reason.contains("hold x, y, z, w") && lines == last, "{reason} {lines:?}");
+    // The sensor was mounted anew, half a radian round.
+    let turned = UnitQuaternion::from_scaled_axis(Vector3::z() * 0.5);
+    let (reason, lines) = fault(&|k, seen| parts(if k < from { seen[k] } else { seen[k] * turned }));
+    assert!(reason.contains("does not go with the points") && lines == last, "{reason} {lines:?}");
+}
