@@ -5,7 +5,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use serde_json::{Value, json};
 
 /// What tells the JSON of a command, in the order in which they are asked for.
-const KEYS: [(&str, &[&str]); 7] = [
+const KEYS: [(&str, &[&str]); 20] = [
     ("compensate", &["motions", "buckets", "worst_before_mm"]),
     ("diagnose", &["verdict", "causes", "shrink"]),
     ("simulate", &["minutes", "worst", "switches"]),
@@ -13,6 +13,20 @@ const KEYS: [(&str, &[&str]); 7] = [
     ("closed-loop", &["withheld", "verdict", "before", "after"]),
     ("fit", &["touches", "growth", "parameters"]),
     ("accuracy", &["poses", "within", "worst"]),
+    // These have no pictures: their figures and lists alone.
+    ("validate", &["joints_outside", "nominal", "rms_mm"]),
+    ("plan", &["confounded", "exchanges", "lines"]),
+    ("state", &["amount", "tau_min", "touches"]),
+    ("diff", &["same", "same_elsewhere", "motions"]),
+    ("inspect", &["entries", "form", "motions"]),
+    ("tabulate", &["minutes", "rows", "targets"]),
+    ("golden", &["cases", "updated"]),
+    ("exam", &["measures", "sets"]),
+    ("synth", &["out_dir", "seed", "sets"]),
+    ("link info", &["robotware", "controller", "execution"]),
+    ("link check", &["verdict", "display_mm"]),
+    ("link check", &["verdict", "why"]),
+    ("restore", &["files"]),
 ];
 
 const HELP: &str = "give what a command wrote with --json";
