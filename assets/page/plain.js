@@ -1,9 +1,11 @@
 // A page of any other result: its figures, and its lists as tables.
 
-import { NONE, count, h, number } from './dom.js';
+import { NONE, count, h, number, plural } from './dom.js';
 import { facts, figure, figures, messages, record, section } from './layout.js';
 import { table } from './table.js';
 
+/** More objects than these in one cell are only counted. */
+const FEW = 3;
 const words = (key) => key.replaceAll('_', ' ').replace(/ (mm|deg|min|kg)$/, ' ($1)');
 const isObject = (value) => value !== null && typeof value === 'object' && !Array.isArray(value);
 
@@ -15,7 +17,7 @@ function shown(value, decimals) {
   if (value === null || value === undefined) return NONE;
   if (typeof value === 'number') return decimals === undefined ? number(value) : value.toFixed(decimals);
   if (typeof value === 'boolean') return value ? 'yes' : 'no';
-  if (Array.isArray(value)) return value.map((one) => shown(one, decimals)).join(', ');
+  if (Array.isArray(value)) return value.length > FEW && value.every(isObject) ? plural(value.length, 'value') : value.map((one) => shown(one, decimals)).join(', ');
   if (isObject(value)) return Object.entries(value).map(([key, one]) => `${words(key)} ${shown(one)}`).join('; ');
   return String(value);
 }
@@ -23,7 +25,10 @@ function shown(value, decimals) {
 /** A list of objects as a table with the keys that they have. */
 export function listOf(name, rows) {
   const flat = rows.map((row) => (isObject(row) ? flatten(row) : { value: row }));
-  const keys = [...new Set(flat.flatMap((row) => Object.keys(row)))].filter((key) => flat.some((row) => row[key] !== null));
+  const isCompound = (key) => flat.some((row) => Array.isArray(row[key]) || isObject(row[key]));
+  const all = [...new Set(flat.flatMap((row) => Object.keys(row)))].filter((key) => flat.some((row) => row[key] !== null));
+  // what takes most room comes last
+  const keys = [...all.filter((key) => !isCompound(key)), ...all.filter(isCompound)];
   const columns = keys.map((key) => ({
     key, label: words(key), number: flat.every((row) => row[key] === null || row[key] === undefined || typeof row[key] === 'number'),
     value: (row) => (isObject(row[key]) || Array.isArray(row[key]) ? shown(row[key]) : row[key]), text: (row) => shown(row[key], decimalsOf(key)),
