@@ -464,3 +464,47 @@ fn many_rows_are_thinned_and_said_to_be() {
     assert_eq!(answer.causes(), ["swapped_axes"]);
     assert!(answer.text.contains("warning[measure::many-rows]"), "{}", answer.text);
 }
+
+#[test]
+fn a_joint_column_that_changes_its_sign_or_is_a_row_late_is_named_with_its_rows() {
+    let (names, rows) = cells();
+    let n = rows.len();
+    let at = |name: &str| names.iter().position(|n| n == name).unwrap();
+    // Joint 3 leaves its range so, which is not what is wrong.
+    for name in ["q1_deg", "q3_deg", "q5_deg"] {
+        let mut negated = rows.clone();
+        for row in &mut negated[24..] {
+            row[at(name)] = times(-1.0)(&row[at(name)]);
+        }
+        let (kind, column, found) = fault(&as_text(&names, &negated));
+        assert_eq!((kind.as_str(), column.as_str()), ("joint_columns", name));
+        assert!(found.iter().all(|line| lines(24, n).contains(line)) && found.len() > 30, "{found:?}");
+    }
+    // The last row stays: nothing tells its joint.
+    for (name, from) in [("q2_deg", 30), ("q5_deg", 1)] {
+        let mut late = rows.clone();
+        for k in from..n {
+            late[k][at(name)].clone_from(&rows[k - 1][at(name)]);
+        }
+        let (kind, column, found) = fault(&as_text(&names, &late));
+        assert_eq!((kind.as_str(), column.as_str()), ("rows_shifted", name));
+        assert!(found.iter().all(|line| lines(from, n).contains(line)), "{found:?}");
+    }
+}
+
+#[test]
+fn stamps_that_turn_from_minutes_to_seconds_are_named_with_their_rows() {
+    let (names, mut rows) = cells();
+    let t_min = names.iter().position(|name| name == "t_min").unwrap();
+    for row in &mut rows[20..] {
+        row[t_min] = times(60.0)(&row[t_min]);
+    }
+    let (kind, column, found) = fault(&as_text(&names, &rows));
+    assert_eq!((kind.as_str(), column.as_str(), found), ("column_units", "t_min", lines(20, rows.len())));
+    // A measurement that is taken up again the next day is none.
+    let (names, mut rows) = cells();
+    for row in &mut rows[20..] {
+        row[t_min] = format!("{:.3}", row[t_min].parse::<f64>().unwrap() + 1440.0);
+    }
+    assert_ne!(diagnose(as_text(&names, &rows).as_bytes(), &[]).verdict(), "data_fault");
+}

@@ -143,6 +143,29 @@ fn three_reflectors_say_together_what_gives() {
     assert_found(&answer(&csv), "joint_compliance", 2);
 }
 
+#[test]
+fn reflectors_under_each_others_names_are_exchanged() {
+    let cell = Cell::new(Effect::JointCompliance { joint: 2 }, 30, 4);
+    let mut csv = format!("pose_id,target,{HEADER},x_mm,y_mm,z_mm\n");
+    for (k, at) in cell.at.iter().enumerate() {
+        for (name, on_flange_m) in REFLECTORS {
+            let seen = (instrument_from_base() * Point3::from(cell.tip_m(at, on_flange_m))).coords;
+            let written = match name {
+                "A" if k > 19 => "B",
+                "B" if k > 19 => "A",
+                name => name,
+            };
+            writeln!(csv, "{k},{written},{},{}", cells(at), mm(&seen)).unwrap();
+        }
+    }
+    let found = answer(&csv);
+    let fault = found.fault.unwrap();
+    assert_eq!((fault.kind.name(), fault.column.as_deref()), ("exchanged_targets", Some("target")));
+    // Lines 62 on, three a pose; the third reflector's are not among them.
+    let exchanged: Vec<u64> = (62..92).filter(|line| (line - 62) % 3 != 2).collect();
+    assert_eq!(fault.lines, exchanged);
+}
+
 /// An arm that stands 0.04 mm and 0.2 mrad elsewhere each time it comes, read by an instrument that is good to 0.01 mm, and what is
 /// stated of the noise.
 fn unsteady(mut cell: Cell, sigma_m: Option<f64>) -> Findings {

@@ -9,7 +9,7 @@ use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use crate::measure::{
-    Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, RowCheck, Stations, alone,
+    Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, RowCheck, Station, Stations, alone,
     check_rows, describe_move, find_fault, find_in_cells, find_in_orientations, find_in_rows,
     find_joint_columns, find_pose_names, gather, register,
 };
@@ -125,8 +125,14 @@ fn from_one_stand<'a>(
     let targets = measurements.targets.len().max(1);
     let columns_meant = |fault: Fault| match fault.kind {
         FaultKind::JointsOutOfRange => {
-            let rows = alone(measurements, &checked.used);
-            find_joint_columns(robot, &rows, targets).unwrap_or(fault)
+            let rows = each_row(measurements, &checked.used, robot);
+            let stations: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
+            find_joint_columns(robot, &stations, targets)
+                .or_else(|| match find_in_rows(robot, &rows, targets, options.tool_m) {
+                    Some(PartFault::Fault(of_some_rows)) => Some(of_some_rows),
+                    Some(PartFault::Moved { .. }) | None => None,
+                })
+                .unwrap_or(fault)
         }
         _ => fault,
     };

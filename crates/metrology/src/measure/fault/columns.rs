@@ -5,7 +5,7 @@ use super::{Fault, FaultKind, frozen};
 use crate::measure::{MeasurementRow, Measurements, Reading};
 use robot_model::deform::gravity::links;
 use robot_model::robot::SerialArm;
-use robot_model::units::{celsius_from_fahrenheit, celsius_from_kelvin, kg_from_g};
+use robot_model::units::{celsius_from_fahrenheit, celsius_from_kelvin, kg_from_g, min_from_s};
 use std::collections::BTreeMap;
 
 /// Joints of one pose differ by less than this, radians.
@@ -21,6 +21,12 @@ const NEAR_K: f64 = 10.0;
 const HOT_C: f64 = 55.0;
 /// As cold as this, in the other unit, is a room, °C.
 const ROOM_C: [f64; 2] = [5.0, 45.0];
+/// Steps of time in seconds are between these many times the ones before, in minutes: 60, where the work goes on as before.
+const SECONDS_A_MINUTE: [f64; 2] = [30.0, 120.0];
+/// The next row comes within so many usual steps of the one before.
+const LATER_STEPS: f64 = 10.0;
+/// Fewer rows on either side say nothing of how fast time goes there.
+const FEWEST_STAMPS: usize = 4;
 /// Fewer rows than this say nothing of a unit.
 const FEWEST_ROWS: usize = 3;
 
@@ -31,6 +37,7 @@ pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &Serial
     frozen_points(&rows)
         .or_else(|| frozen::all_joints(&rows, robot))
         .or_else(|| payload(&rows, robot))
+        .or_else(|| seconds(&rows))
         .or_else(|| temperatures(&rows))
         .or_else(|| hot_arm(&rows))
 }
@@ -88,6 +95,34 @@ pub fn find_pose_names(measurements: &Measurements, used: &[usize]) -> Option<Fa
             format!("{count} rows ({which}) share a pose_id with rows whose joints differ by more than half a degree: rows of one pose_id repeat one pose")
         })
     })
+}
+
+/// Minutes up to some row and seconds from there on: the stamps leap by so much that they go on where they were as minutes.
+fn seconds(rows: &[&MeasurementRow]) -> Option<Fault> {
+    let stamps_min: Option<Vec<f64>> = rows.iter().map(|row| row.t_min).collect();
+    let stamps_min = stamps_min?;
+    let step = |k: usize| stamps_min[k] - stamps_min[k - 1];
+    let usual = |steps: std::ops::Range<usize>| {
+        let mut steps: Vec<f64> = steps.map(step).filter(|step| *step > 0.0).collect();
+        steps.sort_by(f64::total_cmp);
+        steps.get(steps.len() / 2).copied()
+    };
+    let n = stamps_min.len();
+    let leaps = |from: &usize| {
+        let on = min_from_s(stamps_min[*from]) - stamps_min[from - 1];
+        let Some((before, after)) = usual(1..*from).zip(usual(from + 1..n)) else { return false };
+        let times = after / before;
+        (0.0..LATER_STEPS * before).contains(&on)
+            && step(*from) > LATER_STEPS * before
+            && (SECONDS_A_MINUTE[0]..SECONDS_A_MINUTE[1]).contains(&times)
+    };
+    let from = (FEWEST_STAMPS..n.saturating_sub(FEWEST_STAMPS)).find(leaps)?;
+    let lines = rows.get(from..)?.iter().map(|row| row.line).collect();
+    Some(Fault::in_rows(FaultKind::ColumnUnits, "t_min", lines, |count, which| {
+        format!(
+            "column t_min is in seconds in {count} rows ({which}): as minutes they go on where the rows before end"
+        )
+    }))
 }
 
 /// A payload that weighs more than all that moves of the arm.

@@ -36,6 +36,8 @@ pub enum FaultKind {
     FrozenJoints,
     /// Points and joints are shifted against each other.
     RowsShifted,
+    /// Points of one target under the name of another.
+    ExchangedTargets,
     /// Orientations that do not go with the points.
     Orientations,
     /// Rows of one `pose_id` at different joints.
@@ -69,6 +71,7 @@ impl FaultKind {
             Self::FrozenPoint => "frozen_point",
             Self::FrozenJoints => "frozen_joints",
             Self::RowsShifted => "rows_shifted",
+            Self::ExchangedTargets => "exchanged_targets",
             Self::Orientations => "orientations",
             Self::PoseNames => "pose_names",
             Self::PayloadBeyondArm => "payload_beyond_arm",

@@ -4,13 +4,13 @@
 //! happened to them, one explanation at a time.
 
 use super::frozen;
-use super::whole::{Change, all_shifted, changes};
+use super::whole::{Change, all_shifted, changes, joint_shifted};
 use super::{Fault, FaultKind};
 use crate::measure::initial_guess::with_fixed_points_beyond;
 use crate::measure::{FreeParameters, Reading, Registration, Station, register, register_with};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::mm_from_m;
 
 /// Further off than this, and than so many times the middle row, is no error of an arm, metres.
@@ -69,7 +69,9 @@ pub fn find_in_rows(
     }
     let stations: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
     let poses: Vec<Isometry3<f64>> = rows.iter().map(|row| row.pose).collect();
-    all_shifted(&stations, &poses, targets).map(PartFault::Fault)
+    all_shifted(&stations, &poses, targets)
+        .or_else(|| joint_shifted(robot, &stations, targets))
+        .map(PartFault::Fault)
 }
 
 /// A registration that a part of the file agrees with.
@@ -95,14 +97,15 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     if off.far.len() < FEWEST {
         return off.still();
     }
-    let columns = off.single_columns();
+    let columns = off.single_columns().or_else(|| off.exchanged_targets(targets));
     let here_and_there = (off.far.len() as f64) < MOST * (last - first + 1) as f64;
     if columns.is_some() || (here_and_there && !off.is_late()) {
-        return columns.or_else(|| off.still()).or_else(|| off.frozen_joint());
+        return columns.or_else(|| off.still()).or_else(|| off.frozen_joint()).or_else(|| off.late_joint());
     }
     // One of two stands has half of the rows.
     let half = 4 * near >= rows.len();
     off.late()
+        .or_else(|| off.late_joint())
         .or_else(|| off.still())
         .or_else(|| off.frozen_joint())
         .or_else(|| if half { off.moved(targets) } else { None })
@@ -221,6 +224,46 @@ impl FarRows<'_> {
                 self.fault(FaultKind::RowsShifted, "x_mm, y_mm, z_mm", &which, |count, lines| {
                     format!("in {count} rows ({lines}) the point is that of the row {side}: points and joints are shifted by one row")
                 })
+            })
+        })
+    }
+
+    /// One joint's column that is that of the row before, or after.
+    fn late_joint(&self) -> Option<PartFault> {
+        let Self { robot, rows, registration, .. } = *self;
+        let chain = SerialChain::nominal(robot);
+        let shifts = [(1, "before"), (-1, "after")];
+        let tried = (0..robot.joints.len()).flat_map(|j| shifts.map(|(by, side)| (j, by, side)));
+        let explained = |(j, by, side): (usize, isize, &'static str)| {
+            let which = self.near_as(|i| {
+                // What stands a row late is written a row further on.
+                let written = rows.get(i.checked_add_signed(by)?)?;
+                let mut station = rows[i].station.clone();
+                station.q_rad[j] = written.station.q_rad[j];
+                Some(registration.residual_m(&station, &station.pose(&chain)).norm())
+            });
+            (which, (j, side))
+        };
+        let (which, (j, side)) = self.best(tried.map(explained))?;
+        let column = robot.column(Axis::at(j));
+        Some(self.fault(FaultKind::RowsShifted, &column, &which, |count, lines| {
+            format!("in {count} rows ({lines}) column {column} is that of the row {side}: it is shifted by one row")
+        }))
+    }
+
+    /// Readings of one target under another's name.
+    fn exchanged_targets(&self, targets: usize) -> Option<PartFault> {
+        let Self { rows, registration, .. } = *self;
+        let off_m = |i: usize, target: usize| {
+            let station = Station { target, ..rows[i].station.clone() };
+            registration.residual_m(&station, &rows[i].pose).norm()
+        };
+        let others = |i: usize| (0..targets).filter(move |target| *target != rows[i].station.target);
+        let nearest = |i: usize| others(i).map(|target| off_m(i, target)).reduce(f64::min);
+        let which = self.near_as(nearest);
+        self.are_most(&which).then(|| {
+            self.fault(FaultKind::ExchangedTargets, "target", &which, |count, lines| {
+                format!("in {count} rows ({lines}) the point is that of another target: the names in column target are exchanged")
             })
         })
     }

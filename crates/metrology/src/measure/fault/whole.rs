@@ -71,6 +71,13 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
             column,
             change: Box::new(move |s| s.q_rad[j] = deg_from_rad(s.q_rad[j])),
         });
+        let column = arm.column(Axis::at(j));
+        all.push(Change {
+            kind: FaultKind::JointColumns,
+            description: format!("column {column} has the other sign"),
+            column,
+            change: Box::new(move |s| s.q_rad[j] = -s.q_rad[j]),
+        });
     }
     all.push(Change {
         kind: FaultKind::JointUnits,
@@ -206,6 +213,31 @@ pub(super) fn all_shifted(stations: &[Station], poses: &[Isometry3<f64>], target
                 format!("in every row the point is that of the row {side}: points and joints are shifted by one row"),
             )
         })
+    })
+}
+
+/// Every row with one joint's angle of the row before, or after.
+#[must_use]
+pub(super) fn joint_shifted(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<Fault> {
+    let as_read_m = left_m(robot, stations, targets).filter(|left_m| *left_m > SOUND_M)?;
+    let last = stations.len().checked_sub(1)?;
+    let shifted = |j: usize, joint: usize, row: usize| -> Vec<Station> {
+        let mut shifted = stations[row..last + row].to_vec();
+        for (station, other) in shifted.iter_mut().zip(&stations[joint..]) {
+            station.q_rad[j] = other.q_rad[j];
+        }
+        shifted
+    };
+    let sides = [(1, 0, "before"), (0, 1, "after")];
+    let tried = (0..robot.joints.len()).flat_map(|j| sides.map(|(joint, row, side)| (j, joint, row, side)));
+    let (left, j, side) = tried
+        .filter_map(|(j, joint, row, side)| Some((left_m(robot, &shifted(j, joint, row), targets)?, j, side)))
+        .reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+    explains(Some(left), as_read_m).then(|| {
+        let column = robot.column(Axis::at(j));
+        let reason =
+            format!("in every row column {column} is that of the row {side}: it is shifted by one row");
+        Fault::of_all(FaultKind::RowsShifted, Some(&column), reason)
     })
 }
 
