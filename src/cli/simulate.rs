@@ -207,6 +207,7 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
             Some(name) => Some(name.clone()),
             None => emitted_settings.one("thermometer")?.map(str::to_owned),
         },
+        payload_kg: emitted_settings.payload_kg()?,
         renamed: BTreeMap::new(),
         warming: args.warming.map(Into::into),
         gap_min: args.gap_min,

@@ -124,7 +124,8 @@ impl MoveComparator<'_> {
     /// How far `executed` ends (and passes its circle point) from what `intended` says on a perfect robot, when
     /// the true robot is `truth`; `None` where one of them was not made.
     ///
-    /// Both are seen in the work object, so that a stationary tool is compared as well.
+    /// Both are seen in the intended move's work object, so that a stationary tool is compared as well; a work object that the warm arm has measured
+    /// is where the program thinks that it is, and not what is judged.
     #[must_use]
     pub fn pose_error(&self, truth: &DeformedArm, intended: &Move, executed: &Move) -> Option<PoseError> {
         let conditions = executed.conditions();
@@ -151,7 +152,7 @@ impl MoveComparator<'_> {
         (executed, b): (&Move, &[f64; 6]),
     ) -> PoseError {
         PoseError::between(
-            &executed.setup.object_from_tcp(&truth.forward(b)),
+            &executed.setup.tcp_in_object_of(&intended.setup, &truth.forward(b)),
             &intended.setup.object_from_tcp(&self.nominal.forward(a)),
         )
     }
@@ -187,7 +188,8 @@ impl MoveComparator<'_> {
         for share in shares {
             let base_from_flange = executed.setup.base_from_flange(&commanded.at(share));
             q_rad = self.closed.nearest(&base_from_flange, &q_rad)?.q_rad;
-            let is = executed.setup.object_from_tcp(&truth.under(&executed.conditions()).forward(&q_rad));
+            let flange = truth.under(&executed.conditions()).forward(&q_rad);
+            let is = executed.setup.tcp_in_object_of(&intended.setup, &flange);
             worst = worst.max(intended_path.distance_m(&is.translation.vector));
         }
         Some(worst)

@@ -248,6 +248,11 @@ impl Controller {
         SimulateError::Value { name: name.to_owned(), why }
     }
 
+    /// So much hangs on the flange, kg, whatever tool and GripLoad say; `None` = what they say.
+    pub fn carry(&mut self, payload_kg: Option<f64>) {
+        self.machine.payload_kg = payload_kg;
+    }
+
     /// Program pointer to main: VAR start again, modules loaded by the program vanish, interrupts and
     /// ConfL/ConfJ are reset; PERS stay.
     pub fn pp_to_main(&mut self) {

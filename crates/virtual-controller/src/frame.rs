@@ -78,6 +78,16 @@ impl Setup {
         }
     }
 
+    /// Where the TCP is in the object of another move. A stationary tool is seen in its own move's object: what the robot holds is where it is.
+    #[must_use]
+    pub fn tcp_in_object_of(&self, other: &Self, base_from_flange: &Isometry3<f64>) -> Isometry3<f64> {
+        if self.tool_held && other.tool_held {
+            other.frame_from_object.inv_mul(&(base_from_flange * self.frame_from_tcp))
+        } else {
+            self.object_from_tcp(base_from_flange)
+        }
+    }
+
     /// Where the flange must be for the TCP to be somewhere in the object.
     #[must_use]
     pub fn base_from_flange(&self, object_from_tcp: &Isometry3<f64>) -> Isometry3<f64> {

@@ -33,8 +33,10 @@ pub(super) struct Machine {
     pub spheres: Spheres,
     pub disk: Disk,
     pub errors: ErrorNumbers,
-    /// What the last GripLoad said, in the tool's frame.
+    /// What the last GripLoad said, in the frame of the tool, or of the work object, that the robot holds.
     pub gripped: Payload,
+    /// The whole load on the flange, kg, in place of what the program says of it.
+    pub payload_kg: Option<f64>,
     pub log: Log,
     pub limits: RunLimits,
     pub meter: EffortMeter,

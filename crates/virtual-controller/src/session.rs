@@ -29,6 +29,8 @@ pub struct SessionOptions {
     pub paths: bool,
     /// The analog input or persistent that shows the robot's temperature, where it deforms by that.
     pub thermometer: Option<String>,
+    /// The whole load on the flange, kg; `None` = what tool and GripLoad say.
+    pub payload_kg: Option<f64>,
     /// Names of an emitted clock (`tcColdStart`, `tcMode`, ...) that the program has under another one, because its own
     /// files have them.
     pub renamed: BTreeMap<String, String>,
@@ -46,6 +48,7 @@ impl Default for SessionOptions {
             passes: 1,
             paths: true,
             thermometer: None,
+            payload_kg: None,
             renamed: BTreeMap::new(),
             warming: None,
             gap_min: None,
@@ -109,6 +112,7 @@ impl Session {
     ) -> Result<Self, SimulateError> {
         let load = |files: &[ProgramFile<'_>]| {
             let mut c = Controller::with_robot(truth.robot())?;
+            c.carry(options.payload_kg);
             for (path, bytes) in files {
                 c.load(path, bytes)?;
                 c.put_file(path, bytes);

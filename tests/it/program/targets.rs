@@ -310,3 +310,29 @@ MoveL p,other,other,tool0;",
     assert_eq!(warnings(&program), ["resolve::not-predefined"; 2], "v83 and z2, once each");
     assert!((program.motions[0].setup.speed.unwrap().v_ori_rad_s - 10_f64.to_radians()).abs() < 1e-15);
 }
+
+/// A frame that is not known because it is made of where the warm arm stood holds the drift; one that is known does not.
+#[test]
+fn a_work_object_or_tool_made_of_a_reading_is_one() {
+    let data = format!(
+        "CONST robtarget p10:={};\nVAR pos here;\nPERS wobjdata w:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+PERS tooldata t:=[TRUE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];\nPERS wobjdata other:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];",
+        at(10, 0, 0)
+    );
+    let program = main_of(
+        &data,
+        "w.oframe.trans:=[10,20,30];
+MoveL p10,v100,fine,tool0\\WObj:=w;
+here:=CPos();
+w.oframe.trans:=here;
+MoveL p10,v100,fine,tool0\\WObj:=w;
+t.tframe.trans.z:=here.z;
+MoveL p10,v100,fine,t;
+MoveAbsJ CalcJointT(p10,t),v100,fine,tool0;
+other.oframe.trans.x:=GInput(gi1);
+MoveL p10,v100,fine,tool0\\WObj:=other;",
+    );
+    assert_eq!(codes(&program)[0], "-");
+    assert_eq!(codes(&program)[1..3], ["keep::own-position", "keep::own-position"]);
+    assert_eq!(codes(&program)[4], "keep::wobj-unknown");
+}

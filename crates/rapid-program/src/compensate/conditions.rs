@@ -3,9 +3,10 @@
 
 use super::messages::{Messages, span_of};
 use super::model::Model;
+use super::options::FormChoice;
 use super::resolved::Resolved;
 use crate::program::Program;
-use crate::program::data::{LoadData, ToolData};
+use crate::program::data::{LoadData, ToolData, WobjData};
 use crate::program::motion::Motion;
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
@@ -24,40 +25,84 @@ const SLACK_KG: f64 = 0.1;
 /// Fills in the load of every point, where the model depends on it.
 pub(super) fn fill(program: &Program, model: &Model<'_>, resolved: &mut [Resolved]) {
     for (motion, resolved) in program.motions.iter().zip(resolved) {
-        resolved.set_payload(payload_under(motion.setup.tool.as_ref(), motion, model));
+        let setup = &motion.setup;
+        resolved.set_payload(payload_under(setup.tool.as_ref(), setup.wobj.as_ref(), motion, model));
     }
 }
 
-/// What hangs on the flange in a motion with such a tool, where the model depends on it: the tool's load data (RAPID gives its
-/// centre in the flange's frame) and what is gripped (its centre in the tool's frame), where that is known.
-pub(super) fn payload_under(tool: Option<&ToolData>, motion: &Motion, model: &Model<'_>) -> Payload {
-    if !model.identified.as_ref().is_some_and(|identified| identified.needs_load()) {
+/// What hangs on the flange in a motion with such a tool and work object, where the model depends on it: the tool's load data (RAPID
+/// gives its centre in the flange's frame) and what is gripped, where that is known.
+pub(super) fn payload_under(
+    tool: Option<&ToolData>,
+    wobj: Option<&WobjData>,
+    motion: &Motion,
+    model: &Model<'_>,
+) -> Payload {
+    if !needs_load(model) {
         return Payload::default();
     }
-    payload_of(tool, motion.setup.grip.unwrap_or_default(), model.payload_kg)
+    payload_of((tool, wobj), motion.setup.grip.unwrap_or_default(), model.payload_kg)
 }
 
-/// What hangs on the flange with a tool and what it grips.
-pub(super) fn payload_of(tool: Option<&ToolData>, grip: LoadData, given_kg: Option<f64>) -> Payload {
+/// Whether what is asked at run time takes another load than hangs on the flange in a motion: it asks for the tool's own.
+pub(super) fn is_beyond_own_load(motion: &Motion, model: &Model<'_>) -> bool {
+    let (tool, wobj) = (motion.setup.tool.as_ref(), motion.setup.wobj.as_ref());
+    needs_load(model)
+        && payload_under(tool, wobj, motion, model)
+            != payload_of((tool, wobj), LoadData::default(), model.payload_kg)
+}
+
+fn needs_load(model: &Model<'_>) -> bool {
+    model.identified.as_ref().is_some_and(|identified| identified.needs_load())
+}
+
+/// What hangs on the flange with a tool and what is gripped, whose centre is given in the frame of a tool that the robot holds, else in the
+/// object frame of the work object that it holds (ABB, RAPID reference manual, loaddata).
+pub(super) fn payload_of(
+    (tool, wobj): (Option<&ToolData>, Option<&WobjData>),
+    grip: LoadData,
+    given_kg: Option<f64>,
+) -> Payload {
     let load = tool.map(|tool| tool.load).unwrap_or_default();
     if let Some(mass_kg) = given_kg {
         return Payload { mass_kg, cog_m: load.cog_m };
     }
     let own_kg = if load.weighs_nothing() { 0.0 } else { load.mass_kg };
-    let Some(tool) = tool.filter(|tool| tool.robhold && !grip.weighs_nothing()) else {
+    let holder = match tool.filter(|_| !grip.weighs_nothing()) {
+        Some(tool) if tool.robhold => Some(tool.frame_from_tcp),
+        Some(_) => wobj.filter(|wobj| wobj.robhold).map(WobjData::frame_from_object),
+        None => None,
+    };
+    let Some(flange_from_holder) = holder else {
         return Payload { mass_kg: own_kg, cog_m: load.cog_m };
     };
-    let gripped_m = (tool.frame_from_tcp * Point3::from(grip.cog_m)).coords;
+    let gripped_m = (flange_from_holder * Point3::from(grip.cog_m)).coords;
     let mass_kg = own_kg + grip.mass_kg;
     let cog_m = (Vector3::from(load.cog_m) * own_kg + gripped_m * grip.mass_kg) / mass_kg;
     Payload { mass_kg, cog_m: cog_m.into() }
 }
 
-/// Warns of what the model does not know of a program's motions.
-pub(super) fn check(program: &Program, model: &Model<'_>, resolved: &[Resolved], messages: &mut Messages) {
+/// Warns of what the model does not know of a program's motions, some of which may ask it at run time.
+pub(super) fn check(
+    program: &Program,
+    model: &Model<'_>,
+    resolved: &[Resolved],
+    form: FormChoice,
+    messages: &mut Messages,
+) {
     let Some(identified) = &model.identified else { return };
     let unknown_grip = identified.needs_load() && model.payload_kg.is_none();
     for (motion, resolved) in program.motions.iter().zip(resolved) {
+        let asks = form.corrects_run_time() && motion.run_time && resolved.skip_reason().is_some();
+        if asks && unknown_grip && (motion.setup.grip.is_none() || is_beyond_own_load(motion, model)) {
+            let text = format!(
+                "line {}: the model is asked at run time with the tool's own load, not with what GripLoad has put on it or \\TLoad says",
+                motion.line
+            );
+            let message = Diagnostic::warning("model::live-load", text).at(span_of(motion));
+            let help = "--payload-kg KG names the whole load on the flange";
+            messages.add(Some(motion.setup.routine), message.help(help));
+        }
         if unknown_grip && motion.setup.grip.is_none() && !resolved.q_rad().is_empty() {
             let text = format!(
                 "line {}: what GripLoad has put on the tool, or \\TLoad says, is not known here",

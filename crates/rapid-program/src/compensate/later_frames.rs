@@ -73,7 +73,7 @@ fn apart_m(
             // What the controller makes of the joints is another target with other frames; a table has the numbers of the first.
             TargetValue::FromJoints(_) => return None,
         };
-        let payload = conditions::payload_under(Some(&later.tool), motion, model);
+        let payload = conditions::payload_under(Some(&later.tool), Some(&later.wobj), motion, model);
         let conditions = Conditions { payload, ..point.conditions };
         let then = Point::new(&placement, &value, q_rad, conditions, model);
         let wanted = model.nominal.forward(&warm_joints(&then, settled, model).ok()?);

@@ -1,5 +1,6 @@
 //! Targets that are known at run time alone: which motions can ask the deformed model.
 
+use super::conditions;
 use super::live_basis::LiveBasis;
 use super::model::Model;
 use super::options::Options;
@@ -18,6 +19,7 @@ pub(super) fn basis(model: &Model<'_>, functions: &TimeFunctions, options: &Opti
         robot: model.robot().clone(),
         offsets: functions.nodes.iter().map(|&node| model.offsets(node)).collect(),
         identified: model.identified.clone(),
+        payload_kg: model.payload_kg,
         max_correction_m: options.max_correction_m,
         max_correction_rad: options.max_correction_rad,
         max_joint_change_rad: rad_from_deg(JOINT_CHANGE_DEG),
@@ -52,7 +54,7 @@ pub(super) fn run_time(
 }
 
 /// The form of a known motion where `live` is asked for: one whose written configuration is not the one that is reached takes
-/// `ramp`, and so does one for which the controller or the model lacks something.
+/// `ramp`, and so does one for which the controller or the model lacks something, or under another load than the tool's own.
 pub(super) fn form_of_known(
     program: &Program,
     (motion, joints): (&Motion, &[[f64; 6]]),
@@ -65,7 +67,12 @@ pub(super) fn form_of_known(
         TargetValue::Joint(_) | TargetValue::FromJoints(_) => true,
     });
     let held_by_robot = motion.setup.tool.as_ref().is_none_or(|tool| tool.robhold);
-    let fits = agrees && held_by_robot && of_controller(program, motion).is_none() && live.lacks().is_none();
+    let own_load = !conditions::is_beyond_own_load(motion, model);
+    let fits = agrees
+        && held_by_robot
+        && own_load
+        && of_controller(program, motion).is_none()
+        && live.lacks().is_none();
     if fits { Form::Live } else { Form::Ramp }
 }
 

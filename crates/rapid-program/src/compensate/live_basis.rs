@@ -16,6 +16,8 @@ pub struct LiveBasis {
     pub offsets: Vec<FrameOffsets>,
     /// An identified model, on top of the table.
     pub identified: Option<Arc<Identified>>,
+    /// What hangs on the flange in place of the tool's own load, kg, where it was given.
+    pub payload_kg: Option<f64>,
     /// A correction that moves the TCP by more is not made, metres.
     pub max_correction_m: f64,
     /// A correction that turns the TCP by more is not made, radians.

@@ -145,7 +145,7 @@ impl Messages {
             |planned: &PlannedMotion| planned.status == Status::Compensated && planned.form == Form::Live;
         for (motion, _) in program.motions.iter().zip(planned).filter(|(m, p)| m.from_search && live(p)) {
             let message = format!(
-                "line {}: this target is what a search has found, and is corrected as a point of the cold model is",
+                "line {}: this target, or its frame, is what a search has found, and is corrected as a point of the cold model is",
                 motion.line
             );
             let help = "the warm arm found it with its drift: leave the motion as it is where it must meet what was found";

@@ -135,7 +135,7 @@ fn resolve_motions(
     let unknown = directions::fill(program, model, start_rad, &mut resolved);
     unknown_sides::report(program, &unknown, &mut messages);
     held_play::check(program, model, &resolved, &mut messages);
-    conditions::check(program, model, &resolved, &mut messages);
+    conditions::check(program, model, &resolved, options.form, &mut messages);
     Ok((resolved, messages))
 }
 

@@ -81,7 +81,7 @@ impl TouchReference {
         };
         let [cold, settled] = arm.cold_and_settled();
         let nominal = Chain::nominal(arm.robot);
-        let payload = payload_of(Some(&point.tool), LoadData::default(), arm.payload_kg);
+        let payload = payload_of((Some(&point.tool), None), LoadData::default(), arm.payload_kg);
         let conditions = Conditions { payload, ..Conditions::default() };
         let shift_m = |arm: &DeformedArm, axis: usize| {
             let mut goal = point.target.object_from_tcp;

@@ -202,5 +202,6 @@ fn live_model(basis: &LiveBasis) -> Result<LiveModel, Vec<String>> {
         turn_rad: basis.max_correction_rad,
         joint_rad: basis.max_joint_change_rad,
     };
-    LiveModel::new(&basis.robot, &functions, basis.identified.as_deref(), cap)
+    let live = LiveModel::new(&basis.robot, &functions, basis.identified.as_deref(), cap)?;
+    Ok(live.with_payload_kg(basis.payload_kg))
 }

@@ -3,7 +3,7 @@
 use crate::code::{Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
 use crate::interpreter::Interpreter;
-use crate::machine::{Access, DataRoot};
+use crate::machine::{Access, DataRoot, Machine};
 use crate::outcome::{Fault, fatal};
 use crate::predefined;
 use crate::value::Value;
@@ -52,11 +52,11 @@ fn frame_data(vm: &mut Interpreter<'_>, expr: &Expr, plain: &str) -> Result<Valu
 /// Who holds what for a tool and a work object argument.
 pub(super) fn setup_of(vm: &mut Interpreter<'_>, tool: &Expr, wobj: Option<&Expr>) -> Result<Setup, Fault> {
     let (tool, wobj) = tool_and_object(vm, tool, wobj)?;
-    setup(&tool, &wobj, vm.machine.gripped)
+    setup(&tool, &wobj, &vm.machine)
 }
 
-/// Who holds what, by the values of tool and work object and the load that is gripped.
-pub(super) fn setup(tool: &Value, wobj: &Value, gripped: Payload) -> Result<Setup, Fault> {
+/// Who holds what, by the values of tool and work object and what hangs on the flange of `machine`.
+pub(super) fn setup(tool: &Value, wobj: &Value, machine: &Machine) -> Result<Setup, Fault> {
     let object = wobj.numbers();
     let held = tool.numbers();
     let mut setup = Setup {
@@ -66,21 +66,28 @@ pub(super) fn setup(tool: &Value, wobj: &Value, gripped: Payload) -> Result<Setu
         frame_from_object: frame::isometry_of(&object)?
             * frame::isometry_of(object.get(7..14).unwrap_or_default())?,
     };
-    if setup.tool_held {
-        setup.payload = combined_load(setup.payload, gripped, &setup.frame_from_tcp);
-    }
+    // What is gripped has its centre in the frame of the tool, or of the work object, that the robot holds.
+    let flange_from_holder = if setup.tool_held { &setup.frame_from_tcp } else { &setup.frame_from_object };
+    setup.payload = match machine.payload_kg {
+        // Where the tool's own centre is, however little it weighs.
+        Some(mass_kg) => {
+            let cog_mm = held.get(8..11).and_then(|cog| <[f64; 3]>::try_from(cog).ok()).unwrap_or_default();
+            Payload { mass_kg, cog_m: cog_mm.map(m_from_mm) }
+        }
+        None => combined_load(setup.payload, machine.gripped, flange_from_holder),
+    };
     Ok(setup)
 }
 
 /// A tool of a gram, as tool0, or less is none.
 const NO_LOAD_KG: f64 = 0.001_001;
 
-/// A tool's own load with what is gripped, whose centre stands in the tool's frame.
-fn combined_load(own: Payload, gripped: Payload, flange_from_tcp: &Isometry3<f64>) -> Payload {
+/// A tool's own load with what is gripped, whose centre stands in the frame of what holds it.
+fn combined_load(own: Payload, gripped: Payload, flange_from_holder: &Isometry3<f64>) -> Payload {
     if gripped.mass_kg <= 0.0 {
         return own;
     }
-    let at_m = (flange_from_tcp * Point3::from(gripped.cog_m)).coords;
+    let at_m = (flange_from_holder * Point3::from(gripped.cog_m)).coords;
     let mass_kg = own.mass_kg + gripped.mass_kg;
     let cog_m = (Vector3::from(own.cog_m) * own.mass_kg + at_m * gripped.mass_kg) / mass_kg;
     Payload { mass_kg, cog_m: cog_m.into() }

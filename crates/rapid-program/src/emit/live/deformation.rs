@@ -45,6 +45,8 @@ pub struct LiveModel {
     /// Turn of each joint under load.
     pub(super) compliance: [Option<Compliance>; 6],
     pub(super) cap: Cap,
+    /// The whole load on the flange, kg, in place of the tool's own.
+    pub(super) payload_kg: Option<f64>,
     /// Turns are looked at a second time, at the corrected joints.
     pub(super) steep: bool,
 }
@@ -69,6 +71,7 @@ impl LiveModel {
             turns: std::array::from_fn(|_| Vec::new()),
             compliance: [None; 6],
             cap,
+            payload_kg: None,
             steep: false,
         };
         let mut cannot: Vec<String> = Vec::new();
@@ -81,6 +84,12 @@ impl LiveModel {
         }
         live.steep = live.turns.iter().flatten().map(Turn::steepness).sum::<f64>() > STEEP;
         if cannot.is_empty() { Ok(live) } else { Err(cannot) }
+    }
+
+    /// The same with so much on the flange, kg, in place of the tool's own load, where that is given.
+    #[must_use]
+    pub fn with_payload_kg(self, payload_kg: Option<f64>) -> Self {
+        Self { payload_kg, ..self }
     }
 
     /// How many functions of time there are.

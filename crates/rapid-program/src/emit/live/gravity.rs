@@ -60,7 +60,7 @@ pub(super) fn body(model: &LiveModel, body: &mut Body) {
         let com = links.get(i).map(|(_, com_m)| mm(com_m)).filter(|_| counts(i));
         reached.name_places(i, com, step.axis.filter(|_| turns(i)), body);
     }
-    load(&reached.seen, reached.at, body);
+    load(model.payload_kg, &reached, body);
     for group in &groups {
         sums(group, (&|i| weight(group, i), &upright), body);
     }
@@ -135,11 +135,17 @@ impl ReachedFrame {
     }
 }
 
-/// The tool's mass, kg, and where its centre is; it is given in the flange's frame, which is the last one reached.
-fn load(seen: &[Triple; 2], at: [bool; 2], body: &mut Body) {
-    body.line("tcL:=0;");
-    body.line(format!("IF tcTool.tload.mass>{NO_LOAD_KG} tcL:=tcTool.tload.mass;"));
-    for ((_, axis), (of, is)) in SEEN.into_iter().zip(seen.iter().zip(at)) {
+/// The tool's mass, or the load that is given, kg, and where its centre is; the tool's is given in the flange's frame, which is the last one
+/// reached.
+fn load(given_kg: Option<f64>, reached: &ReachedFrame, body: &mut Body) {
+    match given_kg {
+        Some(kg) => body.line(format!("tcL:={kg};")),
+        None => {
+            body.line("tcL:=0;");
+            body.line(format!("IF tcTool.tload.mass>{NO_LOAD_KG} tcL:=tcTool.tload.mass;"));
+        }
+    }
+    for ((_, axis), (of, is)) in SEEN.into_iter().zip(reached.seen.iter().zip(reached.at)) {
         let cog = (0..3).filter_map(|k| {
             of.get(k).map(|name| (1.0, format!("{name}*tcTool.tload.cog.{}", ["x", "y", "z"][k])))
         });

@@ -65,7 +65,10 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         };
         let written = || as_text(self.evaluator.index.text(ctx.file, expr.range));
         let tool = self.by_passes(expr, ctx, seen, convert::tooldata);
-        tool.map_err(|why| unknown_data("keep::tool-unknown", "tool", &written(), &why))
+        tool.map_err(|why| {
+            self.made_of_reading("tool", expr, ctx)
+                .unwrap_or_else(|| unknown_data("keep::tool-unknown", "tool", &written(), &why))
+        })
     }
 
     fn wobj(
@@ -81,7 +84,22 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         let Some(expr) = args.wobj else { return Ok(Passes { first: WobjData::wobj0(), later: Vec::new() }) };
         let written = || as_text(self.evaluator.index.text(ctx.file, expr.range));
         let wobj = self.by_passes(expr, ctx, seen, convert::wobjdata);
-        wobj.map_err(|why| unknown_data("keep::wobj-unknown", "work object", &written(), &why))
+        wobj.map_err(|why| {
+            self.made_of_reading("work object", expr, ctx)
+                .unwrap_or_else(|| unknown_data("keep::wobj-unknown", "work object", &written(), &why))
+        })
+    }
+
+    /// That what is not known of a tool or work object may come from where the robot stands: such a frame stands where the warm arm said, and
+    /// a target in it is off by the drift that is in it already.
+    fn made_of_reading(&self, what: &str, expr: &Expr, ctx: Ctx) -> Option<SkipReason> {
+        let index = self.evaluator.index;
+        let at = self.own_positions.read_at(index, ctx, expr)?;
+        let (function, place) = (as_text(index.text(at.file, at.range)), index.place(at));
+        let reason = format!(
+            "its {what} is made of where the robot stands ({function}), so that it holds the drift already: {place}"
+        );
+        Some(SkipReason { code: "keep::own-position", reason, because: Some(at) })
     }
 
     /// A tool or work object in the first pass and, where it is still what the program was entered with, in later ones.

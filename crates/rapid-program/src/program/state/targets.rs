@@ -24,7 +24,7 @@ pub(in crate::program) struct TargetsOnWays {
     /// For each motion with one target the values that this can have; those whose values are not all known, or too many, are left
     /// out.
     pub(in crate::program) values: ByNumber<MotionId, FiniteSet>,
-    /// The motions with a target that can be what a search has found.
+    /// The motions with a target, tool or work object that can be what a search has found.
     pub(in crate::program) found: BTreeSet<MotionId>,
 }
 
@@ -41,8 +41,9 @@ pub(in crate::program) fn targets_on_ways<'a>(
     let mut to_found = ByNumber::default();
     for (motion, site) in sites.motions.iter().enumerate().map(|(at, site)| (MotionId::new(at), site)) {
         let (args, ctx) = (site.args(index), site.ctx(index));
-        if args.targets.iter().any(|target| found.is_read(index, ctx, target)) {
-            to_found.insert(motion, (args.targets.clone(), ctx));
+        let places: Vec<&Expr> = args.targets.iter().copied().chain(args.tool).chain(args.wobj).collect();
+        if places.iter().any(|place| found.is_read(index, ctx, place)) {
+            to_found.insert(motion, (places, ctx));
         }
         let [target] = args.targets[..] else { continue };
         let mut changes = false;
