@@ -484,5 +484,8 @@ fn a_pers_in_a_target_of_a_schedule_is_named() {
         let messages = messages(&made, "schedule::pers-value");
         assert_eq!(messages.len(), expected, "{form:?}");
         assert!(messages.iter().all(|m| m.starts_with("line 12: nUp is a PERS")), "{messages:?}");
+        // Its correction stays that of the file's value.
+        let of_the_moment = crate::real_cell::messages(&made, "ramp::pers-value");
+        assert_eq!(of_the_moment.len(), 1 - expected, "{form:?}");
     }
 }

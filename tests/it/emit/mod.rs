@@ -3,7 +3,7 @@
 mod line_ends;
 mod pages;
 mod real;
-mod tokens;
+pub mod tokens;
 pub(crate) mod toy;
 
 use crate::folders;

@@ -128,3 +128,11 @@ fn in_routine(text: &[u8], routine: &Routine, targets: &mut Vec<TextRange>) {
         }
     }
 }
+
+/// Places at which a sign follows an operator (`a+-b`), which RAPID's syntax does not allow: one is part of an expression's first term alone.
+pub fn doubled_signs(text: &[u8]) -> Vec<String> {
+    let is = |token: &[u8], of: &[u8]| token.len() == 1 && of.contains(&token[0]);
+    let found = tokens(text);
+    let doubled = found.windows(3).filter(|three| is(&three[0], b"+-*/") && is(&three[1], b"+-"));
+    doubled.map(|three| String::from_utf8_lossy(&three.concat()).into_owned()).collect()
+}

@@ -1,6 +1,7 @@
 //! A measured temperature as the index: in range, out of it, no longer changing, and with its unit down.
 
 use super::made::{Files, borrowed, compensated, fixture, fixtures};
+use crate::emit::tokens::doubled_signs;
 use rapid_program::emit::{Clock, Sensor};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
@@ -147,4 +148,29 @@ fn power_off_midnight_and_a_clock_set_back_keep_the_reading_honest() {
     assert!(between(&report, 507.0, 510.0).into_iter().all(is_original));
     let morning = between(&report, 511.0, 999.0);
     assert!(morning.iter().all(|p| p.after.max_m < 5.5e-6), "{morning:?}");
+}
+
+/// A table from 10 degrees below zero on: its corrections come, and no sign follows an operator.
+#[test]
+fn a_table_that_begins_below_zero_is_one() {
+    let table = std::fs::read_to_string(fixtures().join("paper/table2_deformation.csv")).unwrap();
+    let mut text = "temp_c,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
+    for (joint, row) in (1..).zip(table.lines().skip(1)) {
+        text += &format!("-10,{joint},0,0,0,0,0,0\n45,{joint},{row}\n");
+    }
+    let cold = Deformation::from_csv(text.as_bytes(), None).unwrap();
+    let original = fixture("robodk/irc5/Cube45.mod");
+    let program = compensated(&original, &cold, &clock(Sensor::Signal(NAME.into()))).unwrap();
+    for (name, bytes) in &program {
+        let doubled = doubled_signs(bytes);
+        assert!(doubled.is_empty(), "{name}: {doubled:?}");
+    }
+    let truth = TrueRobot::new(Robot::built_in("irb140").unwrap(), cold);
+    let options =
+        SessionOptions { paths: false, thermometer: Some(NAME.into()), ..SessionOptions::default() };
+    let mut s = Session::new(&borrowed(&program), Some(&borrowed(&original)), truth, options).unwrap();
+    let steps = ["temperature -5", "run 1", "temperature 17.5", "run 1"].map(str::to_owned).to_vec();
+    Scenario { steps, ..Scenario::default() }.play(&mut s).unwrap();
+    let last = s.into_report().passes.pop().unwrap();
+    assert!(last.before.max_m > 5e-5 && last.after.max_m < 5.1e-6, "{last:?}");
 }

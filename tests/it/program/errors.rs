@@ -105,4 +105,20 @@ fn an_external_axis_away_from_0_may_carry_the_robot() {
     let lines = |target: &str| format!("MoveL {target},v100,fine,t;\nMoveL {target},v100,fine,t;");
     assert_eq!(codes(&main_of(&data(), &lines(&ext))), ["keep::external-base"; 2]);
     assert_eq!(codes(&main_of(&data(), &lines(&zero))), ["-"; 2]);
+    // Where a target names no place for it the axis stays where it is, until it is back at 0.
+    let none = at(5, 5, 5);
+    let moves = |targets: &[&str]| {
+        let lines: Vec<String> =
+            targets.iter().map(|target| format!("MoveL {target},v100,fine,t;")).collect();
+        codes(&main_of(&data(), &lines.join("\n")))
+    };
+    let kept = "keep::external-base";
+    assert_eq!(moves(&[&none, &ext, &none, &none, &zero, &none]), ["-", kept, kept, kept, "-", "-"]);
+    let joints = "[[1,2,3,4,50,6],[250,9E9,9E9,9E9,9E9,9E9]]";
+    let line = format!("MoveAbsJ {joints},v100,fine,t;\nMoveL {none},v100,fine,t;\n");
+    assert_eq!(codes(&main_of(&data(), &line)), ["-", kept]);
+    let line = format!(
+        "MoveExtJ {joints},vrot10,fine;\nIF GInput(gi1)=1 THEN\nMoveL {zero},v100,fine,t;\nENDIF\nMoveL {none},v100,fine,t;\n"
+    );
+    assert_eq!(codes(&main_of(&data(), &line)), ["keep::external-axes", "-", kept]);
 }

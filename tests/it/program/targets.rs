@@ -1,6 +1,6 @@
 //! Targets: how they are written, what they are worth, and why they are not known.
 
-use super::{at, because_line, code, codes, main_of, module, warnings};
+use super::{at, because_line, code, codes, main_of, module, program, warnings};
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Origin, TargetValue};
 
@@ -335,4 +335,33 @@ MoveL p10,v100,fine,tool0\\WObj:=other;",
     assert_eq!(codes(&program)[0], "-");
     assert_eq!(codes(&program)[1..3], ["keep::own-position", "keep::own-position"]);
     assert_eq!(codes(&program)[4], "keep::wobj-unknown");
+}
+
+/// Without `\ExeP` the displacement is from where the arm stands: corrected, it would displace what follows by its correction.
+#[test]
+fn the_point_that_a_displacement_is_counted_from_is_kept() {
+    let data = format!(
+        "CONST robtarget p10:={};\nCONST robtarget p20:={};\nVAR robtarget seen;\nPERS tooldata t:=[TRUE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];",
+        at(10, 0, 0),
+        at(20, 0, 0)
+    );
+    let moves = |displaced: &str| {
+        let text = format!("MoveL p10,v100,fine,t;\n{displaced}\nMoveL p20,v100,fine,t;\nPDispOff;");
+        let program = main_of(&data, &text);
+        codes(&program).iter().map(|code| (*code).to_owned()).collect::<Vec<String>>()
+    };
+    assert_eq!(moves("PDispOn p10,t;"), ["keep::calibration", "keep::displacement"]);
+    assert_eq!(moves("PDispOn \\Rot,p10,t;"), ["keep::calibration", "keep::displacement"]);
+    assert_eq!(moves("PDispOn \\ExeP:=seen,p10,t;"), ["-", "keep::displacement"]);
+}
+
+#[test]
+fn what_is_to_be_measured_is_kept() {
+    let text = |module: &str| {
+        format!(
+            "MODULE {module}\nPROC dpMeasure()\nMoveAbsJ [[1,2,3,4,50,6],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\nENDPROC\nENDMODULE\n"
+        )
+    };
+    assert_eq!(codes(&program(&[("M.mod", &text("DriftpostPlan"))])), ["keep::measurement-run"]);
+    assert_eq!(codes(&program(&[("M.mod", &text("OtherPlan"))])), ["-"]);
 }

@@ -1,6 +1,7 @@
 //! What is refused leaves the state as it is.
 
 use super::{Cell, SOURCE, TABLE_TAU_MIN, Truth, emitted, job, search};
+use crate::emit::tokens::doubled_signs;
 use driftpost::ProgramFiles;
 use rapid_program::compensate::FormChoice;
 use rapid_program::emit::{Core, TouchBy};
@@ -251,4 +252,15 @@ fn a_motion_asks_no_more_of_the_controller_than_without_touches() {
     let most = cell.controller.take_efforts()["tcAt"].most;
     println!("an update with touches: {most:?}");
     assert!(most.statements <= 200, "{most:?}");
+}
+
+/// The drift at the sphere is negative along one axis at least; so written it would be the second summand.
+#[test]
+fn no_sign_follows_an_operator() {
+    let settled_mm = settled_mm();
+    assert!(settled_mm[1] < 0.0 || settled_mm[2] < 0.0, "{settled_mm:?}");
+    for form in [FormChoice::Schedule, FormChoice::Ramp, FormChoice::Live] {
+        let doubled = doubled_signs(&emitted(form, LAW, Some((search(), 0.02))));
+        assert!(doubled.is_empty(), "{form:?}: {doubled:?}");
+    }
 }

@@ -159,22 +159,29 @@ impl Messages {
     /// Targets of the form schedule in which the file's value of a PERS stands.
     fn add_values_of_the_file(&mut self, program: &Program, planned: &[PlannedMotion]) {
         for PersTarget { motion, name, declaration } in &program.made_of_pers {
-            let of = |planned: &&PlannedMotion| {
-                planned.status == Status::Compensated && planned.form == Form::Schedule
-            };
-            let (Some(motion), Some(_)) = (program.motion(*motion), planned.get(motion.index()).filter(of))
+            let compensated = |planned: &&PlannedMotion| planned.status == Status::Compensated;
+            let (Some(motion), Some(planned)) =
+                (program.motion(*motion), planned.get(motion.index()).filter(compensated))
             else {
                 continue;
             };
-            let message = format!(
-                "line {}: {name} is a PERS: in the form schedule this motion goes by the value that the file has, and no longer by \
-                 what is set on the controller",
-                motion.line
-            );
-            let help = "--form ramp and --form auto go by its value of the moment; else check it against the controller, and compensate anew when it is changed";
+            let (code, what, help) = match planned.form {
+                Form::Live => continue,
+                Form::Schedule => (
+                    "schedule::pers-value",
+                    "in the form schedule this motion goes by the value that the file has, and no longer by what is set on the controller",
+                    "--form ramp and --form auto go by its value of the moment; else check it against the controller, and compensate anew when it is changed",
+                ),
+                _ => (
+                    "ramp::pers-value",
+                    "this motion goes by its value of the moment, with the correction that belongs to the value that the file has",
+                    "right within some millimetres, as of a point that is touched up; where it is set elsewhere compensate anew, or --form live asks for its correction too",
+                ),
+            };
+            let message = format!("line {}: {name} is a PERS: {what}", motion.line);
             self.add(
                 Some(motion.setup.routine),
-                Diagnostic::warning("schedule::pers-value", message)
+                Diagnostic::warning(code, message)
                     .at(span_of(motion))
                     .label(*declaration, "declared here")
                     .help(help),

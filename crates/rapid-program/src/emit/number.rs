@@ -125,6 +125,12 @@ pub(super) fn num(value: f64) -> String {
     String::from_utf8_lossy(&out).into_owned()
 }
 
+/// The same behind an operator, where no sign may stand (ABB, RAPID kernel, summary of the syntax: a simple expression).
+pub(super) fn operand(value: f64) -> String {
+    let text = num(value);
+    if text.starts_with('-') { format!("({text})") } else { text }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

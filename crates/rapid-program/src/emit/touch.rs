@@ -3,7 +3,7 @@
 //! The filter is [`thermal_filter`](robot_model::deform::thermal_filter)'s; its RAPID stands in `clock/touch*.mod`. The clock
 //! carries on how the lags depend on what was known at the last touch, so that a touch needs no history.
 
-use super::number::{num, pose};
+use super::number::{num, operand, pose};
 use crate::program::LocalName;
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::thermal_filter as filter;
@@ -148,9 +148,9 @@ impl Touch {
             ("@POINT@", point.clone()),
             ("@TOOL@", format!("{tool}\\WObj:={wobj}")),
             ("@SECOND_HALF@", if two { "tcPart(tcAmount/2)".to_owned() } else { "0".to_owned() }),
-            ("@DX@", num(settled.x)),
-            ("@DY@", num(settled.y)),
-            ("@DZ@", num(settled.z)),
+            ("@DX@", operand(settled.x)),
+            ("@DY@", operand(settled.y)),
+            ("@DZ@", operand(settled.z)),
             ("@SQUARE@", num(square)),
             ("@PER_SQUARE@", num(1.0 / square)),
             ("@R@", num(variance / square)),

@@ -23,6 +23,11 @@ pub struct ConfData {
 /// (`9E9` in RAPID).
 pub type ExtJoint = [Option<f64>; 6];
 
+/// The letter by which RAPID names an external axis, of `eax_a` to `eax_f`; `axis` counts from 0.
+pub(super) fn external_axis_letter(axis: usize) -> char {
+    ['a', 'b', 'c', 'd', 'e', 'f'].get(axis).copied().unwrap_or('?')
+}
+
 /// `robtarget`: a pose of the TCP with the arm's configuration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RobTarget {

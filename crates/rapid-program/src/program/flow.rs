@@ -99,15 +99,18 @@ pub(super) enum Blocker {
     LockedAxis,
     /// Motion together with others: SyncMoveOn.
     MultiMove,
+    /// An external axis that may carry the robot's base has been placed away from 0, and stays there where a target names no place for it.
+    PlacedAxis,
 }
 
 /// All blockers, in the order in which a state has them.
-pub(super) const BLOCKERS: [Blocker; 5] = [
+pub(super) const BLOCKERS: [Blocker; 6] = [
     Blocker::Displacement,
     Blocker::ExternalOffset,
     Blocker::SoftServo,
     Blocker::LockedAxis,
     Blocker::MultiMove,
+    Blocker::PlacedAxis,
 ];
 
 /// What is carried along the ways.

@@ -9,7 +9,7 @@ mod declare;
 use declare::task_of;
 
 use super::ids::{DatumId, ModuleId, RoutineIndex, Table};
-use super::names::{ByNumber, Interner, Sym};
+use super::names::{ByNumber, Interner, Sym, lower_case};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{DataKind, Expr, FileItem, Module, ParamMode, RecordDecl, Routine};
@@ -112,6 +112,13 @@ pub(super) struct Index<'a> {
 }
 
 impl<'a> Index<'a> {
+    /// Whether what stands there belongs to a measuring program that `plan` has written: its module's name.
+    pub(super) fn is_measurement_run(&self, ctx: Ctx) -> bool {
+        self.modules
+            .get(ctx.module)
+            .is_some_and(|module| *lower_case(self.text(module.file, module.tree.name)) == *"driftpostplan")
+    }
+
     /// The index of all files.
     pub(super) fn new(files: &'a [SourceFile]) -> Self {
         let mut index = Self {

@@ -29,12 +29,12 @@ use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
 use frames::{Frames, Seen};
 use like_the_last::Last;
-use motion_target::MotionTargets;
+use motion_target::{MotionTargets, names_axes};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::Expr;
 use runtime_target::is_asked_once;
-use skip_reasons::SkipReasons;
+use skip_reasons::{SkipReasons, skip};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -270,10 +270,15 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
         let mut reasons = SkipReasons::of_statement(site, ctx, &args);
-        // Motion settings may be other ones in a later pass than in the first.
-        reasons.add_state(seen.any, &args);
+        if index.is_measurement_run(ctx) {
+            let text = "it drives to a pose that is to be measured (driftpost plan): the sheet's joints are those of the plan";
+            reasons.add(skip("keep::measurement-run", text.into()));
+        }
         let MotionTargets { targets, reached, read_elsewhere } =
             self.targets(&args, (ctx, form.path, at), &mut reasons);
+        let leaves_axes = form.path != Path::AbsJoint && !names_axes(&targets, self.base_fixed);
+        // Motion settings may be other ones in a later pass than in the first.
+        reasons.add_state(seen.any, &args, leaves_axes);
         let known: &dyn TrackedValues = match seen.first {
             Some(state) => &View { state, tracked: self.tracked },
             None => &Constant,

@@ -5,7 +5,7 @@
 
 use super::amount::Amount;
 use super::{BEYOND, Law};
-use crate::emit::number::num;
+use crate::emit::number::{num, operand};
 use crate::emit::touch::Lags;
 
 impl Law {
@@ -72,7 +72,7 @@ impl Law {
                     ("@READ@", read.clone()),
                     ("@LOW@", num(low_c - beyond_c)),
                     ("@HIGH@", num(high_c + beyond_c)),
-                    ("@FROM@", num(*low_c)),
+                    ("@FROM@", operand(*low_c)),
                     ("@HOLD@", num(*hold_min)),
                     ("@STALE@", num(*stale_min)),
                 ]

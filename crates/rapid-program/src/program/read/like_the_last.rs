@@ -3,8 +3,9 @@
 
 use super::MotionReader;
 use super::frames::Seen;
-use super::motion_target::moving_axis;
+use super::motion_target::{moving_axis, names_axes};
 use crate::program::convert;
+use crate::program::flow::Blocker;
 use crate::program::index::Ctx;
 use crate::program::motion::{Motion, MotionId, MotionSetup, Origin, Path, Target, TargetValue};
 use crate::program::motion_site::{MotionSite, MoveArgs};
@@ -51,7 +52,9 @@ impl<'a> MotionReader<'_, 'a> {
         let file = ctx.file;
         let target = Target::new(expr.range, Origin::Inline).with_value(&value);
         let target = target.with_literal(Span { file, range: expr.range });
-        if moving_axis(&target, self.base_fixed).is_some() {
+        let leaves_axes = !names_axes(std::slice::from_ref(&target), self.base_fixed);
+        let is_placed = leaves_axes && seen.any.is_some_and(|state| state.is_in_force(Blocker::PlacedAxis));
+        if is_placed || moving_axis(&target, self.base_fixed).is_some() {
             return None;
         }
         Some(Motion {

@@ -4,6 +4,7 @@ use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, skip};
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
+use crate::program::data::{ExtJoint, external_axis_letter};
 use crate::program::finite_set::FiniteSet;
 use crate::program::ids::DatumId;
 use crate::program::index::{Ctx, DatumKind};
@@ -194,7 +195,21 @@ pub(super) fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char
         };
         let moves = |(place, fixed): (Option<f64>, bool)| place.is_some_and(|place| place != 0.0) && !fixed;
         let axis = ext.into_iter().zip(base_fixed).position(moves)?;
-        Some(char::from(b"abcdef"[axis]))
+        Some(external_axis_letter(axis))
+    })
+}
+
+/// Whether all values of a motion's last target name a place for an external axis that may carry the robot's base.
+pub(super) fn names_axes(targets: &[Target], base_fixed: [bool; 6]) -> bool {
+    let named =
+        |ext: ExtJoint| ext.into_iter().zip(base_fixed).any(|(place, fixed)| place.is_some() && !fixed);
+    targets.last().is_some_and(|target| {
+        let mut values = target.values().peekable();
+        values.peek().is_some()
+            && values.all(|value| match value {
+                TargetValue::Rob(target) => named(target.ext),
+                TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => named(joints.ext),
+            })
     })
 }
 

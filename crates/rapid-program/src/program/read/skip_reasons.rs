@@ -53,7 +53,7 @@ impl SkipReasons {
     }
 
     /// Those of what is in force there; `None`: no way leads there.
-    pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>) {
+    pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>, leaves_axes: bool) {
         let Some(state) = state else {
             return self.add(skip("keep::unreachable", "no way through the program leads here".into()));
         };
@@ -62,8 +62,12 @@ impl SkipReasons {
         }
         // MoveAbsJ\NoEOffs goes to its joints whatever offset is in force.
         let no_offsets = args.options.iter().any(|(name, _)| name == "noeoffs");
-        let not_offset = |hold: &Blocker| *hold == Blocker::ExternalOffset && no_offsets;
-        for (hold, held) in BLOCKERS.iter().zip(&state.blockers).filter(|(hold, _)| !not_offset(hold)) {
+        let does_not_hold = |hold: &Blocker| match hold {
+            Blocker::ExternalOffset => no_offsets,
+            Blocker::PlacedAxis => !leaves_axes,
+            _ => false,
+        };
+        for (hold, held) in BLOCKERS.iter().zip(&state.blockers).filter(|(hold, _)| !does_not_hold(hold)) {
             if let Some(why) = held {
                 let code = match hold {
                     Blocker::Displacement => "keep::displacement",
@@ -71,6 +75,7 @@ impl SkipReasons {
                     Blocker::SoftServo => "keep::soft-servo",
                     Blocker::LockedAxis => "keep::locked-axis",
                     Blocker::MultiMove => "keep::multimove",
+                    Blocker::PlacedAxis => "keep::external-base",
                 };
                 self.add(SkipReason { code, reason: why.reason.clone(), because: why.because });
             }

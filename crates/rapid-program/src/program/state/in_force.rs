@@ -4,7 +4,7 @@
 //! Knows nothing of ways through the program.
 
 use crate::program::data::LoadData;
-use crate::program::flow::BLOCKERS;
+use crate::program::flow::{BLOCKERS, Blocker};
 use crate::program::ids::{Slot, Table};
 use crate::program::mod_ref::RoutineEffects;
 use crate::program::motion::SkipReason;
@@ -33,6 +33,13 @@ pub(in crate::program) struct State {
     pub(in crate::program) grip: Option<LoadData>,
     /// In the order of [`BLOCKERS`]: why it is, or may be, in force.
     pub(in crate::program) blockers: [Option<Why>; BLOCKERS.len()],
+}
+
+impl State {
+    /// Whether a blocker is, or may be, in force.
+    pub(in crate::program) fn is_in_force(&self, blocker: Blocker) -> bool {
+        BLOCKERS.iter().zip(&self.blockers).any(|(known, held)| *known == blocker && held.is_some())
+    }
 }
 
 pub(super) fn same(a: &State, b: &State) -> bool {
