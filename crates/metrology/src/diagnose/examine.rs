@@ -240,7 +240,7 @@ fn evaluated(
     {
         return Err(fault.into());
     }
-    let linear = linearise(robot, stations, &registration, options.tool_m, stations.channels)?;
+    let linear = linearise(robot, stations, &registration, options.tool_m, Vec::new())?;
     let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
     let mut evaluation = evaluate(&Prepared { measured, linear: &linear, noise, options }, wants_model);
     let contradicted = contradicted_noise(stations, options);

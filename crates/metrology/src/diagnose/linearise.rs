@@ -2,10 +2,10 @@
 
 use super::dataset::{Dataset, Observation, Twist};
 use super::design::Design;
-use crate::measure::{RegisterError, Registration, Stations, register};
+use crate::measure::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Joints, SerialArm};
 
 /// Below this distance second-order terms are far under any instrument's noise, metres.
 const LINEAR_M: f64 = 2e-4;
@@ -21,9 +21,12 @@ pub(super) struct Linearised {
     pub nominal: Vec<Twist>,
     /// Base and target at the nominal arm.
     pub registration: Registration,
+    /// How far each joint stands from where the file says, by causes that are found already, at each station: about there the residuals are
+    /// linear; none: about the joints of the file.
+    pub joint_turns: Vec<Joints>,
 }
 
-/// Registers and linearises.
+/// Registers and linearises about the joints of the file, or where `joint_turns` have taken them at each station.
 ///
 /// # Errors
 /// Where registration fails.
@@ -32,37 +35,42 @@ pub(super) fn linearise(
     stations: &Stations,
     nominal: &Registration,
     tool_m: Option<Vector3<f64>>,
-    channels: crate::measure::Channels,
+    joint_turns: Vec<Joints>,
 ) -> Result<Linearised, RegisterError> {
+    let channels = stations.channels;
+    let turned: Vec<Station> = turned(&stations.stations, &joint_turns);
     let chain = SerialChain::nominal(robot);
     let nominal_left: Vec<Twist> =
         stations.stations.iter().map(|s| Twist(nominal.residual(s, &s.pose(&chain)))).collect();
     let frames = SerialFrames::of(robot);
     let mut offsets = SerialOffsets::default();
+    let nominal = if joint_turns.is_empty() {
+        nominal.clone()
+    } else {
+        let poses: Vec<Isometry3<f64>> = turned.iter().map(|s| s.pose(&chain)).collect();
+        register(&turned, &poses, stations.targets, tool_m)?
+    };
     let mut registration = nominal.clone();
     let mut round = 0;
     loop {
         let chain = frames.chain(&offsets);
-        let poses: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
+        let poses: Vec<Isometry3<f64>> = turned.iter().map(|s| s.pose(&chain)).collect();
         if round > 0 {
-            registration = register(&stations.stations, &poses, stations.targets, tool_m)?;
+            registration = register(&turned, &poses, stations.targets, tool_m)?;
         }
         let observations: Vec<Observation> =
             stations.stations.iter().map(|s| Observation::new(robot, &chain, &registration, s)).collect();
         let dataset = Dataset::new(robot, observations, channels);
-        let left: Vec<Twist> = stations
-            .stations
-            .iter()
-            .zip(&poses)
-            .map(|(s, pose)| Twist(registration.residual(s, pose)))
-            .collect();
+        let left: Vec<Twist> =
+            turned.iter().zip(&poses).map(|(s, pose)| Twist(registration.residual(s, pose))).collect();
         let residuals = restored(&dataset, &left, &offsets);
         if round == ROUNDS || nominal.median_m < LINEAR_M {
             return Ok(Linearised {
+                residuals: turned_back(&dataset, residuals, &joint_turns),
                 dataset,
-                residuals,
                 nominal: nominal_left,
-                registration: nominal.clone(),
+                registration: nominal,
+                joint_turns,
             });
         }
         let step = fit_geometry(&dataset, &residuals, stations.targets, registration.median_m);
@@ -73,6 +81,27 @@ pub(super) fn linearise(
         }
         round += 1;
     }
+}
+
+/// The stations with their joints where causes have taken them.
+fn turned(stations: &[Station], joint_turns: &[Joints]) -> Vec<Station> {
+    let mut turned = stations.to_vec();
+    for (station, turn) in turned.iter_mut().zip(joint_turns) {
+        station.q_rad.iter_mut().zip(turn).for_each(|(q, turn)| *q += turn);
+    }
+    turned
+}
+
+/// The residuals as joints of the file would leave them, to first order where the joints stand.
+fn turned_back(dataset: &Dataset, mut residuals: Vec<Twist>, joint_turns: &[Joints]) -> Vec<Twist> {
+    for ((left, turn), observation) in residuals.iter_mut().zip(joint_turns).zip(&dataset.observations) {
+        for (j, turn) in turn.iter().enumerate().filter(|(_, turn)| **turn != 0.0) {
+            for (to, from) in left.iter_mut().zip(observation.jacobian_column(j)) {
+                *to += turn * from;
+            }
+        }
+    }
+    residuals
 }
 
 /// The residual as the nominal arm would leave it, to first order at the fitted arm.

@@ -23,6 +23,7 @@ mod holding_torque;
 mod identification;
 mod identify;
 mod iterated_search;
+mod joint_turns;
 mod linear_fit;
 mod linearise;
 mod marginal;

@@ -101,7 +101,13 @@ mod tests {
             let registration =
                 Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
             let dataset = dataset.clone();
-            let linear = Linearised { dataset, nominal: residuals.clone(), residuals, registration };
+            let linear = Linearised {
+                dataset,
+                nominal: residuals.clone(),
+                residuals,
+                registration,
+                joint_turns: Vec::new(),
+            };
             let mut off: Vec<bool> = (0..40).map(|i| run.contains(&i)).collect();
             excuse(&linear, &linear.residuals, &mut off);
             off.iter().all(|off| !off)

@@ -167,7 +167,13 @@ mod tests {
                 .collect();
             let registration =
                 Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
-            let linear = Linearised { dataset, nominal: residuals.clone(), residuals, registration };
+            let linear = Linearised {
+                dataset,
+                nominal: residuals.clone(),
+                residuals,
+                registration,
+                joint_turns: Vec::new(),
+            };
             let robust = RobustWeights::of(&linear, &linear.residuals, &[1.0; 60]);
             (0..60).filter(|&i| robust.outliers[i]).collect::<Vec<usize>>()
         };
@@ -195,7 +201,13 @@ mod tests {
             })
             .collect();
         let registration = Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
-        let linear = Linearised { dataset, nominal: residuals.clone(), residuals, registration };
+        let linear = Linearised {
+            dataset,
+            nominal: residuals.clone(),
+            residuals,
+            registration,
+            joint_turns: Vec::new(),
+        };
         let robust = RobustWeights::of(&linear, &linear.residuals, &[1.0; 60]);
         let aside: Vec<usize> = (0..60).filter(|&i| robust.outliers[i]).collect();
         assert_eq!(aside, [alone]);
