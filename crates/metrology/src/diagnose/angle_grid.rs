@@ -1,7 +1,7 @@
 //! The grid that joint angles are written on: the decimals of a file, the counts of an encoder.
 
 use crate::measure::Measurements;
-use robot_model::robot::{Axis, SerialArm};
+use robot_model::robot::{Axis, Joints, SerialArm};
 use robot_model::units::deg_from_rad;
 use std::collections::BTreeSet;
 
@@ -30,9 +30,11 @@ impl AngleGrid {
         let rows = || measurements.rows.iter().filter(|row| row.reading.involves_arm());
         let kinds = measurements.joint_kinds.iter().enumerate();
         let turning: Vec<usize> = kinds.filter(|(_, kind)| !kind.slides()).map(|(j, _)| j).collect();
+        // Repeats, and several targets, are rows of one pose.
+        let poses: BTreeSet<Joints<u64>> = rows().map(|row| row.q_rad.map(f64::to_bits)).collect();
         let moves = |j: usize| {
             let angles: BTreeSet<u64> = rows().map(|row| row.q_rad[j].to_bits()).collect();
-            2 * angles.len() > rows().count()
+            2 * angles.len() > poses.len()
         };
         let of_joint = |j: usize| JointAngles::of(rows().map(|row| deg_from_rad(row.q_rad[j])).collect());
         let own: Vec<(usize, JointAngles)> = turning.iter().map(|&j| (j, of_joint(j))).collect();

@@ -3,7 +3,7 @@
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
 use super::evaluate::{Evaluation, Prepared, evaluate};
-use super::linearise::linearise;
+use super::linearise::{linearise, turned};
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
@@ -16,7 +16,7 @@ use crate::measure::{
 use nalgebra::{Isometry3, Point3};
 use robot_model::deform::identified::{FoundBy, Identified};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::SerialArm;
+use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::mm_from_m;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -68,7 +68,7 @@ fn examine_in_pool(
         warnings.extend(seen.warning);
         let stations = usable_stations(&seen.measurements, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
-        evaluated(measured, options, wants_model)
+        evaluated(measured, seen.elsewhere.as_ref(), options, wants_model)
     });
     let mut evaluation =
         evaluation.unwrap_or_else(|unusable| Evaluation::without_model(unusable.diagnosis()));
@@ -113,6 +113,36 @@ struct OneStand<'a> {
     measurements: Cow<'a, Measurements>,
     /// That the instrument was moved in between.
     warning: Option<Warning>,
+    /// That one joint stands elsewhere in a part of the rows.
+    elsewhere: Option<JointElsewhere>,
+}
+
+impl<'a> OneStand<'a> {
+    /// Measurements as they are.
+    fn plain(measurements: &'a Measurements) -> Self {
+        Self { measurements: Cow::Borrowed(measurements), warning: None, elsewhere: None }
+    }
+}
+
+/// One joint that stands elsewhere than the file says in some rows, further than a registration bears.
+struct JointElsewhere {
+    /// Counted from 0.
+    joint: usize,
+    /// As indices into the file's rows.
+    rows: BTreeSet<usize>,
+    /// Where it stands less where the file says, radians.
+    by_rad: f64,
+}
+
+impl JointElsewhere {
+    /// By how much each joint stands elsewhere at each station.
+    fn turns(&self, stations: &[Station], joints: usize) -> Vec<Joints> {
+        let at = |station: &Station| {
+            let has = station.rows.iter().all(|row| self.rows.contains(row));
+            Joints::from_fn(joints, |j| if has && j == self.joint { self.by_rad } else { 0.0 })
+        };
+        stations.iter().map(at).collect()
+    }
 }
 
 /// Looks for what the rows alone can tell, and takes those of a moved instrument into one frame.
@@ -130,7 +160,7 @@ fn from_one_stand<'a>(
             find_joint_columns(robot, &stations, targets)
                 .or_else(|| match find_in_rows(robot, &rows, targets, options.tool_m) {
                     Some(PartFault::Fault(of_some_rows)) => Some(of_some_rows),
-                    Some(PartFault::Moved { .. }) | None => None,
+                    Some(PartFault::Moved { .. } | PartFault::JointElsewhere { .. }) | None => None,
                 })
                 .unwrap_or(fault)
         }
@@ -142,7 +172,12 @@ fn from_one_stand<'a>(
     }
     let rows = each_row(measurements, &checked.used, robot);
     match find_in_rows(robot, &rows, targets, options.tool_m) {
-        None => Ok(OneStand { measurements: Cow::Borrowed(measurements), warning: None }),
+        None => Ok(OneStand::plain(measurements)),
+        Some(PartFault::JointElsewhere { joint, rows, by_rad }) => {
+            let rows = checked.used.get(rows).unwrap_or_default().iter().copied().collect();
+            let elsewhere = Some(JointElsewhere { joint, rows, by_rad });
+            Ok(OneStand { elsewhere, ..OneStand::plain(measurements) })
+        }
         Some(PartFault::Fault(fault)) => Err(fault.into()),
         Some(PartFault::Moved { from, first_from_second }) => {
             let second = checked.used.get(from..).unwrap_or_default();
@@ -153,6 +188,7 @@ fn from_one_stand<'a>(
                     code: "measure::instrument-moved",
                     message: describe_move(&first_from_second, line),
                 }),
+                elsewhere: None,
             })
         }
     }
@@ -225,22 +261,24 @@ fn contradicted_noise(stations: &Stations, options: &DiagnosisOptions) -> Option
 /// Registers base and target, and evaluates what that leaves.
 fn evaluated(
     measured: MeasuredRobot<'_>,
+    elsewhere: Option<&JointElsewhere>,
     options: &DiagnosisOptions,
     wants_model: bool,
 ) -> Result<Evaluation, Unusable> {
     let MeasuredRobot { robot, stations, .. } = measured;
     let chain = SerialChain::nominal(robot);
-    let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|s| s.pose(&chain)).collect();
-    if let Some(fault) = find_in_orientations(&stations.stations, &flange, stations.targets, options.tool_m) {
+    let turns =
+        elsewhere.map(|found| found.turns(&stations.stations, robot.joints.len())).unwrap_or_default();
+    let standing = turned(&stations.stations, &turns);
+    let flange: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
+    if let Some(fault) = find_in_orientations(&standing, &flange, stations.targets, options.tool_m) {
         return Err(fault.into());
     }
-    let registration = register(&stations.stations, &flange, stations.targets, options.tool_m)?;
-    if let Some(fault) =
-        find_fault(robot, &stations.stations, stations.targets, &registration, options.tool_m)
-    {
+    let registration = register(&standing, &flange, stations.targets, options.tool_m)?;
+    if let Some(fault) = find_fault(robot, &standing, stations.targets, &registration, options.tool_m) {
         return Err(fault.into());
     }
-    let linear = linearise(robot, stations, &registration, options.tool_m, Vec::new())?;
+    let linear = linearise(robot, stations, &registration, options.tool_m, turns)?;
     let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
     let mut evaluation = evaluate(&Prepared { measured, linear: &linear, noise, options }, wants_model);
     let contradicted = contradicted_noise(stations, options);

@@ -84,7 +84,7 @@ pub(super) fn linearise(
 }
 
 /// The stations with their joints where causes have taken them.
-fn turned(stations: &[Station], joint_turns: &[Joints]) -> Vec<Station> {
+pub(super) fn turned(stations: &[Station], joint_turns: &[Joints]) -> Vec<Station> {
     let mut turned = stations.to_vec();
     for (station, turn) in turned.iter_mut().zip(joint_turns) {
         station.q_rad.iter_mut().zip(turn).for_each(|(q, turn)| *q += turn);

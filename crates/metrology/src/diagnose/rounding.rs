@@ -25,6 +25,8 @@ const CLEAR_NATS: f64 = 8.0;
 /// either way, the size speaks for rounding as well: plain noise could have any.
 const MORE_SCATTER: f64 = 3.0;
 const BY_SIZE_NATS: f64 = 2.5;
+/// Scatter without any cause that is what rounding makes, as a variance, within this factor, is as large.
+const SAME_SIZE: f64 = 1.6;
 /// Without any cause rounding is the whole of what is left, as a variance: more than so many times what it makes beside the noise, and other
 /// things are in it.
 const MOST_SCATTER: f64 = 9.0;
@@ -54,7 +56,10 @@ pub(super) fn find(
         return None;
     }
     let grid = AngleGrid::of(measurements)?;
-    let proves_nothing = COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
+    // Nobody commands one joint in round steps and the others to the last decimal.
+    let all_joints = grid.joints.len() == linear.dataset.turning().count();
+    let proves_nothing =
+        all_joints && COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     let known_m2 = model.noise.known.map(|known| known.sigma_m.powi(2));
     let scatter = RoundedScatter::of(&linear.dataset, &model.outliers, &grid, known_m2);
@@ -82,15 +87,18 @@ pub(super) fn find(
     let without_causes = gain_nats > clear_nats
         && gain_nats > fitted.log_odds()
         && plain_m2 < MOST_SCATTER * (expected_m2 + known_m2.unwrap_or(0.0));
+    // Many lines of a gear follow some dozens of rounded angles as closely as one likes: the size of the scatter, which nothing was fitted
+    // to, speaks louder where one column alone has so few decimals.
+    let one_column = !all_joints
+        && gain_nats > CLEAR_NATS
+        && (1.0 / SAME_SIZE..SAME_SIZE).contains(&(plain_m2 / (expected_m2 + known_m2.unwrap_or(0.0))));
     let beside_causes =
         best_m2 > 0.3 * expected_m2 && scatter.rounded(&best) > scatter.plain(&best) + clear_nats;
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
-    (without_causes || beside_causes).then(|| {
-        let all_joints = grid.joints.len() == linear.dataset.turning().count();
-        rounded_joints(&grid, robot, all_joints, mm_from_m((3.0 * plain_m2).sqrt()))
-    })
+    (without_causes || one_column || beside_causes)
+        .then(|| rounded_joints(&grid, robot, all_joints, mm_from_m((3.0 * plain_m2).sqrt())))
 }
 
 /// The fault itself; `scatter_mm`: rms of the points.

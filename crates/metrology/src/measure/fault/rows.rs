@@ -7,17 +7,23 @@ use super::frozen;
 use super::whole::{Change, all_shifted, changes, joint_shifted};
 use super::{Fault, FaultKind};
 use crate::measure::initial_guess::with_fixed_points_beyond;
-use crate::measure::{FreeParameters, Reading, Registration, Station, register, register_with};
+use crate::measure::{FreeParameters, Reading, Registration, Station, median, register, register_with};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, SerialArm};
-use robot_model::units::mm_from_m;
+use robot_model::units::{deg_from_rad, mm_from_m};
+use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 /// Further off than this, and than so many times the middle row, is no error of an arm, metres.
 const FAR_M: f64 = 8e-3;
 const FAR_TIMES: f64 = 12.0;
 /// Fewer such rows are single false readings.
 const FEWEST: usize = 3;
+/// So many rows tell by how much a joint is off.
+const SEEN_ROWS: usize = 25;
+/// A zero that has jumped by more is no slip of a gear or a belt, radians: the column is another one.
+const FURTHEST_ZERO_RAD: f64 = 0.09;
 /// Share of the far rows that one explanation must explain, and of the rows in its stretch of the file that are far.
 const MOST: f64 = 0.6;
 /// Rows used to register a part of the file.
@@ -49,6 +55,15 @@ pub enum PartFault {
         from: usize,
         /// Takes readings of the second stand into the frame of the first.
         first_from_second: Isometry3<f64>,
+    },
+    /// In these rows (indices into `rows`) one joint stands elsewhere than the file says, by the same angle in all.
+    JointElsewhere {
+        /// The joint, counted from 0.
+        joint: usize,
+        /// The rows, one after the other.
+        rows: Range<usize>,
+        /// Where it stands less where the file says, radians.
+        by_rad: f64,
     },
 }
 
@@ -106,6 +121,7 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     let half = 4 * near >= rows.len();
     off.late()
         .or_else(|| off.late_joint())
+        .or_else(|| off.joint_elsewhere())
         .or_else(|| off.still())
         .or_else(|| off.frozen_joint())
         .or_else(|| if half { off.moved(targets) } else { None })
@@ -306,12 +322,49 @@ impl FarRows<'_> {
         Some(PartFault::Fault(frozen::one_joint(robot, j, self.lines(&which))))
     }
 
+    /// The rows up to the last one that is far, or from the first one on: the registration may be of what is behind or before.
+    fn side(&self) -> Option<Range<usize>> {
+        let (first, last) = (*self.far.first()?, *self.far.last()?);
+        Some(if first == 0 { 0..last + 1 } else { first..self.rows.len() })
+    }
+
+    /// One joint's angle off by the same in all rows to one side of some row: its zero has jumped, or the column has.
+    fn joint_elsewhere(&self) -> Option<PartFault> {
+        let Self { robot, rows, registration, .. } = *self;
+        let chain = SerialChain::nominal(robot);
+        let side = self.side()?;
+        if (self.far.len() as f64) < MOST * side.len() as f64 {
+            return None;
+        }
+        let tried = (0..robot.joints.len()).filter(|&j| !robot.joints[j].kind.slides()).map(|j| {
+            let seen = self.far.iter().step_by(self.far.len().div_ceil(SEEN_ROWS)).map(|&i| {
+                let station = &rows[i].station;
+                frozen::refitted(robot, &chain, registration, station, j).q_rad - station.q_rad[j]
+            });
+            // A whole turn is none.
+            let by_rad =
+                median(&mut seen.map(|by_rad| (by_rad + PI).rem_euclid(TAU) - PI).collect::<Vec<f64>>());
+            let which = self.near_as(|i| {
+                let mut station = rows[i].station.clone();
+                station.q_rad[j] += by_rad;
+                Some(registration.residual_m(&station, &station.pose(&chain)).norm())
+            });
+            (which, (j, by_rad))
+        });
+        let (which, (joint, by_rad)) = self.best(tried)?;
+        if by_rad.abs() < FURTHEST_ZERO_RAD {
+            return Some(PartFault::JointElsewhere { joint, rows: side, by_rad });
+        }
+        let column = robot.column(Axis::at(joint));
+        Some(self.fault(FaultKind::JointColumns, &column, &which, |count, lines| {
+            format!("in {count} rows ({lines}) column {column} is off by {:+.2} deg", -deg_from_rad(by_rad))
+        }))
+    }
+
     /// From one row on all is elsewhere, rigidly.
     fn moved(&self, targets: usize) -> Option<PartFault> {
         let Self { rows, registration, far, .. } = self;
-        let first = *far.first()?;
-        // The stand may be the first or the second of the two that the registration is of.
-        let (from, to) = if first == 0 { (0, far.last()? + 1) } else { (first, rows.len()) };
+        let Range { start: from, end: to } = self.side()?;
         let inside = || (from..to).filter(|&i| matches!(rows[i].station.reading, Reading::Point { .. }));
         let count = inside().count();
         if count < FEWEST_OF_STAND || (far.len() as f64) < 0.9 * count as f64 {
@@ -325,7 +378,7 @@ impl FarRows<'_> {
             return None;
         }
         let there = registration.instrument_from_base * second.instrument_from_base.inverse();
-        Some(match first {
+        Some(match from {
             0 => PartFault::Moved { from: to, first_from_second: there.inverse() },
             _ => PartFault::Moved { from, first_from_second: there },
         })
@@ -338,6 +391,6 @@ pub fn describe_move(first_from_second: &Isometry3<f64>, line: u64) -> String {
     format!(
         "from line {line} on the instrument stands elsewhere (its frame has moved by {:.0} mm and turned by {:.2} deg): the base is registered in each stand on its own",
         mm_from_m(first_from_second.translation.vector.norm()),
-        robot_model::units::deg_from_rad(first_from_second.rotation.angle())
+        deg_from_rad(first_from_second.rotation.angle())
     )
 }
