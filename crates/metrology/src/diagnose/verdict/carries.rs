@@ -21,11 +21,13 @@ fn is_firm(causes: &[Cause]) -> bool {
     only.n.is_none() && ratio > FIRM
 }
 
-/// Whether a model that takes most of the gap at its own poses takes next to nothing of it at poses held out.
+/// Whether a model that takes most of the gap at its own poses takes next to nothing of it at poses held out, or makes it larger there, beyond
+/// what chance does.
 fn does_not_carry(shrink: &ErrorReduction) -> Option<[f64; 2]> {
     let (before, after, left) = (shrink.before_rms_mm?, shrink.after_rms_mm?, shrink.floor_rms_mm?);
     let [gap, here, there] = [before.powi(2), before.powi(2) - left.powi(2), before.powi(2) - after.powi(2)];
-    (here > MUCH * gap && there < CARRIED * here).then_some([before, after])
+    let is_worse = shrink.ci90.is_some_and(|[least, _]| least > 1.0);
+    (is_worse || here > MUCH * gap && there < CARRIED * here).then_some([before, after])
 }
 
 impl Judgement {
@@ -65,6 +67,16 @@ mod tests {
         assert_eq!(of([0.1, 0.11, 0.02]), Some([0.1, 0.11]));
         assert_eq!(of([0.1, 0.1, 0.09]), None);
         assert_eq!(does_not_carry(&ErrorReduction::default()), None);
+        // A step found in what sways, most of which is taken for noise.
+        let sways = |ci90| ErrorReduction {
+            before_rms_mm: Some(0.054),
+            after_rms_mm: Some(0.068),
+            floor_rms_mm: Some(0.053),
+            ci90: Some(ci90),
+            ..ErrorReduction::default()
+        };
+        assert_eq!(does_not_carry(&sways([1.1, 1.38])), Some([0.054, 0.068]));
+        assert_eq!(does_not_carry(&sways([0.97, 1.5])), None);
     }
 
     #[test]
