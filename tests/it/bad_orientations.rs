@@ -98,6 +98,9 @@ fn orientations_that_change_from_a_row_on_are_named_with_their_lines() {
         if k < from { [w, x, y, z] } else { [x, y, z, w] }
     });
     assert!(reason.contains("hold x, y, z, w") && lines == last, "{reason} {lines:?}");
+    // The sensor hung for six rows: the first of these orientations is its own.
+    let (reason, lines) = fault(&|k, seen| parts(seen[if (10..16).contains(&k) { 10 } else { k }]));
+    assert!(reason.contains("the sensor stood still") && lines == [13, 14, 15, 16, 17], "{reason} {lines:?}");
     // The sensor was mounted anew, half a radian round.
     let turned = UnitQuaternion::from_scaled_axis(Vector3::z() * 0.5);
     let (reason, lines) = fault(&|k, seen| parts(if k < from { seen[k] } else { seen[k] * turned }));

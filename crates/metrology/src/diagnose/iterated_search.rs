@@ -141,7 +141,7 @@ impl NoiseEstimates {
             variance_ratio: INITIAL_VARIANCE_RATIO,
             characteristic_length_m: characteristic_length_m(linear, &linear.residuals)
                 .unwrap_or(USUAL_LENGTH_M),
-            robust: RobustWeights::at_first(&linear.residuals),
+            robust: RobustWeights::at_first(linear),
             slow: None,
             // Beside what no cause explains yet it would be all that is wrong with the arm: it is judged by what causes leave.
             shared: SharedError::default(),

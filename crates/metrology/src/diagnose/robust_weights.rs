@@ -29,8 +29,8 @@ pub(super) struct RobustWeights {
 impl RobustWeights {
     /// Of what a registration leaves: all of full weight but where the orientation is false, which a fit of all would spread over the others.
     #[must_use]
-    pub(super) fn at_first(residuals: &[Twist]) -> Self {
-        let beyond = turns_beyond(residuals, &vec![1.0; residuals.len()]);
+    pub(super) fn at_first(linear: &Linearised) -> Self {
+        let beyond = turns_beyond(linear, &linear.residuals, &vec![1.0; linear.residuals.len()]);
         Self {
             weights: beyond.iter().map(|beyond| beyond.max(1.0).powi(-4)).collect(),
             outliers: beyond.iter().map(|beyond| *beyond > 1.0).collect(),
@@ -57,7 +57,7 @@ impl RobustWeights {
         moved_together::excuse(linear, residuals, &mut outliers);
         let mut beyond: Vec<f64> =
             distances.iter().zip(&outliers).map(|(d, out)| if *out { d / limit_m } else { 1.0 }).collect();
-        for (i, turned_beyond) in turns_beyond(residuals, base_weights).into_iter().enumerate() {
+        for (i, turned_beyond) in turns_beyond(linear, residuals, base_weights).into_iter().enumerate() {
             if turned_beyond > beyond[i] {
                 (beyond[i], outliers[i]) = (turned_beyond, true);
             }
@@ -67,11 +67,16 @@ impl RobustWeights {
     }
 }
 
-/// How far each station's orientation is from the model, as a share of what makes it false; 0 where none was measured.
-fn turns_beyond(residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
+/// How far each station's orientation is from the model, as a share of what makes it false; 0 where none was measured, and where some joint,
+/// turned a little, would turn the sensor so, there and where it stood nearest.
+fn turns_beyond(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
     let turns: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| turn_rad(m) * w.sqrt()).collect();
     let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()) / 1.54;
-    turns.iter().map(|turn| if limit_rad > 0.0 { turn / limit_rad } else { 0.0 }).collect()
+    let share = |(i, turn): (usize, &f64)| {
+        let is_false = *turn > limit_rad && !turned_alike(linear, residuals, i, limit_rad, TURN);
+        if is_false { turn / limit_rad } else { 0.0 }
+    };
+    turns.iter().enumerate().map(share).collect()
 }
 
 /// Whether the nearest stations in place or time are off in much the same way: then it is structure, not a
@@ -79,7 +84,7 @@ fn turns_beyond(residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
 fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
     let observations = &linear.dataset.observations;
     let here = &residuals[i];
-    let least_m = least_alike_m(here, limit_m);
+    let least_m = least_alike(shift_m(here), limit_m);
     let alike = |k: usize| {
         let along = (0..3).map(|x| here[x] * residuals[k][x]).sum::<f64>();
         shift_m(&residuals[k]) > least_m && along > ALONG * shift_m(here) * shift_m(&residuals[k])
@@ -101,28 +106,37 @@ fn has_similar_neighbours(linear: &Linearised, residuals: &[Twist], i: usize, li
         linear.dataset.time_min.is_some()
             && most(&|k| (observations[k].clock() - observations[i].clock()).abs(), NEAREST)
     };
-    place || time() || turned_alike(linear, residuals, i, limit_m)
+    place || time() || turned_alike(linear, residuals, i, limit_m, SHIFT)
 }
 
-/// From how far off on another station can be off as one is that is off by `here`, metres.
-fn least_alike_m(here: &Twist, limit_m: f64) -> f64 {
-    (0.5 * limit_m).max(COMPARABLE * shift_m(here))
+/// Which half of a twist is looked at: where its three numbers begin.
+const SHIFT: usize = 0;
+const TURN: usize = 3;
+
+/// Length of one half of a twist, metres or radians.
+fn length(twist: &Twist, half: usize) -> f64 {
+    if half == SHIFT { shift_m(twist) } else { turn_rad(twist) }
 }
 
-/// Whether some joint, turned a little, would put the station `i` where it was measured, and likewise most of those at which that
+/// From how far off on another station can be off as one is that is off by `here`.
+fn least_alike(here: f64, limit: f64) -> f64 {
+    (0.5 * limit).max(COMPARABLE * here)
+}
+
+/// Whether some joint, turned a little, would put one `half` of the station `i` where it was measured, and likewise most of those at which that
 /// joint stood nearest: then it is what the joint does there, at its end or in the middle, wherever the arm was.
-fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit_m: f64) -> bool {
+fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit: f64, half: usize) -> bool {
     let observations = &linear.dataset.observations;
     let visits = &linear.dataset.visits;
     let visit = visits.iter().find(|visit| visit.contains(&i)).map_or(&[][..], Vec::as_slice);
-    let least_m = least_alike_m(&residuals[i], limit_m);
+    let least = least_alike(length(&residuals[i], half), limit);
     // Turn and share of the distance that it leaves none of, where the station is far off.
     let turn = |k: usize, joint: usize| {
         let twist = observations[k].jacobian_column(joint);
-        let along = (0..3).map(|x| twist[x] * residuals[k][x]).sum::<f64>();
-        let lever = shift_m(&twist);
-        let far = shift_m(&residuals[k]);
-        (lever > 0.0 && far > least_m && along.abs() > ALONG * lever * far).then_some(along)
+        let along = (half..half + 3).map(|x| twist[x] * residuals[k][x]).sum::<f64>();
+        let lever = length(&twist, half);
+        let far = length(&residuals[k], half);
+        (lever > 0.0 && far > least && along.abs() > ALONG * lever * far).then_some(along)
     };
     (0..linear.dataset.joints()).any(|joint| {
         let Some(here) = turn(i, joint) else { return false };

@@ -14,6 +14,8 @@ const SOUND_M: f64 = 4e-3;
 const SPREAD_M: f64 = 0.03;
 /// Orientations within this of each other are one: instruments and arms err by less, radians.
 const NEAR_RAD: f64 = 0.1;
+/// Orientations nearer to each other than this are one, radians: what sensors scatter by where nothing moves.
+const STILL_RAD: f64 = 2e-3;
 /// Rows further off than so many times the middle one are far.
 const FAR_TIMES: f64 = 12.0;
 /// Rows that may carry the sensor's orientation, spread over the file.
@@ -265,6 +267,18 @@ impl Oriented {
         let off_rad = |i: usize, seen: UnitQuaternion<f64>| {
             sensor.flange_from_sensor.angle_to(&self.rows[i].flange_from_sensor(seen))
         };
+        let still = |i: &&usize| {
+            let before = i.checked_sub(1).map(|before| &self.rows[before]);
+            before.is_some_and(|before| before.seen.angle_to(&self.rows[**i].seen) < STILL_RAD)
+        };
+        let lines: Vec<u64> = far.iter().filter(still).map(|&i| self.rows[i].line).collect();
+        if lines.len() >= FEWEST && 2 * lines.len() > far.len() {
+            return Some(Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+                format!(
+                    "{count} rows ({which}) have the orientation of the row before, though the arm had turned: the sensor stood still"
+                )
+            }));
+        }
         let explained = |change: &Change| -> Vec<u64> {
             let near = far.iter().filter(|&&i| off_rad(i, (change.change)(self.rows[i].seen)) < limit_rad);
             near.map(|&i| self.rows[i].line).collect()
