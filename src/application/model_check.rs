@@ -77,6 +77,9 @@ fn missing_columns(model: &Identified, channels: Channels) -> Option<Diagnostic>
     (!missing.is_empty()).then(|| Diagnostic::warning("model::columns", text).help(help))
 }
 
+/// No model of an arm misses its points by so much, however bad it is, mm.
+const OTHER_ROBOT_MM: f64 = 25.0;
+
 /// What a model leaves of measurements that it has not seen.
 #[derive(Clone, Debug)]
 pub struct ModelChecked {
@@ -100,10 +103,16 @@ impl ModelChecked {
         self.validation.all.model.rms_mm <= self.validation.all.nominal.rms_mm
     }
 
-    /// Whether the model holds: better than none, and within the limit.
+    /// Whether the measurements may be of this robot at all.
+    #[must_use]
+    pub fn is_of_robot(&self) -> bool {
+        self.validation.all.model.rms_mm < OTHER_ROBOT_MM
+    }
+
+    /// Whether the model holds: for this robot's measurements, better than none, and within the limit.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.is_within() && self.is_better()
+        self.is_within() && self.is_better() && self.is_of_robot()
     }
 
     /// The distances, and what speaks against the model, for people.
@@ -115,6 +124,9 @@ impl ModelChecked {
         }
         if !self.is_better() {
             text += "WORSE than the nominal robot: the model does not hold for these measurements\n";
+        }
+        if !self.is_of_robot() {
+            text += "NOT this robot's measurements, or not in its units and columns: driftpost diagnose names what is wrong with them\n";
         }
         text
     }

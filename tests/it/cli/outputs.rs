@@ -170,3 +170,14 @@ fn a_page_is_made_of_what_any_command_wrote() {
         assert!(page.contains(&format!("\"command\":\"{}\"", result[0])), "{result:?}");
     }
 }
+
+#[test]
+fn measurements_of_another_robot_validate_no_model() {
+    let model = ["--model", "fixtures/docs/identified.toml"];
+    let measured = "fixtures/docs/measured.csv";
+    let own = driftpost(&[&["validate", measured, "--robot", "irb140"], &model[..]].concat());
+    assert_eq!(own.status.code(), Some(0), "{}", err(&own));
+    let other = driftpost(&[&["validate", measured, "--robot", "irb120"], &model[..]].concat());
+    assert_eq!(other.status.code(), Some(1), "{}", err(&other));
+    assert!(out(&other).contains("NOT this robot's measurements"), "{}", out(&other));
+}
