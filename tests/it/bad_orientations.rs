@@ -1,11 +1,8 @@
 //! Orientations that contradict points and joints: what happened to them is named, and sound ones are believed.
 
-use metrology::diagnose::{DiagnosisOptions, Findings, Verdict, diagnose};
-use metrology::measure::Measurements;
-use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
-use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
-use std::fmt::Write as _;
+use super::nominal_cell::NominalCell;
+use metrology::diagnose::{Findings, Verdict};
+use nalgebra::{UnitQuaternion, Vector3};
 
 const ROWS: usize = 40;
 
@@ -16,35 +13,13 @@ fn parts(turn: UnitQuaternion<f64>) -> [f64; 4] {
     [turn.w, turn.i, turn.j, turn.k]
 }
 
-/// An arm as drawn at 40 poses, a reflector and a sensor on its flange; points good to 0.02 mm.
+/// What is said of an arm as drawn, with a sensor on its flange whose orientations are `written` so.
 fn answer(written: Written<'_>) -> Findings {
-    let robot = SerialArm::built_in("irb140").unwrap();
-    let chain = SerialChain::nominal(&robot);
-    let instrument_from_base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.1, -0.2, 2.0));
+    let cell = NominalCell::new(ROWS);
     let flange_from_sensor = UnitQuaternion::from_scaled_axis(Vector3::new(0.6, -1.0, 0.4));
-    // Square roots of primes: multiples that fill an interval evenly and follow nothing.
-    let even = |k: usize, root: f64| 2.0 * ((k + 1) as f64 * root.sqrt()).fract() - 1.0;
-    let poses: Vec<([f64; 6], Isometry3<f64>)> = (0..ROWS)
-        .map(|k| {
-            let widest = [1.2, 0.7, 0.6, 1.5, 1.0, 2.0];
-            let q_rad = std::array::from_fn(|j| {
-                even(k, [2.0, 3.0, 5.0, 7.0, 11.0, 13.0][j]) * widest[j] + f64::from(u8::from(j == 4)) * 1.1
-            });
-            (q_rad, instrument_from_base * chain.forward(&Joints::from(q_rad)))
-        })
-        .collect();
     let seen: Vec<UnitQuaternion<f64>> =
-        poses.iter().map(|(_, pose)| pose.rotation * flange_from_sensor).collect();
-    let mut csv = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz\n".to_owned();
-    for (k, (q_rad, pose)) in poses.iter().enumerate() {
-        let noise_mm = [17.0, 19.0, 23.0].map(|root| 0.035 * even(k, root));
-        let point_mm = (pose * Point3::new(0.05, -0.03, 0.12)).coords * 1e3 + Vector3::from(noise_mm);
-        let joints = q_rad.map(|q| format!("{:.6}", q.to_degrees())).join(",");
-        let turn = written(k, &seen).map(|part| format!("{part:.7}")).join(",");
-        writeln!(csv, "{joints},{:.4},{:.4},{:.4},{turn}", point_mm.x, point_mm.y, point_mm.z).unwrap();
-    }
-    let options = DiagnosisOptions { tool_m: None, sigma_m: Some(2e-5) };
-    diagnose(&Measurements::from_csv(csv.as_bytes()).unwrap(), &robot, &options)
+        cell.flanges.iter().map(|flange| flange.rotation * flange_from_sensor).collect();
+    cell.answer("qw,qx,qy,qz", |k| written(k, &seen).map(|part| format!("{part:.7}")).join(","))
 }
 
 /// What is said of a file whose orientations are `written` so, and the lines.

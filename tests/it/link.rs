@@ -232,6 +232,19 @@ fn a_corrected_module_is_pushed_loaded_and_set() {
             (code, out.as_str()),
             (0, "T_ROB1/MOD_Cube45 tcMode 20\nT_ROB1/MOD_Cube45 tcState{2} 0\n")
         );
+        let json = |arguments: &[&str]| {
+            let (code, out, message) = shop.run(&[arguments, &["--json", "-"]].concat());
+            assert_eq!(code, 0, "{message}");
+            serde_json::from_str::<serde_json::Value>(&out).unwrap()
+        };
+        let set = json(&["set", "HOST", "tcMode", "-1"]);
+        assert_eq!((&set["before"], &set["value"]), (&"20".into(), &"-1".into()), "{set}");
+        let got = json(&["get", "HOST", "tcMode"]);
+        assert_eq!(
+            (&got["data"][0]["name"], &got["data"][0]["value"]),
+            (&"tcMode".into(), &"-1".into()),
+            "{got}"
+        );
     });
 }
 

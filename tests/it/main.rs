@@ -47,6 +47,7 @@ mod measuring;
 mod messages;
 mod model;
 mod next_poses;
+mod nominal_cell;
 mod oracle;
 mod oracle_of_two;
 mod paper;
@@ -60,6 +61,7 @@ mod shop;
 mod simulate;
 mod slow_noise;
 #[cfg(target_os = "linux")]
+mod sound_files;
 mod stepped;
 mod tabulate;
 #[path = "../../fuzz/targets/mod.rs"]

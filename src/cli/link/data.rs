@@ -2,9 +2,12 @@
 
 use super::connection::Connection;
 use crate::application::is_emitted_name;
+use crate::cli::files::Output;
 use crate::cli::{Console, Outcome};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Session;
+use serde_json::json;
+use std::path::PathBuf;
 
 /// Options of `link get`.
 #[derive(Debug, clap::Args)]
@@ -16,6 +19,10 @@ pub struct GetArgs {
     /// Data of corrected programs, `tcMode`, `tcMinute`, `tcState{2}`.
     #[arg(required = true, value_name = "NAME")]
     names: Vec<String>,
+
+    /// The same as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<PathBuf>,
 }
 
 /// Options of `link set`.
@@ -36,6 +43,10 @@ pub struct SetArgs {
     /// The module, where several have data of this name.
     #[arg(long, value_name = "MODULE")]
     module: Option<String>,
+
+    /// What was set and what it was before, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<PathBuf>,
 }
 
 /// Where on the controller data are.
@@ -50,14 +61,21 @@ struct Place {
 /// `link::*`.
 pub fn get(args: &GetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
     args.names.iter().try_for_each(|name| check(name))?;
+    let json = Output::new(args.json.as_deref())?;
+    let takes_standard_output = json.is_standard();
     let mut session = args.connection.open(console)?;
+    let mut found = Vec::new();
     for name in &args.names {
-        for place in places(&mut session, name)? {
-            let value = session.value(&place.task, &place.module, name)?;
-            writeln!(console.out(), "{}/{} {name} {value}", place.task, place.module)?;
+        for Place { task, module } in places(&mut session, name)? {
+            let value = session.value(&task, &module, name)?;
+            if !takes_standard_output {
+                writeln!(console.out(), "{task}/{module} {name} {value}")?;
+            }
+            found.push(json!({ "task": task, "module": module, "name": name, "value": value }));
         }
     }
     session.end()?;
+    json.write(console, || Ok(format!("{:#}\n", json!({ "data": found })).into_bytes()))?;
     Ok(Outcome::Done)
 }
 
@@ -67,6 +85,8 @@ pub fn get(args: &GetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
 /// `link::*`.
 pub fn set(args: &SetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
     check(&args.name)?;
+    let json = Output::new(args.json.as_deref())?;
+    let takes_standard_output = json.is_standard();
     let mut session = args.connection.open(console)?;
     let mut found = places(&mut session, &args.name)?;
     if let Some(module) = &args.module {
@@ -88,7 +108,12 @@ pub fn set(args: &SetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
     })?;
     session.end()?;
     let Place { task, module } = place;
-    writeln!(console.out(), "{task}/{module} {} {} (was {before}; read back)", args.name, args.value)?;
+    if !takes_standard_output {
+        writeln!(console.out(), "{task}/{module} {} {} (was {before}; read back)", args.name, args.value)?;
+    }
+    let set =
+        json!({ "task": task, "module": module, "name": args.name, "value": args.value, "before": before });
+    json.write(console, || Ok(format!("{set:#}\n").into_bytes()))?;
     Ok(Outcome::Done)
 }
 

@@ -25,6 +25,14 @@ fn inspect_writes_json_and_csv() {
 }
 
 #[test]
+fn a_robot_is_shown_as_json() {
+    let output = driftpost(&["robot", "--robot", "irb140", "--json", "-"]);
+    let robot: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(robot["joints"].as_array().unwrap().len(), 6);
+    assert_eq!(robot["joints"][1]["range"], serde_json::json!([-90.0, 110.0]), "ABB's data sheet");
+}
+
+#[test]
 fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::default();
     let result = bench.path("o.mod");

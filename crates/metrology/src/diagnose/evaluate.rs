@@ -34,6 +34,8 @@ use robot_model::deform::identified::Identified;
 use robot_model::kinematics::SerialChain;
 use robot_model::units::mm_from_m;
 
+/// A model that leaves more than this share of the gap at poses held out follows the poses measured alone.
+const FOLLOWED: f64 = 0.9;
 /// How often the arm is made linear about the joints as they are found turned.
 const MOST_TURNED: usize = 2;
 /// Geometry this many tolerances off, all joints together, is no mere nuisance any more.
@@ -107,6 +109,11 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     }
     fitted.workspace.library.gp_alternatives.clear();
     let shrink = heldout::shrink(&mut fitted, &folds);
+    if shrink.ratio.is_some_and(|ratio| ratio > FOLLOWED)
+        && let Some(fault) = rounding::find(measured, &fitted, FaultPrior::FollowedHereAlone)
+    {
+        return Evaluation::without_model(Findings::of_fault(fault));
+    }
     let not_carried = judgement.hold_against(&shrink);
     let identification = wants_model.then(|| match not_carried {
         Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),

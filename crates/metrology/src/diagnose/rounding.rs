@@ -36,6 +36,8 @@ const MOST_SCATTER: f64 = 9.0;
 pub(super) enum FaultPrior {
     /// Nothing else speaks against the file.
     NoOtherFault,
+    /// What the model follows at the poses measured it does not follow at poses held out.
+    FollowedHereAlone,
     /// The file is wrong; the question is in which column.
     KnownFault,
 }
@@ -59,7 +61,7 @@ pub(super) fn find(
     // Nobody commands one joint in round steps and the others to the last decimal.
     let all_joints = grid.joints.len() == linear.dataset.turning().count();
     let proves_nothing =
-        all_joints && COMMANDED_DEG.contains(&grid.step_deg) && prior == FaultPrior::NoOtherFault;
+        all_joints && COMMANDED_DEG.contains(&grid.step_deg) && prior != FaultPrior::KnownFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     let known_m2 = model.noise.known.map(|known| known.sigma_m.powi(2));
     let scatter = RoundedScatter::of(&linear.dataset, &model.outliers, &grid, known_m2);
@@ -89,7 +91,8 @@ pub(super) fn find(
         && plain_m2 < MOST_SCATTER * (expected_m2 + known_m2.unwrap_or(0.0));
     // Many lines of a gear follow some dozens of rounded angles as closely as one likes: the size of the scatter, which nothing was fitted
     // to, speaks louder where one column alone has so few decimals.
-    let one_column = !all_joints
+    let one_column = prior == FaultPrior::FollowedHereAlone
+        && !all_joints
         && gain_nats > CLEAR_NATS
         && (1.0 / SAME_SIZE..SAME_SIZE).contains(&(plain_m2 / (expected_m2 + known_m2.unwrap_or(0.0))));
     let beside_causes =

@@ -22,11 +22,11 @@ const HOT_C: f64 = 55.0;
 /// As cold as this, in the other unit, is a room, °C.
 const ROOM_C: [f64; 2] = [5.0, 45.0];
 /// Steps of time in seconds are between these many times the ones before, in minutes: 60, where the work goes on as before.
-const SECONDS_A_MINUTE: [f64; 2] = [30.0, 120.0];
+const SECONDS_A_MINUTE: [f64; 2] = [48.0, 75.0];
 /// The next row comes within so many usual steps of the one before.
-const LATER_STEPS: f64 = 10.0;
+const LATER_STEPS: f64 = 4.0;
 /// Fewer rows on either side say nothing of how fast time goes there.
-const FEWEST_STAMPS: usize = 4;
+const FEWEST_STAMPS: usize = 8;
 /// Fewer rows than this say nothing of a unit.
 const FEWEST_ROWS: usize = 3;
 

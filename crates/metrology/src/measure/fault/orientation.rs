@@ -14,6 +14,8 @@ const SOUND_M: f64 = 4e-3;
 const SPREAD_M: f64 = 0.03;
 /// Orientations within this of each other are one: instruments and arms err by less, radians.
 const NEAR_RAD: f64 = 0.1;
+/// Orientations that lie apart by less in the middle may be those of a poor sensor, radians.
+const SCATTER_RAD: f64 = 0.4;
 /// Orientations nearer to each other than this are one, radians: what sensors scatter by where nothing moves.
 const STILL_RAD: f64 = 2e-3;
 /// Rows further off than so many times the middle one are far.
@@ -223,7 +225,7 @@ impl Oriented {
     fn fault(&self) -> Option<Fault> {
         let as_read = self.as_read()?;
         if 2 * as_read.near < self.rows.len() {
-            return Some(self.of_all());
+            return self.of_all(&as_read);
         }
         let limit_rad = NEAR_RAD.max(FAR_TIMES * as_read.middle_rad);
         let far: Vec<usize> = (0..self.rows.len()).filter(|&i| as_read.off_rad[i] > limit_rad).collect();
@@ -231,8 +233,8 @@ impl Oriented {
         if few { None } else { self.of_some(&as_read, &far, limit_rad) }
     }
 
-    /// What is wrong with all rows.
-    fn of_all(&self) -> Fault {
+    /// What is wrong with all rows, where they agree with no sensor as they are read; `None` where they may only scatter.
+    fn of_all(&self, as_read: &Sensor) -> Option<Fault> {
         let changed = changes().into_iter().filter_map(|Change { description, change }| {
             Some((self.sensor(&self.turns(change))?, description))
         });
@@ -244,6 +246,12 @@ impl Oriented {
             .chain(late)
             .reduce(|best, next| if next.0.beats(&best.0) { next } else { best })
             .filter(|(sensor, _)| sensor.near as f64 >= MOST * self.rows.len() as f64);
+        let mut off_rad = as_read.off_rad.clone();
+        off_rad.sort_by(f64::total_cmp);
+        let scatters = off_rad.get(off_rad.len() / 2).is_some_and(|middle_rad| *middle_rad < SCATTER_RAD);
+        if found.is_none() && scatters {
+            return None;
+        }
         let reason = found.map_or_else(
             || {
                 format!(
@@ -253,7 +261,7 @@ impl Oriented {
             },
             |(_, what)| format!("{what}: so read they go with the points and joints, as they stand they do not"),
         );
-        Fault::of_all(FaultKind::Orientations, Some(COLUMNS), reason)
+        Some(Fault::of_all(FaultKind::Orientations, Some(COLUMNS), reason))
     }
 
     /// The orientation of one row beside the joints of the next.

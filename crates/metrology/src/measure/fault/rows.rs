@@ -357,7 +357,14 @@ impl FarRows<'_> {
         }
         let column = robot.column(Axis::at(joint));
         Some(self.fault(FaultKind::JointColumns, &column, &which, |count, lines| {
-            format!("in {count} rows ({lines}) column {column} is off by {:+.2} deg", -deg_from_rad(by_rad))
+            let target = match joint + 1 == robot.joints.len() {
+                true => ", or the target was turned about that joint's axis",
+                false => "",
+            };
+            format!(
+                "in {count} rows ({lines}) column {column} is off by {:+.2} deg{target}",
+                -deg_from_rad(by_rad)
+            )
         }))
     }
 
