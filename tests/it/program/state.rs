@@ -305,7 +305,7 @@ PROC sub1()\n{MOVE}t:={};\nENDPROC\nPROC other()\nENDPROC",
 fn of_several_reasons_that_which_holds_in_every_form_is_told() {
     let data = format!("VAR num n;\n{}", data());
     let body = format!(
-        "n:=DInput(d);\nMoveL Offs(p,n,0,0),v100,fine,t;\nPDispOn \\ExeP:=p,p,tool0;\nMoveL Offs(p,n,0,0),v100,fine,t;\n{MOVE}PDispOff;"
+        "n:=DInput(d);\nMoveL Offs(p,n,0,0),v100,fine,t;\nPDispOn p,tool0;\nMoveL Offs(p,n,0,0),v100,fine,t;\n{MOVE}PDispOff;"
     );
     let read = main_of(&data, &body);
     assert_eq!(codes(&read), ["keep::runtime-target", "keep::displacement", "keep::displacement"]);
@@ -333,7 +333,7 @@ ENDPROC",
 #[test]
 fn displacements_keep_motion_until_they_are_off() {
     for (on, off, expected) in [
-        ("PDispOn \\ExeP:=p,p,tool0;", "PDispOff;", "keep::displacement"),
+        ("PDispOn p,tool0;", "PDispOff;", "keep::displacement"),
         ("PDispSet [[0,0,1],[1,0,0,0]];", "PDispOff;", "keep::displacement"),
         ("PDispSet [[0,0,1],[1,0,0,0]];", "PDispSet [[0,0,0],[1,0,0,0]];", "keep::displacement"),
         ("EOffsSet [1,0,0,0,0,0];", "EOffsOff;", "keep::external-offset"),

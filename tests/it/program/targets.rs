@@ -337,24 +337,6 @@ MoveL p10,v100,fine,tool0\\WObj:=other;",
     assert_eq!(codes(&program)[4], "keep::wobj-unknown");
 }
 
-/// Without `\ExeP` the displacement is from where the arm stands: corrected, it would displace what follows by its correction.
-#[test]
-fn the_point_that_a_displacement_is_counted_from_is_kept() {
-    let data = format!(
-        "CONST robtarget p10:={};\nCONST robtarget p20:={};\nVAR robtarget seen;\nPERS tooldata t:=[TRUE,[[0,0,0],[1,0,0,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];",
-        at(10, 0, 0),
-        at(20, 0, 0)
-    );
-    let moves = |displaced: &str| {
-        let text = format!("MoveL p10,v100,fine,t;\n{displaced}\nMoveL p20,v100,fine,t;\nPDispOff;");
-        let program = main_of(&data, &text);
-        codes(&program).iter().map(|code| (*code).to_owned()).collect::<Vec<String>>()
-    };
-    assert_eq!(moves("PDispOn p10,t;"), ["keep::calibration", "keep::displacement"]);
-    assert_eq!(moves("PDispOn \\Rot,p10,t;"), ["keep::calibration", "keep::displacement"]);
-    assert_eq!(moves("PDispOn \\ExeP:=seen,p10,t;"), ["-", "keep::displacement"]);
-}
-
 #[test]
 fn what_is_to_be_measured_is_kept() {
     let text = |module: &str| {

@@ -11,7 +11,8 @@ use crate::program::motion::Motion;
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::{Conditions, Payload};
+use robot_model::deform::Payload;
+use robot_model::deform::identified::Identified;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, rad_from_deg};
 
@@ -113,10 +114,11 @@ pub(super) fn check(
                 "the tool's own load data are taken; --payload-kg KG names the whole load on the flange";
             messages.add(Some(motion.setup.routine), message.help(help));
         }
-        for (k, q_rad) in resolved.q_rad().iter().enumerate() {
-            check_point(motion, (q_rad, &resolved.conditions_at(k)), model, messages);
+        for q_rad in resolved.q_rad() {
+            check_point(motion, q_rad, model, messages);
         }
     }
+    check_loads(program, identified, resolved, messages);
 }
 
 /// Warns of what the model has that a program cannot have, and of the conditions for which it is asked.
@@ -168,12 +170,39 @@ fn warmer(model: &Model<'_>, messages: &mut Messages) {
     messages.add(None, Diagnostic::warning("model::temperature-range", text).help(help));
 }
 
-fn check_point(
-    motion: &Motion,
-    (q_rad, conditions): (&[f64; 6], &Conditions),
-    model: &Model<'_>,
-    messages: &mut Messages,
-) {
+/// Warns of motions under loads that the model was not found with, those under the furthest ones first.
+fn check_loads(program: &Program, identified: &Identified, resolved: &[Resolved], messages: &mut Messages) {
+    if !identified.needs_load() {
+        return;
+    }
+    let [low, high] = identified.measured_range.payload_kg.unwrap_or([0.0, 0.0]);
+    let mut beyond: Vec<(f64, f64, &Motion)> = program
+        .motions
+        .iter()
+        .zip(resolved)
+        .flat_map(|(motion, resolved)| {
+            (0..resolved.q_rad().len()).map(move |k| (resolved.conditions_at(k).payload.mass_kg, motion))
+        })
+        .map(|(kg, motion)| ((low - kg).max(kg - high), kg, motion))
+        .filter(|(beyond_kg, ..)| *beyond_kg > SLACK_KG)
+        .collect();
+    beyond.sort_by(|a, b| b.0.total_cmp(&a.0));
+    for (_, kg, motion) in &beyond {
+        let of_routine = |(.., other): &&(f64, f64, &Motion)| other.setup.routine == motion.setup.routine;
+        let furthest = beyond.iter().find(of_routine).filter(|(_, furthest, _)| furthest != kg);
+        let elsewhere =
+            furthest.map_or_else(String::new, |(_, kg, other)| format!(", {kg} kg in line {}", other.line));
+        let text = format!(
+            "line {}: the load is {kg} kg{elsewhere}; the model was found with {low} to {high} kg",
+            motion.line
+        );
+        let message = Diagnostic::warning("model::payload", text).at(span_of(motion));
+        let help = "measure with that load too, or name the load with --payload-kg";
+        messages.add(Some(motion.setup.routine), message.help(help));
+    }
+}
+
+fn check_point(motion: &Motion, q_rad: &[f64; 6], model: &Model<'_>, messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
     let seen = &identified.measured_range;
     let mut warn = |code, text: String, help: &'static str| {
@@ -195,15 +224,6 @@ fn check_point(
                 deg_from_rad(q_rad[j])
             ),
             "outside of what was measured the model is a guess: measure there too",
-        );
-    }
-    let kg = conditions.payload.mass_kg;
-    let [low, high] = seen.payload_kg.unwrap_or([0.0, 0.0]);
-    if identified.needs_load() && (kg < low - SLACK_KG || kg > high + SLACK_KG) {
-        warn(
-            "model::payload",
-            format!("the load is {kg} kg; the model was found with {low} to {high} kg"),
-            "measure with that load too, or name the load with --payload-kg",
         );
     }
 }

@@ -178,6 +178,12 @@ fn quadrants(numbers: [f64; 4]) -> Result<ConfData, ConversionError> {
     Ok(ConfData { cf1, cf4, cf6, cfx })
 }
 
+/// The external axes of a robtarget or jointtarget, where they are known.
+pub(super) fn external_axes(value: &Value) -> Option<ExtJoint> {
+    let joints = jointtarget(value).map(|joints| joints.ext);
+    joints.or_else(|_| robtarget(value).map(|target| target.ext)).ok()
+}
+
 /// A value as `extjoint`: `None` for an axis that is not used.
 pub(super) fn extjoint(value: &Value) -> Result<ExtJoint, ConversionError> {
     Ok(numbers::<6>(value, "extjoint")?.map(used))

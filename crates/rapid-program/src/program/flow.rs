@@ -1,15 +1,16 @@
 //! The ways through a routine: its statements reduced to what matters for motion, and the walk that
 //! carries a state along all of them, joining where ways meet, until nothing changes any more.
 
-use super::data::LoadData;
+use super::data::{LoadData, external_axis_letter};
 use super::errors::Recovery;
 use super::ids::{DatumId, RoutineIndex, Slot};
-use super::index::Ctx;
-use super::motion::MotionId;
+use super::index::{Ctx, Index};
+use super::motion::{MotionId, SkipReason};
 use super::names::{ByNumber, Sym};
 use super::value::Why;
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::Expr;
+use std::rc::Rc;
 
 /// A routine reduced to what matters.
 #[derive(Debug, Default)]
@@ -69,6 +70,17 @@ pub(super) enum FlowStep<'a> {
         recovery: Recovery,
         ctx: Ctx,
     },
+    /// A motion has placed external axes as the value of a target says, which only the state tells.
+    ExternalAxes {
+        /// The motion's last target.
+        target: &'a Expr,
+        /// From where its names are looked up.
+        ctx: Ctx,
+        /// The motion.
+        at: Span,
+        /// The axes that carry neither the robot's base nor the work object.
+        fixed: [bool; 6],
+    },
     /// An error may come here; what becomes of it.
     MayFail(Recovery),
     /// A routine that is not given, or text that was not understood: where the arm stands after it is
@@ -99,18 +111,35 @@ pub(super) enum Blocker {
     LockedAxis,
     /// Motion together with others: SyncMoveOn.
     MultiMove,
-    /// An external axis that may carry the robot's base has been placed away from 0, and stays there where a target names no place for it.
-    PlacedAxis,
+    /// An external axis, counted from 0, that may carry the robot's base has been placed away from 0, and stays there where a target names no
+    /// place for it.
+    PlacedAxis(u8),
+}
+
+/// Why an external axis, counted from 0, keeps motion that names no place for it, where a motion `at` some place has placed it.
+pub(super) fn placed_axis(index: &Index<'_>, axis: u8, at: Span) -> Why {
+    let axis = external_axis_letter(usize::from(axis));
+    let reason = format!(
+        "external axis {axis}, which may carry the robot's base or the work object, was placed before and stays there (--base-fixed {axis} says \
+         that it carries neither): {}",
+        index.place(at)
+    );
+    Rc::new(SkipReason { code: "keep::external-base", reason, because: Some(at) })
 }
 
 /// All blockers, in the order in which a state has them.
-pub(super) const BLOCKERS: [Blocker; 6] = [
+pub(super) const BLOCKERS: [Blocker; 11] = [
     Blocker::Displacement,
     Blocker::ExternalOffset,
     Blocker::SoftServo,
     Blocker::LockedAxis,
     Blocker::MultiMove,
-    Blocker::PlacedAxis,
+    Blocker::PlacedAxis(0),
+    Blocker::PlacedAxis(1),
+    Blocker::PlacedAxis(2),
+    Blocker::PlacedAxis(3),
+    Blocker::PlacedAxis(4),
+    Blocker::PlacedAxis(5),
 ];
 
 /// What is carried along the ways.

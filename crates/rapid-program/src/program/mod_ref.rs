@@ -38,6 +38,7 @@ impl RoutineEffects {
             | FlowStep::Blocker(_, None)
             | FlowStep::UnknownPosition
             | FlowStep::ExitCycle
+            | FlowStep::ExternalAxes { .. }
             | FlowStep::MayFail(_) => {}
         }
     }

@@ -29,7 +29,7 @@ use super::writes::Writes;
 use super::{Overrides, Program, is_of_task};
 use frames::{Frames, Seen};
 use like_the_last::Last;
-use motion_target::{MotionTargets, names_axes};
+use motion_target::{MotionTargets, leaves_axes};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::Expr;
@@ -276,7 +276,10 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         }
         let MotionTargets { targets, reached, read_elsewhere } =
             self.targets(&args, (ctx, form.path, at), &mut reasons);
-        let leaves_axes = form.path != Path::AbsJoint && !names_axes(&targets, self.base_fixed);
+        let leaves_axes = match form.path {
+            Path::AbsJoint => [false; 6],
+            _ => leaves_axes(&targets),
+        };
         // Motion settings may be other ones in a later pass than in the first.
         reasons.add_state(seen.any, &args, leaves_axes);
         let known: &dyn TrackedValues = match seen.first {

@@ -11,7 +11,7 @@ use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::tracked::{names_in, sources};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
-use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, RoutineKind, Stmt, StmtKind};
+use rapid_syntax::tree::{Callee, Expr, RoutineKind, Stmt, StmtKind};
 use std::rc::Rc;
 
 /// What makes a tool, a frame or a zone out of targets: the arm must stand where those say.
@@ -123,8 +123,8 @@ impl Reading {
 
     /// Why a motion to the target stays as it is, where it must.
     pub(super) fn skip_reason(&self, index: &Index<'_>) -> Option<SkipReason> {
-        let what = if is_calibration(&self.by) { "a tool, frame or zone" } else { "a displacement" };
-        let reason = format!("{} makes {what} of its target: {}", self.by, index.place(self.at));
+        let reason =
+            format!("{} makes a tool, frame or zone of its target: {}", self.by, index.place(self.at));
         let because = Some(self.at);
         self.calibrates.then_some(SkipReason { code: "keep::calibration", reason, because })
     }
@@ -172,7 +172,7 @@ fn statement(index: &Index<'_>, ctx: Ctx, stmt: &Stmt, direct: &mut ByNumber<Dat
         StmtKind::Return(_) if !returns_target => "RETURN".into(),
         _ => return calibrating_functions(index, ctx, stmt, at, direct),
     };
-    let calibrates = is_calibration(&by) || is_displaced_from_here(index, ctx, stmt);
+    let calibrates = is_calibration(&by);
     for expr in expressions_of(stmt) {
         names_in(index, ctx, expr, &mut |datum| {
             enter(direct, datum, &Reading { at, by: Rc::clone(&by), calibrates });
@@ -203,20 +203,6 @@ fn calibrating_functions(
             }
         });
     }
-}
-
-/// `PDispOn p,tool`: what follows is displaced by how far the arm stands from `p`, by nothing where it stands there.
-fn is_displaced_from_here(index: &Index<'_>, ctx: Ctx, stmt: &Stmt) -> bool {
-    let StmtKind::Call(call) = &stmt.kind else { return false };
-    let Callee::Name(name) = call.callee else { return false };
-    let option = |arg: &Arg| match &arg.kind {
-        ArgKind::Named { name, .. } | ArgKind::Conditional { name, .. } => {
-            Some(lower_case(index.text(ctx.file, *name)))
-        }
-        _ => None,
-    };
-    *lower_case(index.text(ctx.file, name)) == *"pdispon"
-        && !call.args.iter().filter_map(option).any(|name| *name == *"exep")
 }
 
 fn is_calibration(name: &str) -> bool {

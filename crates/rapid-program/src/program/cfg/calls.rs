@@ -5,14 +5,13 @@ use crate::program::built_in::is_built_in_function;
 use crate::program::call_arguments::{NotGiven, doubtful_arguments, match_arguments};
 use crate::program::const_eval::Constant;
 use crate::program::convert;
-use crate::program::data::{ExtJoint, external_axis_letter};
+use crate::program::data::ExtJoint;
 use crate::program::errors::arguments_may_fail;
 use crate::program::expressions::every_call;
-use crate::program::flow::{Binding, Blocker, FlowStep, Node};
+use crate::program::flow::{Binding, Blocker, FlowStep, Node, placed_axis};
 use crate::program::ids::{DatumId, RoutineIndex};
 use crate::program::index::{DatumKind, Resolved};
 use crate::program::motion::MotionId;
-use crate::program::motion_site::MotionSite;
 use crate::program::move_instructions::Special;
 use crate::program::names::{as_text, lower_case};
 use crate::program::value::{self, Value};
@@ -51,51 +50,45 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
     }
 
-    /// Where a motion leaves external axes that may carry the robot's base: what its last target says of them, where that is known. A run of
-    /// motions that all place one, or all none, is told once.
+    /// Where a motion leaves external axes that may carry the robot's base: what its last target says of them. A run of motions that place the
+    /// same ones is told once.
     fn external_axes(&mut self, motion: MotionId, at: Span, out: &mut Vec<Node<'a>>) {
-        let Some(ext) = self.sites.motions.get(motion.index()).and_then(|site| self.last_axes(site)) else {
-            return;
+        let index = self.index();
+        let target =
+            self.sites.motions.get(motion.index()).and_then(|site| site.args(index).targets.last().copied());
+        let Some(target) = target else { return };
+        let Some(ext) = self.axes_as_written(target) else {
+            let fixed = self.base_fixed;
+            return out.push(Node::Step(FlowStep::ExternalAxes { target, ctx: self.ctx, at, fixed }));
         };
-        let fixed = self.base_fixed;
-        let mut carrying = ext
-            .into_iter()
-            .zip(fixed)
-            .enumerate()
-            .filter_map(|(axis, (place, fixed))| place.filter(|_| !fixed).map(|place| (axis, place)));
-        let Some(first) = carrying.next() else { return };
-        let placed = std::iter::once(first).chain(carrying).find(|(_, place)| *place != 0.0);
-        let is_as_before = matches!(
-            out.iter().rev().nth(1),
-            Some(Node::Step(FlowStep::Blocker(Blocker::PlacedAxis, before))) if before.is_some() == placed.is_some()
-        );
-        if is_as_before {
+        let placed: Vec<(u8, bool)> = (0_u8..)
+            .zip(ext.into_iter().zip(self.base_fixed))
+            .filter_map(|(axis, (place, fixed))| Some((axis, place.filter(|_| !fixed)? != 0.0)))
+            .collect();
+        let is_as_before = |placed: &(u8, bool)| {
+            let mut earlier = out.iter().rev().skip(1).map_while(|node| match node {
+                Node::Step(FlowStep::Blocker(Blocker::PlacedAxis(axis), why)) => Some((*axis, why.is_some())),
+                _ => None,
+            });
+            earlier.any(|known| known == *placed)
+        };
+        if placed.iter().all(is_as_before) {
             return;
         }
-        let why = placed.map(|(axis, _)| {
-            let axis = external_axis_letter(axis);
-            self.why(
-                at,
-                format!(
-                    "external axis {axis}, which may carry the robot's base or the work object, was placed before and stays there \
-                     (--base-fixed {axis} says that it carries neither)"
-                ),
-            )
-        });
-        out.push(Node::Step(FlowStep::Blocker(Blocker::PlacedAxis, why)));
+        for (axis, is_placed) in placed {
+            let why = is_placed.then(|| placed_axis(self.index(), axis, at));
+            out.push(Node::Step(FlowStep::Blocker(Blocker::PlacedAxis(axis), why)));
+        }
     }
 
-    /// The external axes of a motion's last target, where that is known from the text alone.
-    fn last_axes(&mut self, site: &MotionSite<'a>) -> Option<ExtJoint> {
-        let args = site.args(self.index());
-        let target = *args.targets.last()?;
+    /// The external axes of a target, where the text alone tells them.
+    fn axes_as_written(&mut self, target: &'a Expr) -> Option<ExtJoint> {
         if let Some(target) = convert::robtarget_as_written(self.text(target.range)) {
             return Some(target.ext);
         }
         let ctx = self.ctx;
         let value = self.evaluator.fold(target, ctx, &Constant).ok()?.value;
-        let joints = convert::jointtarget(&value).map(|joints| joints.ext);
-        joints.or_else(|_| convert::robtarget(&value).map(|target| target.ext)).ok()
+        convert::external_axes(&value)
     }
 
     /// Whether the arm stands at the target behind a motion.

@@ -3,7 +3,7 @@
 
 use super::MotionReader;
 use super::frames::Seen;
-use super::motion_target::{moving_axis, names_axes};
+use super::motion_target::{leaves_axes, moving_axis};
 use crate::program::convert;
 use crate::program::flow::Blocker;
 use crate::program::index::Ctx;
@@ -52,8 +52,10 @@ impl<'a> MotionReader<'_, 'a> {
         let file = ctx.file;
         let target = Target::new(expr.range, Origin::Inline).with_value(&value);
         let target = target.with_literal(Span { file, range: expr.range });
-        let leaves_axes = !names_axes(std::slice::from_ref(&target), self.base_fixed);
-        let is_placed = leaves_axes && seen.any.is_some_and(|state| state.is_in_force(Blocker::PlacedAxis));
+        let leaves = leaves_axes(std::slice::from_ref(&target));
+        let is_placed = seen.any.is_some_and(|state| {
+            (0_u8..).zip(leaves).any(|(axis, leaves)| leaves && state.is_in_force(Blocker::PlacedAxis(axis)))
+        });
         if is_placed || moving_axis(&target, self.base_fixed).is_some() {
             return None;
         }

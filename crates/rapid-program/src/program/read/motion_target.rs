@@ -4,7 +4,7 @@ use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, skip};
 use crate::program::const_eval::{Constant, NameMeaning};
 use crate::program::convert;
-use crate::program::data::{ExtJoint, external_axis_letter};
+use crate::program::data::external_axis_letter;
 use crate::program::finite_set::FiniteSet;
 use crate::program::ids::DatumId;
 use crate::program::index::{Ctx, DatumKind};
@@ -199,17 +199,19 @@ pub(super) fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char
     })
 }
 
-/// Whether all values of a motion's last target name a place for an external axis that may carry the robot's base.
-pub(super) fn names_axes(targets: &[Target], base_fixed: [bool; 6]) -> bool {
-    let named =
-        |ext: ExtJoint| ext.into_iter().zip(base_fixed).any(|(place, fixed)| place.is_some() && !fixed);
-    targets.last().is_some_and(|target| {
-        let mut values = target.values().peekable();
-        values.peek().is_some()
-            && values.all(|value| match value {
-                TargetValue::Rob(target) => named(target.ext),
-                TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => named(joints.ext),
-            })
+/// The external axes for which some value of a motion's last target names no place: they stay where they are.
+pub(super) fn leaves_axes(targets: &[Target]) -> [bool; 6] {
+    let Some(target) = targets.last() else { return [true; 6] };
+    let mut values = target.values().peekable();
+    if values.peek().is_none() {
+        return [true; 6];
+    }
+    values.fold([false; 6], |leaves, value| {
+        let ext = match value {
+            TargetValue::Rob(target) => target.ext,
+            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
+        };
+        std::array::from_fn(|axis| leaves[axis] || ext[axis].is_none())
     })
 }
 

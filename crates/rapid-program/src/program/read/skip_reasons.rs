@@ -53,7 +53,7 @@ impl SkipReasons {
     }
 
     /// Those of what is in force there; `None`: no way leads there.
-    pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>, leaves_axes: bool) {
+    pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>, leaves_axes: [bool; 6]) {
         let Some(state) = state else {
             return self.add(skip("keep::unreachable", "no way through the program leads here".into()));
         };
@@ -64,7 +64,7 @@ impl SkipReasons {
         let no_offsets = args.options.iter().any(|(name, _)| name == "noeoffs");
         let does_not_hold = |hold: &Blocker| match hold {
             Blocker::ExternalOffset => no_offsets,
-            Blocker::PlacedAxis => !leaves_axes,
+            Blocker::PlacedAxis(axis) => !leaves_axes[usize::from(*axis)],
             _ => false,
         };
         for (hold, held) in BLOCKERS.iter().zip(&state.blockers).filter(|(hold, _)| !does_not_hold(hold)) {
@@ -75,7 +75,7 @@ impl SkipReasons {
                     Blocker::SoftServo => "keep::soft-servo",
                     Blocker::LockedAxis => "keep::locked-axis",
                     Blocker::MultiMove => "keep::multimove",
-                    Blocker::PlacedAxis => "keep::external-base",
+                    Blocker::PlacedAxis(_) => "keep::external-base",
                 };
                 self.add(SkipReason { code, reason: why.reason.clone(), because: why.because });
             }
