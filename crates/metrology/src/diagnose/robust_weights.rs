@@ -3,12 +3,16 @@
 use super::dataset::Twist;
 use super::linearise::{Linearised, shift_m, turn_rad};
 use super::moved_together;
+use nalgebra::Vector3;
 
 /// A station further than this many sigmas from the model, and alone there, is false.
 pub(super) const FALSE_SIGMAS: f64 = 4.5;
 /// A station whose measured orientation is so many sigmas from the model is false, whatever its neighbours: no structure is so much larger
 /// at one station than in the middle, a sensor that was read wrongly is.
 const FALSE_TURN_SIGMAS: f64 = 25.0;
+/// Two turns are one within this share of it, and about an axis from this cosine on.
+const TURNED_ALIKE: f64 = 0.3;
+const ABOUT: f64 = 0.95;
 /// So many of the nearest stations are asked whether they are off alike.
 const NEAREST: usize = 3;
 /// Two errors point the same way, or one along a joint's motion, from this cosine on.
@@ -72,8 +76,11 @@ impl RobustWeights {
 fn turns_beyond(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
     let turns: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| turn_rad(m) * w.sqrt()).collect();
     let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()) / 1.54;
+    let far: Vec<usize> = (0..turns.len()).filter(|&i| turns[i] > limit_rad).collect();
     let share = |(i, turn): (usize, &f64)| {
-        let is_false = *turn > limit_rad && !turned_alike(linear, residuals, i, limit_rad, TURN);
+        let is_false = *turn > limit_rad
+            && !turned_alike(linear, residuals, i, limit_rad, TURN)
+            && !far.iter().any(|&k| turned_as(linear, residuals, i, k));
         if is_false { turn / limit_rad } else { 0.0 }
     };
     turns.iter().enumerate().map(share).collect()
@@ -150,6 +157,32 @@ fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit: f64, 
     })
 }
 
+/// Whether the station `k`, of another visit, is turned as `i` is: in the base's axes, in the flange's, or about one joint's axis. Sensors that are
+/// read wrongly are turned anyhow.
+fn turned_as(linear: &Linearised, residuals: &[Twist], i: usize, k: usize) -> bool {
+    let observations = &linear.dataset.observations;
+    let same_visit = linear.dataset.visits.iter().any(|visit| visit.contains(&i) && visit.contains(&k));
+    if i == k || same_visit {
+        return false;
+    }
+    let turn = |i: usize| Vector3::new(residuals[i][3], residuals[i][4], residuals[i][5]);
+    let near = |a: Vector3<f64>, b: Vector3<f64>| (a - b).norm() < TURNED_ALIKE * a.norm();
+    let on_flange = |i: usize| observations[i].flange.transpose() * turn(i);
+    let about = |i: usize, joint: usize| {
+        let twist = observations[i].jacobian_column(joint);
+        let axis = Vector3::new(twist[3], twist[4], twist[5]);
+        let along = axis.dot(&turn(i));
+        (along.abs() > ABOUT * turn(i).norm()).then_some(along)
+    };
+    near(turn(i), turn(k))
+        || near(on_flange(i), on_flange(k))
+        || linear.dataset.turning().any(|joint| {
+            about(i, joint)
+                .zip(about(k, joint))
+                .is_some_and(|(here, there)| (here - there).abs() < TURNED_ALIKE * here.abs())
+        })
+}
+
 /// Upper median of the values; 0 of none.
 #[must_use]
 pub(super) fn upper_median(values: &mut [f64]) -> f64 {
@@ -162,7 +195,7 @@ mod tests {
     use super::*;
     use crate::diagnose::dataset::evenly_spread;
     use crate::measure::Registration;
-    use nalgebra::{Isometry3, Vector3};
+    use nalgebra::Isometry3;
 
     /// Two readings one after the other are false by 4 mm, the one before them is off by 0.1 mm in their direction, twice the noise: it
     /// does not excuse them. Off by 1 mm it does: what swells within some rows is no false reading.

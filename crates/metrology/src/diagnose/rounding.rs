@@ -117,7 +117,7 @@ fn rounded_joints(grid: &AngleGrid, robot: &SerialArm, all_joints: bool, scatter
         Some(&columns),
         format!(
             "{rounded} rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
-             ({scatter_mm:.2} mm rms): export the joints with at least 3 decimals"
+             ({scatter_mm:.2} mm rms): take them from the controller with all their digits, 3 decimals at least"
         ),
     )
 }

@@ -156,7 +156,7 @@ pub(crate) fn execute(
 ) -> Result<Option<String>, Fault> {
     let targets = targets_of(vm, form, args)?;
     let (tool, object) = tool_and_object(vm, args.at(form.tool)?, args.named("wobj"))?;
-    let setup = setup(&tool, &object, &vm.machine)?;
+    let setup = setup(&tool, &object, vm.machine)?;
     let output = form.output.map(|at| output_at(vm, args, at)).transpose()?;
     let start_q_rad = vm.arm.as_ref().and_then(|arm| arm.q_rad());
     let began_s = vm.machine.calendar.steady_s();

@@ -52,7 +52,7 @@ fn frame_data(vm: &mut Interpreter<'_>, expr: &Expr, plain: &str) -> Result<Valu
 /// Who holds what for a tool and a work object argument.
 pub(super) fn setup_of(vm: &mut Interpreter<'_>, tool: &Expr, wobj: Option<&Expr>) -> Result<Setup, Fault> {
     let (tool, wobj) = tool_and_object(vm, tool, wobj)?;
-    setup(&tool, &wobj, &vm.machine)
+    setup(&tool, &wobj, vm.machine)
 }
 
 /// Who holds what, by the values of tool and work object and what hangs on the flange of `machine`.

@@ -7,6 +7,7 @@
 use super::{Fault, FaultKind};
 use crate::measure::{Registration, Rotation, Station, register};
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
+use robot_model::units::deg_from_rad;
 
 /// Points that leave more than this in the middle tell nothing of the base, metres.
 const SOUND_M: f64 = 4e-3;
@@ -301,6 +302,9 @@ impl Oriented {
                 format!("in {count} rows ({which}) {}", change.description)
             }));
         }
+        if let Some(remounted) = self.remounted(sensor, far) {
+            return remounted;
+        }
         let many = (sensor.near as f64) < NEAR_SHARE * self.rows.len() as f64;
         let lines = far.iter().map(|&i| self.rows[i].line).collect();
         many.then(|| {
@@ -311,5 +315,29 @@ impl Oriented {
                 )
             })
         })
+    }
+
+    /// The sensor sits in another way in all rows to one side of some row: how, where that is more than a target that was turned on the flange,
+    /// which the diagnosis finds.
+    fn remounted(&self, sensor: &Sensor, far: &[usize]) -> Option<Option<Fault>> {
+        let (first, last) = (*far.first()?, *far.last()?);
+        let side = if first == 0 { 0..last + 1 } else { first..self.rows.len() };
+        let rows = Self { rows: self.rows.get(side.clone())?.to_vec() };
+        let other = rows.as_read()?;
+        if (far.len() as f64) < MOST * side.len() as f64 || (other.near as f64) < MOST * side.len() as f64 {
+            return None;
+        }
+        let by_rad = sensor.flange_from_sensor.angle_to(&other.flange_from_sensor);
+        if by_rad < SCATTER_RAD {
+            return Some(None);
+        }
+        let lines = rows.rows.iter().map(|row| row.line).collect();
+        Some(Some(Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+            format!(
+                "in {count} rows ({which}) the sensor sits on the flange turned by {:.0} deg from how it sits in the others: diagnose them apart, or \
+                 leave the columns {COLUMNS} out",
+                deg_from_rad(by_rad)
+            )
+        })))
     }
 }

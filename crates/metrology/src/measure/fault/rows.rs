@@ -121,10 +121,11 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     let half = 4 * near >= rows.len();
     off.late()
         .or_else(|| off.late_joint())
-        .or_else(|| off.joint_elsewhere())
         .or_else(|| off.still())
         .or_else(|| off.frozen_joint())
         .or_else(|| if half { off.moved(targets) } else { None })
+        // A turn about the first joint's axis may as well be the instrument's.
+        .or_else(|| off.joint_elsewhere())
 }
 
 /// The registration of a part of the file that most rows agree with.
@@ -279,7 +280,7 @@ impl FarRows<'_> {
         let which = self.near_as(nearest);
         self.are_most(&which).then(|| {
             self.fault(FaultKind::ExchangedTargets, "target", &which, |count, lines| {
-                format!("in {count} rows ({lines}) the point is that of another target: the names in column target are exchanged")
+                format!("in {count} rows ({lines}) the point is where another target is: the names in column target are exchanged, or the targets were")
             })
         })
     }
@@ -312,7 +313,10 @@ impl FarRows<'_> {
         let chain = SerialChain::nominal(robot);
         let explained = |j: usize| {
             let which = self.near_as(|i| {
-                let before = &rows[i.checked_sub(1)?].station;
+                // Repeats, and other targets, are seen from the same joints.
+                let here = rows[i].station.q_rad.map(f64::to_bits);
+                let moved = rows[..i].iter().rev().find(|row| row.station.q_rad.map(f64::to_bits) != here);
+                let before = &moved?.station;
                 let stands_still = before.q_rad[j].to_bits() == rows[i].station.q_rad[j].to_bits();
                 stands_still.then(|| frozen::refitted(robot, &chain, registration, &rows[i].station, j).off_m)
             });
