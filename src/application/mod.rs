@@ -28,6 +28,8 @@ mod inspection;
 #[cfg(feature = "link")]
 mod link_check;
 #[cfg(feature = "link")]
+mod link_data;
+#[cfg(feature = "link")]
 mod link_info;
 #[cfg(feature = "link")]
 mod loading;
@@ -43,6 +45,7 @@ mod program_files;
 #[cfg(feature = "mcap")]
 mod recording;
 mod restoration;
+mod robot_json;
 mod simulation;
 mod state_estimation;
 mod synthesis;
@@ -69,6 +72,8 @@ pub use inspection::{Inspected, Inspection};
 #[cfg(feature = "link")]
 pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, TargetCheck};
 #[cfg(feature = "link")]
+pub use link_data::LinkDatum;
+#[cfg(feature = "link")]
 pub use link_info::LinkInfo;
 #[cfg(feature = "link")]
 pub use loading::{Loading, LoadingError, link_message};
@@ -85,6 +90,7 @@ pub use program_files::{DeclaredNames, ProgramFiles};
 pub use rapid_program::compensate::CompensateError;
 pub use rapid_program::compensate::tabulate::TabulateError;
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
+pub use robot_json::robot_json;
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
 pub use synthesis::{

@@ -3,7 +3,7 @@
 use super::shared::RobotName;
 use super::{Console, Outcome, files};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::robot::{JointKind, SerialArm};
+use robot_model::robot::JointKind;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::path::PathBuf;
 
@@ -31,7 +31,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
     let json = files::Output::new(args.json.as_deref())?;
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", described(&robot)).into_bytes()))?;
+    json.write(console, || Ok(format!("{:#}\n", driftpost::application::robot_json(&robot)).into_bytes()))?;
     let Some(path) = &args.output else {
         if takes_standard_output {
             return Ok(Outcome::Done);
@@ -66,24 +66,4 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     files::Pending::new(path)?.write(text.as_bytes())?;
     console.note(format_args!("wrote {}", path.display()));
     Ok(Outcome::Done)
-}
-
-/// A robot as JSON: axes in the base at joints of 0, ranges in degrees or mm.
-fn described(robot: &SerialArm) -> serde_json::Value {
-    let joints: Vec<serde_json::Value> = robot
-        .joints
-        .iter()
-        .map(|joint| {
-            let (kind, in_unit): (_, fn(f64) -> f64) = match joint.kind {
-                JointKind::Revolute => ("revolute", deg_from_rad),
-                JointKind::Prismatic => ("prismatic", mm_from_m),
-            };
-            serde_json::json!({
-                "type": kind,
-                "axis": <[f64; 3]>::from(joint.axis.into_inner()),
-                "range": joint.range_rad.map(|range| range.map(in_unit)),
-            })
-        })
-        .collect();
-    serde_json::json!({ "name": robot.name, "source": robot.source, "joints": joints })
 }

@@ -126,6 +126,14 @@ fn wrong_units_are_a_fault_of_the_file() {
         let answer = diagnose(text.as_bytes(), &[]);
         assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{what}: {}", answer.text);
     }
+    for (unit, text) in [
+        ("feet", rewritten(point, times(1.0 / 304.8))),
+        ("gon", rewritten(|name| joint(name) && name.starts_with('q'), times(400.0 / 360.0))),
+    ] {
+        let answer = diagnose(text.as_bytes(), &[]);
+        let reason = answer.json.as_ref().unwrap()["reason"].as_str().unwrap();
+        assert!(answer.verdict() == "data_fault" && reason.contains(&format!("in {unit},")), "{reason}");
+    }
 }
 
 #[test]

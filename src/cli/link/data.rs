@@ -1,12 +1,11 @@
 //! `driftpost link get` and `set`: the data of corrected programs, and of nothing else.
 
 use super::connection::Connection;
-use crate::application::is_emitted_name;
+use crate::application::{LinkDatum, is_emitted_name};
 use crate::cli::files::Output;
 use crate::cli::{Console, Outcome};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Session;
-use serde_json::json;
 use std::path::PathBuf;
 
 /// Options of `link get`.
@@ -71,11 +70,11 @@ pub fn get(args: &GetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
             if !takes_standard_output {
                 writeln!(console.out(), "{task}/{module} {name} {value}")?;
             }
-            found.push(json!({ "task": task, "module": module, "name": name, "value": value }));
+            found.push(LinkDatum { task, module, name: name.clone(), value, before: None });
         }
     }
     session.end()?;
-    json.write(console, || Ok(format!("{:#}\n", json!({ "data": found })).into_bytes()))?;
+    json.write(console, || Ok(format!("{:#}\n", LinkDatum::all_json(&found)).into_bytes()))?;
     Ok(Outcome::Done)
 }
 
@@ -111,8 +110,14 @@ pub fn set(args: &SetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
     if !takes_standard_output {
         writeln!(console.out(), "{task}/{module} {} {} (was {before}; read back)", args.name, args.value)?;
     }
-    let set =
-        json!({ "task": task, "module": module, "name": args.name, "value": args.value, "before": before });
+    let set = LinkDatum {
+        task: task.clone(),
+        module: module.clone(),
+        name: args.name.clone(),
+        value: args.value.clone(),
+        before: Some(before),
+    }
+    .json();
     json.write(console, || Ok(format!("{set:#}\n").into_bytes()))?;
     Ok(Outcome::Done)
 }

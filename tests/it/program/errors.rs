@@ -124,8 +124,4 @@ fn an_external_axis_away_from_0_may_carry_the_robot() {
     // Each axis by itself.
     let second = at(5, 5, 5).replacen("9E9,9E9", "9E9,0", 1);
     assert_eq!(moves(&[&ext, &none, &second, &none, &zero, &none]), [kept, kept, kept, kept, "-", "-"]);
-    // What straight-line code sets.
-    let data = format!("VAR robtarget q;\n{}", data());
-    let line = format!("q:={ext};\nMoveL q,v100,fine,t;\nMoveL {none},v100,fine,t;\n");
-    assert_eq!(codes(&main_of(&data, &line)), [kept, kept]);
 }

@@ -70,17 +70,6 @@ pub(super) enum FlowStep<'a> {
         recovery: Recovery,
         ctx: Ctx,
     },
-    /// A motion has placed external axes as the value of a target says, which only the state tells.
-    ExternalAxes {
-        /// The motion's last target.
-        target: &'a Expr,
-        /// From where its names are looked up.
-        ctx: Ctx,
-        /// The motion.
-        at: Span,
-        /// The axes that carry neither the robot's base nor the work object.
-        fixed: [bool; 6],
-    },
     /// An error may come here; what becomes of it.
     MayFail(Recovery),
     /// A routine that is not given, or text that was not understood: where the arm stands after it is

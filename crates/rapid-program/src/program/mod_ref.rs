@@ -38,7 +38,6 @@ impl RoutineEffects {
             | FlowStep::Blocker(_, None)
             | FlowStep::UnknownPosition
             | FlowStep::ExitCycle
-            | FlowStep::ExternalAxes { .. }
             | FlowStep::MayFail(_) => {}
         }
     }

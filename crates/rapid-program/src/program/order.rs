@@ -263,7 +263,6 @@ impl<'a> ForwardAnalysis<'a> for OrderAnalysis<'_, 'a> {
             | FlowStep::ConfL(_)
             | FlowStep::ConfJ(_)
             | FlowStep::Grip(_)
-            | FlowStep::ExternalAxes { .. }
             | FlowStep::Blocker(..) => Some(state),
         }
     }

@@ -34,7 +34,7 @@ use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::Expr;
 use runtime_target::is_asked_once;
-use skip_reasons::{SkipReasons, skip};
+use skip_reasons::SkipReasons;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -269,19 +269,11 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         let index = self.evaluator.index;
         let (args, ctx, form) = (site.args(index), site.ctx(index), site.form);
         let range = site.stmt.range;
-        let mut reasons = SkipReasons::of_statement(site, ctx, &args);
-        if index.is_measurement_run(ctx) {
-            let text = "it drives to a pose that is to be measured (driftpost plan): the sheet's joints are those of the plan";
-            reasons.add(skip("keep::measurement-run", text.into()));
-        }
+        let mut reasons = SkipReasons::of_statement(index, site, ctx, &args);
         let MotionTargets { targets, reached, read_elsewhere } =
             self.targets(&args, (ctx, form.path, at), &mut reasons);
-        let leaves_axes = match form.path {
-            Path::AbsJoint => [false; 6],
-            _ => leaves_axes(&targets),
-        };
         // Motion settings may be other ones in a later pass than in the first.
-        reasons.add_state(seen.any, &args, leaves_axes);
+        reasons.add_state(seen.any, &args, leaves_axes(&targets, form.path));
         let known: &dyn TrackedValues = match seen.first {
             Some(state) => &View { state, tracked: self.tracked },
             None => &Constant,

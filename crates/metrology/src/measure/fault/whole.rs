@@ -19,7 +19,10 @@ const TOOL_M: f64 = 5e-3;
 /// Stations used for the trials.
 const TRIAL_STATIONS: usize = 80;
 /// The units that points come in beside millimetres.
-const LENGTHS: [(f64, &str); 3] = [(1000.0, "metres"), (25.4, "inches"), (10.0, "centimetres")];
+const LENGTHS: [(f64, &str); 4] =
+    [(1000.0, "metres"), (304.8, "feet"), (25.4, "inches"), (10.0, "centimetres")];
+/// Degrees of a gon, of which a turn has 400.
+const DEG_PER_GON: f64 = 0.9;
 const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
 /// What may have happened to a row, undone.
@@ -279,6 +282,14 @@ impl Trial<'_> {
                 FaultKind::JointUnits,
                 joints(),
                 "the joints are in radians, the columns say degrees",
+            ));
+        }
+        let in_gon = |s: &mut Station| self.turning().for_each(|j| s.q_rad[j] *= DEG_PER_GON);
+        if explains(self.with(in_gon), self.left_m) {
+            return Some(Fault::of_all(
+                FaultKind::JointUnits,
+                joints(),
+                "the joints are in gon, the columns say degrees",
             ));
         }
         for (scale, name) in LENGTHS.into_iter().chain([(0.001, "micrometres")]) {

@@ -56,11 +56,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         let index = self.index();
         let target =
             self.sites.motions.get(motion.index()).and_then(|site| site.args(index).targets.last().copied());
-        let Some(target) = target else { return };
-        let Some(ext) = self.axes_as_written(target) else {
-            let fixed = self.base_fixed;
-            return out.push(Node::Step(FlowStep::ExternalAxes { target, ctx: self.ctx, at, fixed }));
-        };
+        let Some(ext) = target.and_then(|target| self.axes_as_written(target)) else { return };
         let placed: Vec<(u8, bool)> = (0_u8..)
             .zip(ext.into_iter().zip(self.base_fixed))
             .filter_map(|(axis, (place, fixed))| Some((axis, place.filter(|_| !fixed)? != 0.0)))

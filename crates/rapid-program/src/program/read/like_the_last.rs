@@ -52,7 +52,7 @@ impl<'a> MotionReader<'_, 'a> {
         let file = ctx.file;
         let target = Target::new(expr.range, Origin::Inline).with_value(&value);
         let target = target.with_literal(Span { file, range: expr.range });
-        let leaves = leaves_axes(std::slice::from_ref(&target));
+        let leaves = leaves_axes(std::slice::from_ref(&target), site.form.path);
         let is_placed = seen.any.is_some_and(|state| {
             (0_u8..).zip(leaves).any(|(axis, leaves)| leaves && state.is_in_force(Blocker::PlacedAxis(axis)))
         });

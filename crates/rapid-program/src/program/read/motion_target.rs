@@ -199,8 +199,12 @@ pub(super) fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char
     })
 }
 
-/// The external axes for which some value of a motion's last target names no place: they stay where they are.
-pub(super) fn leaves_axes(targets: &[Target]) -> [bool; 6] {
+/// The external axes for which some value of a motion's last target names no place: they stay where they are. Joints are corrected wherever
+/// the base stands.
+pub(super) fn leaves_axes(targets: &[Target], path: Path) -> [bool; 6] {
+    if path == Path::AbsJoint {
+        return [false; 6];
+    }
     let Some(target) = targets.last() else { return [true; 6] };
     let mut values = target.values().peekable();
     if values.peek().is_none() {

@@ -2,7 +2,7 @@
 
 use crate::program::data::{ToolData, WobjData};
 use crate::program::flow::{BLOCKERS, Blocker};
-use crate::program::index::Ctx;
+use crate::program::index::{Ctx, Index};
 use crate::program::motion::SkipReason;
 use crate::program::motion_site::{MotionSite, MoveArgs};
 use crate::program::move_instructions::Special;
@@ -31,8 +31,17 @@ pub(super) struct SkipReasons {
 
 impl SkipReasons {
     /// Those of the statement itself.
-    pub(super) fn of_statement(site: &MotionSite<'_>, ctx: Ctx, args: &MoveArgs<'_>) -> Self {
+    pub(super) fn of_statement(
+        index: &Index<'_>,
+        site: &MotionSite<'_>,
+        ctx: Ctx,
+        args: &MoveArgs<'_>,
+    ) -> Self {
         let mut reasons = Self { known_at_run_time: None, lasting: None };
+        if index.is_measurement_run(ctx) {
+            let text = "it drives to a pose that is to be measured (driftpost plan): the sheet's joints are those of the plan";
+            reasons.add(skip("keep::measurement-run", text.into()));
+        }
         let form = site.form;
         reasons.extend(special(form.special, form.name));
         if let Some(not_read) = site.not_read {

@@ -3,10 +3,9 @@
 use super::in_force::{same, unknown};
 use super::{MOST_STEPS, SlotState, State, StateAnalysis, View};
 use crate::program::const_eval::Constant;
-use crate::program::convert;
 use crate::program::data::LoadData;
 use crate::program::errors::Recovery;
-use crate::program::flow::{BLOCKERS, Binding, Blocker, FlowStep, ForwardAnalysis, placed_axis};
+use crate::program::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
 use crate::program::ids::{RoutineIndex, Slot};
 use crate::program::index::{Ctx, DatumKind};
 use crate::program::motion::{MotionId, SkipReason};
@@ -77,18 +76,6 @@ impl<'a> ForwardAnalysis<'a> for StateAnalysis<'_, 'a> {
                 for (known, held) in BLOCKERS.iter().zip(&mut state.blockers) {
                     if known == hold {
                         held.clone_from(why);
-                    }
-                }
-            }
-            FlowStep::ExternalAxes { target, ctx, at, fixed } => {
-                let view = View { state: &state, tracked: self.tracked };
-                let value = self.evaluator.fold(target, *ctx, &view).ok().map(|typed| typed.value);
-                let ext = value.as_ref().and_then(convert::external_axes).unwrap_or_default();
-                for (axis, (place, fixed)) in (0_u8..).zip(ext.into_iter().zip(fixed)) {
-                    let Some(place) = place.filter(|_| !fixed) else { continue };
-                    let held = BLOCKERS.iter().position(|known| *known == Blocker::PlacedAxis(axis));
-                    if let Some(held) = held.and_then(|held| state.blockers.get_mut(held)) {
-                        *held = (place != 0.0).then(|| placed_axis(self.evaluator.index, axis, *at));
                     }
                 }
             }
