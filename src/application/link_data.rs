@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 /// A datum of a corrected program where it stands on the controller.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LinkDatum {
-    /// The task.
+    /// The task that has it loaded.
     pub task: String,
-    /// The module.
+    /// The module that declares it.
     pub module: String,
     /// Its name, with indices.
     pub name: String,
@@ -30,7 +30,7 @@ impl LinkDatum {
         }
     }
 
-    /// Several.
+    /// All that was asked for, in its order.
     #[must_use]
     pub fn all_json(data: &[Self]) -> Value {
         json!({ "data": data.iter().map(Self::json).collect::<Vec<Value>>() })

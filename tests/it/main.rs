@@ -11,6 +11,7 @@ mod accuracy;
 mod architecture;
 mod arms;
 mod bad_cells;
+mod bad_columns;
 mod bad_measurements;
 mod bad_orientations;
 mod branch_end;
@@ -27,6 +28,7 @@ mod docs_commands;
 mod emit;
 mod exam_page;
 mod executed;
+mod false_faults;
 mod faults;
 mod fit;
 mod folders;
@@ -42,6 +44,7 @@ mod limits;
 #[cfg(feature = "link")]
 mod link;
 mod live;
+mod loads;
 mod lossless;
 mod measuring;
 mod messages;
@@ -61,7 +64,7 @@ mod shop;
 mod simulate;
 mod slow_noise;
 #[cfg(target_os = "linux")]
-mod sound_files;
+mod sound_file;
 mod stepped;
 mod tabulate;
 #[path = "../../fuzz/targets/mod.rs"]

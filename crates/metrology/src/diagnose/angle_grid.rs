@@ -131,8 +131,8 @@ fn step_of_counts(mut angles_deg: Vec<f64>, own_deg: f64) -> Option<f64> {
     in_range.map(|(counts, step_deg)| Counted { step_deg, counts: f64::from(counts), written_deg }).find_map(
         |start| {
             let counted = apart_deg.iter().try_fold(start, |counted, apart_deg| counted.with(*apart_deg))?;
-            let by_chance = (2.0 * written_deg / counted.step_deg).ln() * (angles_deg.len() as f64 - 3.0);
-            (by_chance < BY_CHANCE_NATS).then(|| counted.step_of_an_encoder())
+            let step_deg = counted.step_of_an_encoder();
+            lie_on(&angles_deg, step_deg, written_deg).then_some(step_deg)
         },
     )
 }

@@ -126,9 +126,9 @@ impl<'a> OneStand<'a> {
 
 /// One joint that stands elsewhere than the file says in some rows, further than a registration bears.
 struct JointElsewhere {
-    /// Counted from 0.
+    /// The joint, counted from 0.
     joint: usize,
-    /// As indices into the file's rows.
+    /// The rows, as indices into the file's.
     rows: BTreeSet<usize>,
     /// Where it stands less where the file says, radians.
     by_rad: f64,

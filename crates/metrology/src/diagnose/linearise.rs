@@ -6,6 +6,7 @@ use crate::measure::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
 use robot_model::robot::{Joints, SerialArm};
+use std::borrow::Cow;
 
 /// Below this distance second-order terms are far under any instrument's noise, metres.
 const LINEAR_M: f64 = 2e-4;
@@ -26,6 +27,15 @@ pub(super) struct Linearised {
     pub joint_turns: Vec<Joints>,
 }
 
+#[cfg(test)]
+impl Linearised {
+    /// One that leaves `residuals`, registered at the origin.
+    pub(super) fn leaving(dataset: Dataset, residuals: Vec<Twist>) -> Self {
+        let registration = Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
+        Self { dataset, nominal: residuals.clone(), residuals, registration, joint_turns: Vec::new() }
+    }
+}
+
 /// Registers and linearises about the joints of the file, or where `joint_turns` have taken them at each station.
 ///
 /// # Errors
@@ -38,7 +48,7 @@ pub(super) fn linearise(
     joint_turns: Vec<Joints>,
 ) -> Result<Linearised, RegisterError> {
     let channels = stations.channels;
-    let turned: Vec<Station> = turned(&stations.stations, &joint_turns);
+    let turned = turned(&stations.stations, &joint_turns);
     let chain = SerialChain::nominal(robot);
     let nominal_left: Vec<Twist> =
         stations.stations.iter().map(|s| Twist(nominal.residual(s, &s.pose(&chain)))).collect();
@@ -83,13 +93,16 @@ pub(super) fn linearise(
     }
 }
 
-/// The stations with their joints where causes have taken them.
-pub(super) fn turned(stations: &[Station], joint_turns: &[Joints]) -> Vec<Station> {
+/// The stations with their joints where causes have taken them; without `joint_turns` as they are.
+pub(super) fn turned<'s>(stations: &'s [Station], joint_turns: &[Joints]) -> Cow<'s, [Station]> {
+    if joint_turns.is_empty() {
+        return Cow::Borrowed(stations);
+    }
     let mut turned = stations.to_vec();
     for (station, turn) in turned.iter_mut().zip(joint_turns) {
         station.q_rad.iter_mut().zip(turn).for_each(|(q, turn)| *q += turn);
     }
-    turned
+    Cow::Owned(turned)
 }
 
 /// The residuals as joints of the file would leave them, to first order where the joints stand.

@@ -80,7 +80,7 @@ fn turns_beyond(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) 
     let share = |(i, turn): (usize, &f64)| {
         let is_false = *turn > limit_rad
             && !turned_alike(linear, residuals, i, limit_rad, TURN)
-            && !far.iter().any(|&k| turned_as(linear, residuals, i, k));
+            && !far.iter().any(|&k| share_a_turn(linear, residuals, i, k));
         if is_false { turn / limit_rad } else { 0.0 }
     };
     turns.iter().enumerate().map(share).collect()
@@ -159,7 +159,7 @@ fn turned_alike(linear: &Linearised, residuals: &[Twist], i: usize, limit: f64, 
 
 /// Whether the station `k`, of another visit, is turned as `i` is: in the base's axes, in the flange's, or about one joint's axis. Sensors that are
 /// read wrongly are turned anyhow.
-fn turned_as(linear: &Linearised, residuals: &[Twist], i: usize, k: usize) -> bool {
+fn share_a_turn(linear: &Linearised, residuals: &[Twist], i: usize, k: usize) -> bool {
     let observations = &linear.dataset.observations;
     let same_visit = linear.dataset.visits.iter().any(|visit| visit.contains(&i) && visit.contains(&k));
     if i == k || same_visit {
@@ -194,8 +194,6 @@ pub(super) fn upper_median(values: &mut [f64]) -> f64 {
 mod tests {
     use super::*;
     use crate::diagnose::dataset::evenly_spread;
-    use crate::measure::Registration;
-    use nalgebra::Isometry3;
 
     /// Two readings one after the other are false by 4 mm, the one before them is off by 0.1 mm in their direction, twice the noise: it
     /// does not excuse them. Off by 1 mm it does: what swells within some rows is no false reading.
@@ -212,15 +210,7 @@ mod tests {
             let residuals: Vec<Twist> = (0..60)
                 .map(|i| Twist([small(i, 0), off_m(i) + small(i, 1), small(i, 2), 0.0, 0.0, 0.0]))
                 .collect();
-            let registration =
-                Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
-            let linear = Linearised {
-                dataset,
-                nominal: residuals.clone(),
-                residuals,
-                registration,
-                joint_turns: Vec::new(),
-            };
+            let linear = Linearised::leaving(dataset, residuals);
             let robust = RobustWeights::of(&linear, &linear.residuals, &[1.0; 60]);
             (0..60).filter(|&i| robust.outliers[i]).collect::<Vec<usize>>()
         };
@@ -247,14 +237,7 @@ mod tests {
                 Twist(std::array::from_fn(along))
             })
             .collect();
-        let registration = Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
-        let linear = Linearised {
-            dataset,
-            nominal: residuals.clone(),
-            residuals,
-            registration,
-            joint_turns: Vec::new(),
-        };
+        let linear = Linearised::leaving(dataset, residuals);
         let robust = RobustWeights::of(&linear, &linear.residuals, &[1.0; 60]);
         let aside: Vec<usize> = (0..60).filter(|&i| robust.outliers[i]).collect();
         assert_eq!(aside, [alone]);

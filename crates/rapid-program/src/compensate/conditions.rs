@@ -7,7 +7,7 @@ use super::options::FormChoice;
 use super::resolved::Resolved;
 use crate::program::Program;
 use crate::program::data::{LoadData, ToolData, WobjData};
-use crate::program::motion::Motion;
+use crate::program::motion::{Motion, RoutineId};
 use crate::schedule::Schedule;
 use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -15,6 +15,7 @@ use robot_model::deform::Payload;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, rad_from_deg};
+use std::collections::BTreeMap;
 
 /// Joints this far outside the ranges seen are still inside, degrees.
 const SLACK_DEG: f64 = 1.0;
@@ -170,28 +171,28 @@ fn warmer(model: &Model<'_>, messages: &mut Messages) {
     messages.add(None, Diagnostic::warning("model::temperature-range", text).help(help));
 }
 
-/// Warns of motions under loads that the model was not found with, those under the furthest ones first.
+/// Warns of motions under loads that the model was not found with, and says in each routine which is the furthest.
 fn check_loads(program: &Program, identified: &Identified, resolved: &[Resolved], messages: &mut Messages) {
     if !identified.needs_load() {
         return;
     }
     let [low, high] = identified.measured_range.payload_kg.unwrap_or([0.0, 0.0]);
-    let mut beyond: Vec<(f64, f64, &Motion)> = program
-        .motions
-        .iter()
-        .zip(resolved)
-        .flat_map(|(motion, resolved)| {
+    let beyond_kg = |kg: f64| (low - kg).max(kg - high);
+    let loads = || {
+        program.motions.iter().zip(resolved).flat_map(|(motion, resolved)| {
             (0..resolved.q_rad().len()).map(move |k| (resolved.conditions_at(k).payload.mass_kg, motion))
         })
-        .map(|(kg, motion)| ((low - kg).max(kg - high), kg, motion))
-        .filter(|(beyond_kg, ..)| *beyond_kg > SLACK_KG)
-        .collect();
-    beyond.sort_by(|a, b| b.0.total_cmp(&a.0));
-    for (_, kg, motion) in &beyond {
-        let of_routine = |(.., other): &&(f64, f64, &Motion)| other.setup.routine == motion.setup.routine;
-        let furthest = beyond.iter().find(of_routine).filter(|(_, furthest, _)| furthest != kg);
-        let elsewhere =
-            furthest.map_or_else(String::new, |(_, kg, other)| format!(", {kg} kg in line {}", other.line));
+    };
+    let mut furthest: BTreeMap<RoutineId, (f64, u32)> = BTreeMap::new();
+    for (kg, motion) in loads() {
+        let known = furthest.entry(motion.setup.routine).or_insert((kg, motion.line));
+        if beyond_kg(kg) > beyond_kg(known.0) {
+            *known = (kg, motion.line);
+        }
+    }
+    for (kg, motion) in loads().filter(|(kg, _)| beyond_kg(*kg) > SLACK_KG) {
+        let further = furthest.get(&motion.setup.routine).filter(|(further_kg, _)| *further_kg != kg);
+        let elsewhere = further.map_or_else(String::new, |(kg, line)| format!(", {kg} kg in line {line}"));
         let text = format!(
             "line {}: the load is {kg} kg{elsewhere}; the model was found with {low} to {high} kg",
             motion.line

@@ -156,7 +156,7 @@ impl Messages {
         }
     }
 
-    /// Targets of the form schedule in which the file's value of a PERS stands.
+    /// Targets made of a PERS: in `schedule` the file's value of it stands there, in `ramp` the correction of that value.
     fn add_values_of_the_file(&mut self, program: &Program, planned: &[PlannedMotion]) {
         for PersTarget { motion, name, declaration } in &program.made_of_pers {
             let compensated = |planned: &&PlannedMotion| planned.status == Status::Compensated;

@@ -302,8 +302,17 @@ impl Oriented {
                 format!("in {count} rows ({which}) {}", change.description)
             }));
         }
-        if let Some(remounted) = self.remounted(sensor, far) {
-            return remounted;
+        if let Some(Remounted { by_rad, lines }) = self.remounted(sensor, far) {
+            // A hand that was turned on the flange, with the target: the diagnosis finds that.
+            return (by_rad > SCATTER_RAD).then(|| {
+                Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+                    format!(
+                        "in {count} rows ({which}) the sensor sits on the flange turned by {:.0} deg from how it sits in the others: diagnose \
+                         them apart, or leave the columns {COLUMNS} out",
+                        deg_from_rad(by_rad)
+                    )
+                })
+            });
         }
         let many = (sensor.near as f64) < NEAR_SHARE * self.rows.len() as f64;
         let lines = far.iter().map(|&i| self.rows[i].line).collect();
@@ -317,27 +326,22 @@ impl Oriented {
         })
     }
 
-    /// The sensor sits in another way in all rows to one side of some row: how, where that is more than a target that was turned on the flange,
-    /// which the diagnosis finds.
-    fn remounted(&self, sensor: &Sensor, far: &[usize]) -> Option<Option<Fault>> {
+    /// One other way in which the sensor sits in all rows to one side of some row.
+    fn remounted(&self, sensor: &Sensor, far: &[usize]) -> Option<Remounted> {
         let (first, last) = (*far.first()?, *far.last()?);
         let side = if first == 0 { 0..last + 1 } else { first..self.rows.len() };
-        let rows = Self { rows: self.rows.get(side.clone())?.to_vec() };
+        let rows = Self { rows: self.rows.get(side)?.to_vec() };
         let other = rows.as_read()?;
-        if (far.len() as f64) < MOST * side.len() as f64 || (other.near as f64) < MOST * side.len() as f64 {
-            return None;
-        }
-        let by_rad = sensor.flange_from_sensor.angle_to(&other.flange_from_sensor);
-        if by_rad < SCATTER_RAD {
-            return Some(None);
-        }
-        let lines = rows.rows.iter().map(|row| row.line).collect();
-        Some(Some(Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
-            format!(
-                "in {count} rows ({which}) the sensor sits on the flange turned by {:.0} deg from how it sits in the others: diagnose them apart, or \
-                 leave the columns {COLUMNS} out",
-                deg_from_rad(by_rad)
-            )
-        })))
+        let most = MOST * rows.rows.len() as f64;
+        (far.len() as f64 >= most && other.near as f64 >= most).then(|| Remounted {
+            by_rad: sensor.flange_from_sensor.angle_to(&other.flange_from_sensor),
+            lines: rows.rows.iter().map(|row| row.line).collect(),
+        })
     }
+}
+
+/// A sensor that sits otherwise in a part of the rows.
+struct Remounted {
+    by_rad: f64,
+    lines: Vec<u64>,
 }
