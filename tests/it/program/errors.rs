@@ -125,3 +125,48 @@ fn an_external_axis_away_from_0_may_carry_the_robot() {
     let second = at(5, 5, 5).replacen("9E9,9E9", "9E9,0", 1);
     assert_eq!(moves(&[&ext, &none, &second, &none, &zero, &none]), [kept, kept, kept, kept, "-", "-"]);
 }
+
+#[test]
+fn a_target_that_run_time_tells_may_have_placed_an_external_axis() {
+    let (none, ext, zero) =
+        (at(5, 5, 5), at(6, 5, 5).replacen("9E9", "150", 1), at(7, 5, 5).replacen("9E9", "0", 1));
+    let with = |declared: &str, lines: &str| {
+        let data = format!("{}\nVAR robtarget pV;\n{declared}", data());
+        codes(&main_of(
+            &data,
+            &format!(
+                "{lines}\nMoveL {none},v100,fine,t;\nMoveL {zero},v100,fine,t;\nMoveL {none},v100,fine,t;"
+            ),
+        ))
+    };
+    let kept = "keep::external-base";
+    let last = |codes: Vec<&'static str>| codes[codes.len() - 3..].to_vec();
+    for (declared, lines) in [
+        (String::new(), format!("pV:={ext};\nMoveL pV,v100,fine,t;")),
+        (
+            format!("CONST robtarget ps{{2}}:=[{none},{ext}];\nVAR num i;"),
+            "MoveL ps{i},v100,fine,t;".to_owned(),
+        ),
+        (
+            format!("CONST robtarget pE:={ext};"),
+            "pV:=pE;\nMoveL Offs(pV,0,0,GInput(gi1)),v100,fine,t;".to_owned(),
+        ),
+        (
+            format!("CONST robtarget pN:={none};"),
+            "pV:=pN;\npV.extax.eax_a:=GInput(gi1);\nMoveL pV,v100,fine,t;".to_owned(),
+        ),
+        (
+            "VAR extjoint e:=[150,9E9,9E9,9E9,9E9,9E9];".to_owned(),
+            format!("pV:={none};\npV.extax:=e;\nMoveL pV,v100,fine,t;"),
+        ),
+    ] {
+        assert_eq!(last(with(&declared, &lines)), [kept, "-", "-"], "{declared}\n{lines}");
+    }
+    // Where no text of the program places an axis, none was placed; the arm's own six joints are no external axes.
+    let joints =
+        "CONST robjoint r:=[1,2,3,4,50,6];\nVAR jointtarget j:=[[1,2,3,4,50,6],[9E9,9E9,9E9,9E9,9E9,9E9]];";
+    let lines = format!(
+        "j.robax:=[6,5,4,3,20,1];\npV:={none};\npV.extax.eax_a:=9E9;\nMoveL pV,v100,fine,t;\nMoveAbsJ j,v100,fine,t;"
+    );
+    assert_eq!(last(with(joints, &lines)), ["-"; 3]);
+}

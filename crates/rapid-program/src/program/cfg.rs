@@ -1,6 +1,7 @@
 //! From the statements of a routine to the ways through it.
 
 mod calls;
+mod external_axes;
 mod instruction;
 
 use super::const_eval::{ConstEvaluator, Constant};
@@ -39,11 +40,21 @@ impl<'a> ControlFlow<'a> {
         let mut out = Self::default();
         let index = evaluator.index;
         let fallible = any_handled(index);
+        let mut placed_anywhere = None;
         for routine in &index.routines {
             let (ctx, evaluator) = (routine.ctx, &mut *evaluator);
             let recovery = Recovery::of(index, ctx, routine.tree);
-            let mut builder =
-                CfgBuilder { evaluator, sites, tracked, base_fixed, ctx, fallible, recovery, out: &mut out };
+            let mut builder = CfgBuilder {
+                evaluator,
+                sites,
+                tracked,
+                base_fixed,
+                placed_anywhere: &mut placed_anywhere,
+                ctx,
+                fallible,
+                recovery,
+                out: &mut out,
+            };
             let body = builder.body(&routine.tree.body);
             builder.recovery = Recovery::default(); // an error in a handler goes to the caller
             let handlers = routine.tree.handlers.iter().map(|h| builder.body(&h.body)).collect();
@@ -80,6 +91,8 @@ struct CfgBuilder<'l, 'a> {
     tracked: &'l TrackedData,
     /// External axes that move neither the robot's base nor a work object.
     base_fixed: [bool; 6],
+    /// External axes that the program places away from 0 somewhere, once that was asked.
+    placed_anywhere: &'l mut Option<[bool; 6]>,
     ctx: Ctx,
     /// Some routine handles errors: they are to be followed.
     fallible: bool,

@@ -190,7 +190,7 @@ pub(super) fn extjoint(value: &Value) -> Result<ExtJoint, ConversionError> {
 }
 
 /// `9E9` in any spelling, as the single precision of the controller sees it, is an axis not used.
-fn used(n: f64) -> Option<f64> {
+pub(super) fn used(n: f64) -> Option<f64> {
     (n as f32 != 9e9).then_some(n)
 }
 

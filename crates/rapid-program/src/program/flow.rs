@@ -105,11 +105,13 @@ pub(super) enum Blocker {
     PlacedAxis(u8),
 }
 
-/// Why an external axis, counted from 0, keeps motion that names no place for it, where a motion `at` some place has placed it.
-pub(super) fn placed_axis(index: &Index<'_>, axis: u8, at: Span) -> Why {
+/// Why an external axis, counted from 0, keeps motion that names no place for it, where a motion `at` some place has placed it, or, its target
+/// not `known`, may have.
+pub(super) fn placed_axis(index: &Index<'_>, axis: u8, (at, known): (Span, bool)) -> Why {
     let axis = external_axis_letter(usize::from(axis));
+    let was_placed = if known { "was placed" } else { "may have been placed" };
     let reason = format!(
-        "external axis {axis}, which may carry the robot's base or the work object, was placed before and stays there (--base-fixed {axis} says \
+        "external axis {axis}, which may carry the robot's base or the work object, {was_placed} before and stays there (--base-fixed {axis} says \
          that it carries neither): {}",
         index.place(at)
     );

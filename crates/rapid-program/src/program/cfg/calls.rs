@@ -4,11 +4,9 @@ use super::CfgBuilder;
 use crate::program::built_in::is_built_in_function;
 use crate::program::call_arguments::{NotGiven, doubtful_arguments, match_arguments};
 use crate::program::const_eval::Constant;
-use crate::program::convert;
-use crate::program::data::ExtJoint;
 use crate::program::errors::arguments_may_fail;
 use crate::program::expressions::every_call;
-use crate::program::flow::{Binding, Blocker, FlowStep, Node, placed_axis};
+use crate::program::flow::{Binding, FlowStep, Node};
 use crate::program::ids::{DatumId, RoutineIndex};
 use crate::program::index::{DatumKind, Resolved};
 use crate::program::motion::MotionId;
@@ -48,43 +46,6 @@ impl<'a> CfgBuilder<'_, 'a> {
                 }
             },
         }
-    }
-
-    /// Where a motion leaves external axes that may carry the robot's base: what its last target says of them. A run of motions that place the
-    /// same ones is told once.
-    fn external_axes(&mut self, motion: MotionId, at: Span, out: &mut Vec<Node<'a>>) {
-        let index = self.index();
-        let target =
-            self.sites.motions.get(motion.index()).and_then(|site| site.args(index).targets.last().copied());
-        let Some(ext) = target.and_then(|target| self.axes_as_written(target)) else { return };
-        let placed: Vec<(u8, bool)> = (0_u8..)
-            .zip(ext.into_iter().zip(self.base_fixed))
-            .filter_map(|(axis, (place, fixed))| Some((axis, place.filter(|_| !fixed)? != 0.0)))
-            .collect();
-        let is_as_before = |placed: &(u8, bool)| {
-            let mut earlier = out.iter().rev().skip(1).map_while(|node| match node {
-                Node::Step(FlowStep::Blocker(Blocker::PlacedAxis(axis), why)) => Some((*axis, why.is_some())),
-                _ => None,
-            });
-            earlier.any(|known| known == *placed)
-        };
-        if placed.iter().all(is_as_before) {
-            return;
-        }
-        for (axis, is_placed) in placed {
-            let why = is_placed.then(|| placed_axis(self.index(), axis, at));
-            out.push(Node::Step(FlowStep::Blocker(Blocker::PlacedAxis(axis), why)));
-        }
-    }
-
-    /// The external axes of a target, where the text alone tells them.
-    fn axes_as_written(&mut self, target: &'a Expr) -> Option<ExtJoint> {
-        if let Some(target) = convert::robtarget_as_written(self.text(target.range)) {
-            return Some(target.ext);
-        }
-        let ctx = self.ctx;
-        let value = self.evaluator.fold(target, ctx, &Constant).ok()?.value;
-        convert::external_axes(&value)
     }
 
     /// Whether the arm stands at the target behind a motion.
