@@ -190,6 +190,22 @@ MoveAbsJ [[10,20,30,40,50,60],[9E9,9E9,9E9,9E9,9E9,9E9]]\\NoEOffs,v100,fine,notG
     assert_eq!(program.motions[2].setup.tool, None);
 }
 
+/// The controller's own functions and instructions hand a reading on, too.
+#[test]
+fn a_reading_written_out_and_read_in_again_is_a_reading() {
+    for (lines, kept) in [
+        ("s:=ValToStr(CRobT());\nok:=StrToVal(s,p);", true),
+        ("IF StrToVal(ValToStr(CRobT()),p) THEN\nok:=TRUE;\nENDIF", true),
+        ("PackRawBytes CRobT(),raw,1;\nUnpackRawBytes raw,1,p;", true),
+        ("ok:=StrToVal(\"[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\",p);", false),
+    ] {
+        let data = "VAR robtarget p;\nVAR string s;\nVAR bool ok;\nVAR rawbytes raw;";
+        let program = main_of(data, &format!("{lines}\nMoveL p,v100,fine,tool0;"));
+        let code = if kept { "keep::own-position" } else { "keep::runtime-target" };
+        assert_eq!(codes(&program), [code], "{lines}");
+    }
+}
+
 /// External axes and a configuration that are taken of a reading hold nothing of the arm's drift.
 #[test]
 fn external_axes_of_a_reading_are_no_reading() {

@@ -4,7 +4,7 @@
 //! narrows that down (`state`).
 
 use super::call_arguments::{MatchedArgument, match_arguments};
-use super::expressions::{every_call, expressions_of, root_of};
+use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::ids::{DatumId, IdSet, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
 use super::names::{ByNumber, lower_case};
@@ -13,7 +13,7 @@ use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::value_flow::ValueFlow;
-use super::written_by::written_by_instruction;
+use super::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
 
@@ -77,15 +77,20 @@ impl OwnPositions {
             for (id, routine) in index.routines.numbered() {
                 let ctx = routine.ctx;
                 let (mut data, mut returns) = (Vec::new(), None);
-                in_all(index, routine, &mut |stmt| match &stmt.kind {
-                    StmtKind::Assign(assign) => {
-                        if let Some(at) = found.read_at(index, ctx, &assign.value) {
-                            // Only what is assigned itself: `p.robconf` of a reading is no reading.
-                            names_in(index, ctx, &assign.target, &mut |datum| data.push((datum, at)));
+                in_all(index, routine, &mut |stmt| {
+                    found.written_by_built_ins(index, ctx, stmt, &mut data);
+                    match &stmt.kind {
+                        StmtKind::Assign(assign) => {
+                            if let Some(at) = found.read_at(index, ctx, &assign.value) {
+                                // Only what is assigned itself: `p.robconf` of a reading is no reading.
+                                names_in(index, ctx, &assign.target, &mut |datum| data.push((datum, at)));
+                            }
                         }
+                        StmtKind::Return(Some(value)) => {
+                            returns = returns.or(found.read_at(index, ctx, value))
+                        }
+                        _ => {}
                     }
-                    StmtKind::Return(Some(value)) => returns = returns.or(found.read_at(index, ctx, value)),
-                    _ => {}
                 });
                 set.extend(data.iter().map(|(datum, _)| *datum));
                 found.add(data);
@@ -103,6 +108,38 @@ impl OwnPositions {
                 found.of_arguments = of_arguments.copied().collect();
                 return found;
             }
+        }
+    }
+
+    /// What instructions and functions of the controller write, in a statement, of a reading that they are handed: `StrToVal(text, p)`.
+    fn written_by_built_ins(
+        &self,
+        index: &Index<'_>,
+        ctx: Ctx,
+        stmt: &Stmt,
+        data: &mut Vec<(DatumId, Span)>,
+    ) {
+        let mut enter = |name: TextRange, args: &[Arg], written: &[&Expr]| {
+            if written.is_empty() || index.declares_routine(name, ctx) {
+                return;
+            }
+            let reading = args.iter().filter_map(value_of).find_map(|arg| self.read_at(index, ctx, arg));
+            let Some(at) = reading else { return };
+            for target in written {
+                names_in(index, ctx, target, &mut |datum| data.push((datum, at)));
+            }
+        };
+        if let StmtKind::Call(call) = &stmt.kind
+            && let Callee::Name(name) = call.callee
+        {
+            let written = lower_case(index.text(ctx.file, name));
+            enter(name, &call.args, &written_by_instruction(index, ctx, &written, &call.args));
+        }
+        for expr in expressions_of(stmt) {
+            every_call(expr, &mut |name, args| {
+                let written = lower_case(index.text(ctx.file, name));
+                enter(name, args, &written_by_function(index, ctx, &written, args));
+            });
         }
     }
 
