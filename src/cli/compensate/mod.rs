@@ -2,6 +2,7 @@
 
 mod args;
 mod diff_to;
+mod idle_options;
 mod jobs;
 mod option_values;
 mod results;
@@ -102,6 +103,8 @@ fn settle(
     if let Some(moved) = given.paths.first().map(|path| model::base_beside(path)).transpose()?.flatten() {
         console.explain(&[LocatedDiagnostic::new(moved, &[])], true);
     }
+    let idle = args.idle_options().into_iter().map(|idle| LocatedDiagnostic::new(idle, &[]));
+    console.explain(&idle.collect::<Vec<_>>(), true);
     let beside = other_tasks::beside(&given.paths);
     jobs.iter_mut().for_each(|job| job.overrides.other_tasks.clone_from(&beside));
     Ok(())

@@ -8,7 +8,7 @@
     tcSeen:=[0,0,0,0];
     tcUpdate;
     IF NOT tcAlive tcBegin tcPart(tcAmount/2),@SECOND_HALF@;
-    IF NOT tcAlive OR NOT tcStands(@POINT@) THEN
+    IF NOT (tcAlive AND tcStands(@POINT@)) THEN
       tcRefuse "the arm is not where it should be";
       RETURN;
     ENDIF
@@ -20,7 +20,7 @@
       IF NOT tcIs THEN
         tcRefuse "the point was not found";
         RETURN;
-      ELSEIF NOT tcAlive OR NOT tcStands(tcFound) THEN
+      ELSEIF NOT (tcAlive AND tcStands(tcFound)) THEN
         tcRefuse "the arm is not where it should be";
         RETURN;
       ENDIF

@@ -21,7 +21,7 @@
     tcGood:=tcAdvance(tcDayNumber(tcDate),tcSecond(tcTime));
 touch#    tcAlive:=tcGood;
 touch#    IF tcGood tcShow;
-    IF tcMode=-1 AND NOT tcGood THEN
+    IF tcMode=-1 AND (NOT tcGood) THEN
       IF tcState{3}=0 THEN
         tcSay "@UNKNOWN@";
       ELSE

@@ -61,7 +61,7 @@ fades#    IF @NONE@ RETURN FALSE;
       RETURN FALSE;
     ENDIF
     IF Present(WObj) THEN
-      IF WObj.robhold OR NOT WObj.ufprog THEN
+      IF WObj.robhold OR (NOT WObj.ufprog) THEN
         tcWarn "A work object that moves: original target";
         RETURN FALSE;
       ENDIF
