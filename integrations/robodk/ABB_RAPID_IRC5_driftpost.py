@@ -5,6 +5,8 @@ found beside this file, on the PATH, or where the environment variable DRIFTPOST
 TOML file. Where driftpost refuses, the originals stay on disk, nothing is left to be sent to the robot, and the log says why.
 """
 
+import contextlib
+import io
 import os
 import shutil
 import subprocess
@@ -42,9 +44,19 @@ class RobotPost(InstalledPost):
         super().MoveC(pose1, joints1, pose2, joints2, *args, **kwargs)
 
     def ProgSave(self, folder, progname, ask_user=False, show_result=False, *args, **kwargs):
-        super().ProgSave(folder, progname, ask_user, False, *args, **kwargs)
+        said = io.StringIO()
+        try:
+            with contextlib.redirect_stdout(said):
+                super().ProgSave(folder, progname, ask_user, False, *args, **kwargs)
+        finally:
+            # RoboDK goes on with the files that are named so: with the corrected ones.
+            lines = said.getvalue().splitlines(keepends=True)
+            print("".join(line for line in lines if not line.startswith("SAVED:")), end="")
         if self.PROG_FILES:  # else the user has cancelled
-            self.PROG_FILES = self._compensated(list(self.PROG_FILES), progname)
+            originals, self.PROG_FILES = list(self.PROG_FILES), []
+            self.PROG_FILES = self._compensated(originals, progname)
+        for path in self.PROG_FILES:
+            print("SAVED: %s\n" % path, flush=True)
         for path in self.PROG_FILES if show_result else []:
             if isinstance(show_result, (str, list)):
                 subprocess.Popen(([show_result] if isinstance(show_result, str) else show_result) + [path])
@@ -72,8 +84,12 @@ class RobotPost(InstalledPost):
         targets = [list(joints)[:6] if joints else [""] * 6 for joints in self._joints]
         rows = [["q%i_deg" % axis for axis in range(1, 7)], *targets]
         hint = "".join(",".join(map(str, row)) + "\n" for row in rows)
-        done = subprocess.run(command, input=hint.encode(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                              creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
+        try:
+            done = subprocess.run(command, input=hint.encode(), stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))
+        except OSError as error:
+            self._say("driftpost: %s cannot be run (%s); nothing will be sent" % (driftpost(), error))
+            return []
         self._say(done.stdout.decode("utf-8", "replace"))
         if done.returncode != 0:
             self._say("driftpost: refused; the originals stay, and nothing will be sent")

@@ -3,8 +3,10 @@
 Run from anywhere with `python -m unittest discover -s integrations/robodk/tests`; DRIFTPOST names the program under test.
 """
 
+import contextlib
 import importlib
 import importlib.util
+import io
 import os
 import pathlib
 import re
@@ -12,6 +14,7 @@ import shutil
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -176,6 +179,24 @@ class Replay(unittest.TestCase):
         robot.ProgSave(self.folder, "Cube45")
         self.assertEqual(robot.PROG_FILES, [])
         self.assertIn("neither beside this post nor on the PATH", robot.LOG)
+
+    def test_a_program_that_cannot_be_run_leaves_nothing_to_send(self):
+        for path in (os.path.join(self.folder, "none"), self.folder):
+            with unittest.mock.patch.dict(os.environ, {"DRIFTPOST": path}):
+                robot = self.replay("posts_2017")
+            self.assertEqual(robot.PROG_FILES, [])
+            self.assertIn("cannot be run", robot.LOG)
+
+    def test_the_corrected_file_alone_is_named_as_saved(self):
+        def saved():
+            printed = io.StringIO()
+            with contextlib.redirect_stdout(printed):
+                self.replay("posts_2017")
+            return re.findall(r"^SAVED: (.*)$", printed.getvalue(), re.M)
+
+        self.assertEqual(saved(), [os.path.join(self.folder, "Cube45_tc", "Cube45.mod")])
+        self.settings('max-correction-mm = 0.01\n')
+        self.assertEqual(saved(), [])
 
 
 if __name__ == "__main__":

@@ -12,10 +12,11 @@ use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::tracked::{names_in, names_in_where, sources_where};
+use super::value::string;
 use super::value_flow::ValueFlow;
 use super::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{Arg, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
+use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
 
 /// Functions of the controller that read where the robot stands.
 const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
@@ -119,6 +120,12 @@ impl OwnPositions {
         stmt: &Stmt,
         data: &mut Vec<(DatumId, Span)>,
     ) {
+        if let StmtKind::Call(call) = &stmt.kind
+            && let Callee::Name(name) = call.callee
+            && !index.declares_routine(name, ctx)
+        {
+            self.exchanged_by_name(index, (ctx, name), &call.args, data);
+        }
         let mut enter = |name: TextRange, args: &[Arg], written: &[&Expr]| {
             if written.is_empty() || index.declares_routine(name, ctx) {
                 return;
@@ -140,6 +147,38 @@ impl OwnPositions {
                 let written = lower_case(index.text(ctx.file, name));
                 enter(name, args, &written_by_function(index, ctx, &written, args));
             });
+        }
+    }
+
+    /// What SetDataVal and GetDataVal hand on by a datum's name: of that name, and where it is worked out, of any.
+    fn exchanged_by_name(
+        &self,
+        index: &Index<'_>,
+        (ctx, instruction): (Ctx, TextRange),
+        args: &[Arg],
+        data: &mut Vec<(DatumId, Span)>,
+    ) {
+        let mut values =
+            args.iter().filter(|arg| matches!(arg.kind, ArgKind::Positional(_))).filter_map(value_of);
+        let (Some(name), Some(value)) = (values.next(), values.next()) else { return };
+        let written = (name.kind == ExprKind::String).then(|| string(index.text(ctx.file, name.range)));
+        let is_meant = |datum: DatumId| {
+            let meant = written
+                .as_ref()
+                .is_none_or(|written| index.names.find(written) == Some(index.data[datum].name));
+            meant && index.data[datum].ctx.routine.is_none()
+        };
+        match &*lower_case(index.text(ctx.file, instruction)) {
+            "setdataval" if written.is_some() => {
+                let Some(at) = self.read_at(index, ctx, value) else { return };
+                data.extend(index.data.ids().filter(|&datum| is_meant(datum)).map(|datum| (datum, at)));
+            }
+            "getdataval" => {
+                let held = self.data.iter().filter(|(datum, _)| is_meant(**datum)).map(|(_, at)| *at).min();
+                let Some(at) = held else { return };
+                names_in(index, ctx, value, &mut |datum| data.push((datum, at)));
+            }
+            _ => {}
         }
     }
 
