@@ -62,10 +62,19 @@ impl Loading {
         sent.iter().zip(&self.existing).map(one).collect()
     }
 
+    /// What becomes of a module, in one word for scripts.
+    pub(super) fn outcome(&self, position: usize) -> Option<&'static str> {
+        self.existing.get(position).map(|existing| match existing {
+            ExistingModule::Absent => "new",
+            ExistingModule::Corrected => "replaces",
+            ExistingModule::Foreign(_) => "refused",
+        })
+    }
+
     /// For each module whether one of its name is taken out first.
     ///
     /// # Errors
-    /// `link::not-ours`, `link::names-taken`: the first that cannot be loaded.
+    /// `link::name`, `link::not-ours`, `link::names-taken`: the first that cannot be loaded.
     pub fn replaces(&self) -> Result<Vec<bool>, Diagnostic> {
         let of = |existing: &ExistingModule| match existing {
             ExistingModule::Absent => Ok(false),
@@ -136,6 +145,9 @@ fn existing_module(
     (task, loaded): (&str, &[LoadedModule]),
     session: &mut Session,
 ) -> Result<ExistingModule, LinkError> {
+    if let Err(error) = Session::check_module_name(&module.module) {
+        return Ok(ExistingModule::Foreign(link_message(&error)));
+    }
     let is = |loaded: &LoadedModule, name: &str| loaded.name.eq_ignore_ascii_case(name);
     let mut found = ExistingModule::Absent;
     if loaded.iter().any(|l| is(l, &module.module)) {

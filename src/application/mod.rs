@@ -32,6 +32,8 @@ mod link_data;
 #[cfg(feature = "link")]
 mod link_info;
 #[cfg(feature = "link")]
+mod link_push;
+#[cfg(feature = "link")]
 mod loading;
 mod model_check;
 #[cfg(feature = "link")]
@@ -75,6 +77,8 @@ pub use link_check::{AllSolutions, LinkCheck, LinkCheckError, LinkChecked, Targe
 pub use link_data::LinkDatum;
 #[cfg(feature = "link")]
 pub use link_info::LinkInfo;
+#[cfg(feature = "link")]
+pub use link_push::{HomeFile, PushReport};
 #[cfg(feature = "link")]
 pub use loading::{Loading, LoadingError, link_message};
 pub use metrology::diagnose::warmup::{FitError, StateError};

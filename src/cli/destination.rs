@@ -99,7 +99,10 @@ impl Destination {
             return Ok(());
         }
         self.modules.iter().try_for_each(|path| overwriting::check_result(path))?;
-        let Some(copies) = &self.copies else { return Ok(()) };
+        let Some(copies) = &self.copies else {
+            let mut all = self.modules.iter().zip(&given.bytes);
+            return all.try_for_each(|(path, original)| overwriting::check_program(path, original));
+        };
         for (to, bytes) in self.modules.iter().zip(&given.bytes) {
             overwriting::check_copy(copies, to, || bytes.to_vec())?;
         }

@@ -3,12 +3,14 @@
 use super::copies::Copies;
 use super::files::{self, PENDING};
 use crate::application::EarlierResult;
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use rapid_syntax::tree::FileItem;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What stands in a regular file; `None` of a pipe or device, which may give nothing for ever, and where nothing is.
-fn bytes_of_file(path: &Path) -> Option<Vec<u8>> {
+pub(super) fn bytes_of_file(path: &Path) -> Option<Vec<u8>> {
     path.is_file().then(|| fs::read(path).ok()).flatten()
 }
 
@@ -25,6 +27,24 @@ pub fn check_result(path: &Path) -> Result<(), Diagnostic> {
         ));
     }
     Ok(())
+}
+
+/// Refuses to overwrite a program that is no result of ours, unless it is the `original` once more.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_program(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
+    let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
+    if bytes == original || EarlierResult::of(&bytes).is_some() || !holds_module(path, bytes) {
+        return Ok(());
+    }
+    let text = format!("{} is a program, and no result of this one", path.display());
+    Err(Diagnostic::error("output::changed", text).help("name another place with -o, or say --force"))
+}
+
+fn holds_module(path: &Path, bytes: Vec<u8>) -> bool {
+    let there = SourceFile::read(FileId(0), path.display().to_string(), bytes);
+    there.tree.items.iter().any(|item| matches!(item, FileItem::Module(_)))
 }
 
 /// Refuses to overwrite a sheet of `plan` in which something has been filled in.
@@ -77,7 +97,7 @@ pub fn check_copy(copies: &Copies, to: &Path, new: impl FnOnce() -> Vec<u8>) -> 
 
 /// Why a common module that is there already must stay; `None` where it may be written.
 pub fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<String> {
-    let there = fs::read(core).ok()?;
+    let there = bytes_of_file(core)?;
     if there == bytes {
         return None;
     }

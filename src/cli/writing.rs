@@ -2,6 +2,7 @@
 
 use super::destination::{Destination, STANDARD, is_pgf};
 use super::files::{self, Pending};
+use super::overwriting::bytes_of_file;
 use super::program_input::ProgramInput;
 use crate::application::EarlierResult;
 use rapid_program::emit::EmittedFile;
@@ -114,10 +115,11 @@ impl Writing {
     /// Where an earlier result stands, its common module goes first and the new one comes last: until then nothing loads, as old
     /// modules would ask a new clock, or new ones an old one.
     fn in_order(self) -> Written {
-        let is_earlier = |path: &Path| fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some());
+        let is_earlier =
+            |path: &Path| bytes_of_file(path).is_some_and(|bytes| EarlierResult::of(&bytes).is_some());
         let mut withdrawn = Vec::new();
         for (core, file) in self.emitted.iter().filter(|file| file.source.is_none()).zip(&self.cores) {
-            if fs::read(file.path()).is_ok_and(|there| there != core.bytes) {
+            if bytes_of_file(file.path()).is_some_and(|there| there != core.bytes) {
                 withdrawn.push(file.path().to_path_buf());
             }
         }

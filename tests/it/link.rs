@@ -323,6 +323,44 @@ fn a_first_load_that_rapid_refuses_is_taken_out_again() {
 }
 
 #[test]
+fn what_a_push_has_done_is_told_to_scripts() {
+    on_each_robotware(|personality| {
+        let shop = Shop::new(personality);
+        shop.put(None);
+        let told = |arguments: &[&str]| {
+            let (exit, out, _) = shop.run(&[arguments, &["--json", "-"]].concat());
+            let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+            let one = |key: &str| json["modules"][0][key].clone();
+            assert_eq!(
+                (one("module"), json["task"].as_str()),
+                ("MOD_Cube45".into(), Some("T_ROB1")),
+                "{out}"
+            );
+            (exit, one("home"), one("load"), one("written"), one("loaded"))
+        };
+        let push = ["push", "MODULE", "HOST"];
+        assert_eq!(told(&push), (1, "new".into(), "new".into(), false.into(), false.into()));
+        assert_eq!(told(&CONFIRMED_LOAD), (0, "new".into(), "new".into(), true.into(), true.into()));
+        assert_eq!(told(&push), (0, "same".into(), "replaces".into(), false.into(), false.into()));
+    });
+}
+
+#[test]
+fn a_module_whose_name_cannot_be_loaded_is_told_before_anything_is_written() {
+    on_each_robotware(|personality| {
+        let shop = Shop::new(personality);
+        let corrected = String::from_utf8_lossy(&PROGRAMS[1]).into_owned();
+        let long = format!("MOD_{}", "x".repeat(40));
+        std::fs::write(shop.module(), corrected.replace("MOD_Cube45", &long)).unwrap();
+        let (_, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+        assert!(out.contains("--load would be refused: ") && out.contains("is no RAPID name"), "{out}");
+        let (exit, _, message) = shop.run(&CONFIRMED_LOAD);
+        assert!(exit == 2 && message.contains("link::name"), "{message}");
+        assert!(shop.double.with(|c| c.files.is_empty()));
+    });
+}
+
+#[test]
 fn a_program_is_watched_line_by_line_and_by_subscription() {
     on_each_robotware(|personality| {
         let shop = Shop::new(personality);

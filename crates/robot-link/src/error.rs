@@ -148,6 +148,16 @@ pub enum LinkError {
         /// What was done about it.
         then: String,
     },
+    /// A module went to make room for another one, which did not come.
+    #[error("{module} was taken out of {task}, and what should take its place is not loaded ({cause})")]
+    TakenOut {
+        /// Name of the module, of the one that went and of the one that did not come.
+        module: String,
+        /// The task that has neither.
+        task: String,
+        /// What became of the load.
+        cause: Box<LinkError>,
+    },
     /// The mode changed while something was written.
     #[error("the operating mode changed from {before} to {after} meanwhile: {what}")]
     ModeChanged {
@@ -194,6 +204,7 @@ impl LinkError {
             Self::Operator(_) => "link::operator",
             Self::RightRemains { .. } => "link::right-remains",
             Self::ModuleErrors { .. } => "link::module-errors",
+            Self::TakenOut { .. } => "link::taken-out",
             Self::ModeChanged { .. } => "link::mode-changed",
             Self::Interrupted => "link::interrupted",
         }
@@ -238,6 +249,9 @@ impl LinkError {
             Self::ModuleErrors { .. } => {
                 "are its routines or data loaded under another module's name, the original's? unload that on the pendant; else check the \
                  program in RobotStudio; the file in HOME is as it was sent"
+            }
+            Self::TakenOut { .. } => {
+                "the file is in HOME as it was sent: load it on the pendant, or run again, which puts it in as a new module"
             }
             Self::ModeChanged { .. } => "look at what is there, then run again",
             Self::Interrupted => "the right to write was given back and the session ended",

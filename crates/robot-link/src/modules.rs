@@ -35,7 +35,8 @@ impl Session {
     /// `replaces`, and takes it out again where RAPID finds errors in it.
     ///
     /// # Errors
-    /// RAPID runs; a refusal; [`LinkError::ModuleErrors`]; [`LinkError::Uncertain`] where it cannot be called loaded.
+    /// RAPID runs; a refusal; [`LinkError::TakenOut`] where the module that it replaces is out then;
+    /// [`LinkError::ModuleErrors`]; [`LinkError::Uncertain`] where it cannot be called loaded.
     pub fn exchange_module(
         &mut self,
         task: &str,
@@ -66,20 +67,25 @@ impl Session {
             }
             return Err(LinkError::ModuleErrors { module: module.to_owned(), code, then });
         }
+        let missing = |cause: LinkError| {
+            let (module, task) = (module.to_owned(), task.to_owned());
+            if replaces { LinkError::TakenOut { module, task, cause: Box::new(cause) } } else { cause }
+        };
         if let Err(error @ LinkError::Refused { .. }) = loaded {
-            return Err(error);
+            return Err(missing(error));
         }
         let is_there = self.has_module(task, module);
         let after = self.mode();
         match (loaded, is_there) {
             (Ok(_), Ok(true)) => {}
+            (Err(error), Ok(false)) => return Err(missing(error)),
             // Whether RAPID found errors in it is not known, so it is not called loaded.
             (Err(error), _) => return Err(error),
             (Ok(_), Ok(false)) => {
-                return Err(LinkError::Different {
+                return Err(missing(LinkError::Different {
                     what: module.to_owned(),
                     found: format!("{task} has no such module"),
-                });
+                }));
             }
             (Ok(_), Err(cause)) => {
                 return Err(LinkError::Uncertain { request: requests::LOAD.name, cause: cause.to_string() });
@@ -93,6 +99,14 @@ impl Session {
             }),
             _ => Ok(()),
         }
+    }
+
+    /// Whether a module of this name can be asked for and loaded at all.
+    ///
+    /// # Errors
+    /// [`LinkError::Name`].
+    pub fn check_module_name(name: &str) -> Result<(), LinkError> {
+        names::rapid(name).map(drop)
     }
 
     fn has_module(&mut self, task: &str, module: &str) -> Result<bool, LinkError> {

@@ -3,10 +3,11 @@
 use super::connection::Connection;
 use super::question::is_yes;
 use crate::application::{EmittedState, check_modules};
+use crate::cli::files::Output;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::{Console, Outcome};
 use crate::report::{self, LocatedDiagnostic};
-use driftpost::application::{Loading, LoadingError, ModuleUpload};
+use driftpost::application::{HomeFile, Loading, LoadingError, ModuleUpload, PushReport};
 use robot_link::{Execution, LinkError, Session};
 use std::path::PathBuf;
 
@@ -39,14 +40,20 @@ pub struct Args {
     /// The task to load into [default: the one that moves an arm].
     #[arg(long, value_name = "TASK")]
     task: Option<String>,
+
+    /// What is in HOME and in the task, and what was written and loaded, as JSON; - is standard output.
+    #[arg(long, value_name = "FILE|-")]
+    json: Option<PathBuf>,
 }
 
-/// What stands in HOME under its name.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum There {
-    Nothing,
-    Same,
-    Other,
+/// What goes on at one controller.
+struct Push<'c> {
+    modules: Vec<ModuleUpload>,
+    session: Session,
+    console: &'c mut Console,
+    /// Standard output is the JSON's.
+    is_silent: bool,
+    report: PushReport,
 }
 
 /// Runs `link push`.
@@ -61,73 +68,130 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Refused);
     }
     let modules = sources.iter().map(ModuleUpload::of).collect::<Result<Vec<_>, _>>()?;
-    let mut session = args.connection.open(console)?;
-    let mut there = Vec::new();
-    for module in &modules {
-        there.push(shown(module, &mut session, console)?);
-    }
-    if !args.yes {
-        would_load(args, &modules, &mut session, console)?;
-        session.end()?;
-        writeln!(console.out(), "dry run: nothing was written; --yes writes")?;
-        let is_same = there.iter().all(|there| *there == There::Same);
-        return Ok(if is_same { Outcome::Done } else { Outcome::Difference });
-    }
-    // What cannot be loaded is told before anything is written.
-    let loading = if args.load { Some(may_load(args, &modules, &mut session)?) } else { None };
-    for (module, there) in modules.iter().zip(&there) {
-        if *there != There::Same {
-            session.write_file(&module.file, &module.bytes)?;
-            writeln!(
-                console.out(),
-                "{}: {} bytes written, read back, the same",
-                module.file,
-                module.bytes.len()
-            )?;
-        }
-    }
-    let outcome = match loading {
-        Some(loading) => load(args, &modules, &loading, &mut session, console)?,
-        None => Outcome::Done,
-    };
-    session.end()?;
+    let json = Output::new(args.json.as_deref())?;
+    let session = args.connection.open(console)?;
+    let report = PushReport::default();
+    let mut push = Push { modules, session, console, is_silent: json.is_standard(), report };
+    let (outcome, loading) = if args.yes { push.write(args)? } else { push.show(args)? };
+    push.session.end()?;
+    let Push { modules, console, report, .. } = push;
+    json.write(console, || Ok(format!("{:#}\n", report.json(&modules, loading.as_ref())).into_bytes()))?;
     Ok(outcome)
 }
 
-/// Says what would become of what is there.
-fn shown(module: &ModuleUpload, session: &mut Session, console: &mut Console) -> anyhow::Result<There> {
-    let Some(bytes) = session.file(&module.file)? else {
-        writeln!(console.out(), "{}: new in HOME, {} bytes", module.file, module.bytes.len())?;
-        return Ok(There::Nothing);
-    };
-    if bytes == module.bytes {
-        writeln!(console.out(), "{}: is in HOME already, the same {} bytes", module.file, bytes.len())?;
-        return Ok(There::Same);
+impl Push<'_> {
+    /// What would be written and loaded.
+    fn show(&mut self, args: &Args) -> anyhow::Result<(Outcome, Option<Loading>)> {
+        self.compare()?;
+        let loading = match Loading::of(&self.modules, args.task.as_deref(), &mut self.session) {
+            Ok(loading) => {
+                self.say(&loading.text(&self.modules))?;
+                Some(loading)
+            }
+            Err(LoadingError::Task(why)) => {
+                self.say(&format!("what --load would meet is not known: {}\n", why.message))?;
+                None
+            }
+            Err(LoadingError::Link(error)) => return Err(error.into()),
+        };
+        self.say("dry run: nothing was written; --yes writes\n")?;
+        Ok((if self.report.is_same() { Outcome::Done } else { Outcome::Difference }, loading))
     }
-    writeln!(console.out(), "{}: another is in HOME:", module.file)?;
-    let mut cut = report::Cut::new(console.out(), DIFF_LINES);
-    report::write_texts(&mut cut, &format!("HOME/{}", module.file), &module.file, &bytes, &module.bytes)?;
-    let dropped = cut.dropped;
-    if dropped > 0 {
-        writeln!(console.out(), "... and {dropped} more {}", report::plural(dropped, "line"))?;
+
+    fn write(&mut self, args: &Args) -> anyhow::Result<(Outcome, Option<Loading>)> {
+        self.compare()?;
+        // What cannot be loaded is told before anything is written.
+        let loading = if args.load { Some(may_load(args, &self.modules, &mut self.session)?) } else { None };
+        for position in 0..self.modules.len() {
+            if self.report.home.get(position) == Some(&HomeFile::Same) {
+                continue;
+            }
+            let ModuleUpload { file, bytes, .. } = &self.modules[position];
+            self.session.write_file(file, bytes)?;
+            let text = format!("{file}: {} bytes written, read back, the same\n", bytes.len());
+            self.say(&text)?;
+        }
+        self.report.is_written = true;
+        let outcome = match &loading {
+            Some(loading) => self.load(args, loading)?,
+            None => Outcome::Done,
+        };
+        Ok((outcome, loading))
     }
-    Ok(There::Other)
+
+    fn say(&mut self, text: &str) -> std::io::Result<()> {
+        if self.is_silent { Ok(()) } else { write!(self.console.out(), "{text}") }
+    }
+
+    /// Says what would become of what is in HOME.
+    fn compare(&mut self) -> anyhow::Result<()> {
+        for position in 0..self.modules.len() {
+            let ModuleUpload { file, bytes, .. } = &self.modules[position];
+            let found = self.session.file(file)?;
+            let (home, text) = match &found {
+                None => (HomeFile::New, format!("{file}: new in HOME, {} bytes\n", bytes.len())),
+                Some(found) if found == bytes => {
+                    (HomeFile::Same, format!("{file}: is in HOME already, the same {} bytes\n", bytes.len()))
+                }
+                Some(found) => (HomeFile::Other, difference(file, found, bytes)?),
+            };
+            self.report.home.push(home);
+            self.say(&text)?;
+        }
+        Ok(())
+    }
+
+    /// Exchanges the modules, asked for again.
+    fn load(&mut self, args: &Args, loading: &Loading) -> anyhow::Result<Outcome> {
+        let (task, replaces) = (&loading.task, loading.replaces()?);
+        self.say(&loading.text(&self.modules))?;
+        let Push { modules, session, console, .. } = self;
+        let is_sure = args.confirmed || is_yes("RAPID stands still. Load?", session, console)?;
+        if !is_sure {
+            console.note("nothing was loaded: it was not confirmed (--confirmed in scripts)");
+            return Ok(Outcome::Refused);
+        }
+        let before = EmittedState::of_task(session, task, &loading.loaded)?;
+        let mut loaded = 0;
+        let mut on_notice = |text: &str| console.note(text);
+        let done = session.with_right(&mut on_notice, |session| {
+            let mut all = modules.iter().zip(&replaces);
+            all.try_for_each(|(module, replaces)| {
+                session.exchange_module(task, &module.module, &module.file, *replaces)?;
+                loaded += 1;
+                Ok(())
+            })
+        });
+        let text: String = modules
+            .iter()
+            .take(loaded)
+            .map(|module| format!("{}: loaded into {task}\n", module.module))
+            .collect();
+        self.say(&text)?;
+        done?;
+        self.report.is_loaded = true;
+        let mut values = before.into_iter().flat_map(|own| own.values);
+        self.report.minute_before = values.find(|(name, _)| name == "tcMinute").map(|(_, minute)| minute);
+        if let Some(minute) = &self.report.minute_before {
+            self.console.note(format_args!(
+                "the warm-up state begins anew: it was at minute {minute}; `tcStartAt {minute}` takes it up"
+            ));
+        }
+        Ok(Outcome::Done)
+    }
 }
 
-/// Says what loading would meet; where the task is not known, that.
-fn would_load(
-    args: &Args,
-    modules: &[ModuleUpload],
-    session: &mut Session,
-    console: &mut Console,
-) -> anyhow::Result<()> {
-    match Loading::of(modules, args.task.as_deref(), session) {
-        Ok(loading) => Ok(write!(console.out(), "{}", loading.text(modules))?),
-        Err(LoadingError::Task(why)) => {
-            Ok(writeln!(console.out(), "what --load would meet is not known: {}", why.message)?)
-        }
-        Err(LoadingError::Link(error)) => Err(error.into()),
-    }
+/// What is in HOME beside what is to come, line by line, cut to what one reads.
+fn difference(file: &str, found: &[u8], bytes: &[u8]) -> anyhow::Result<String> {
+    let mut out = Vec::new();
+    let mut cut = report::Cut::new(&mut out, DIFF_LINES);
+    report::write_texts(&mut cut, &format!("HOME/{file}"), file, found, bytes)?;
+    let dropped = cut.dropped;
+    let more = match dropped {
+        0 => String::new(),
+        _ => format!("... and {dropped} more {}\n", report::plural(dropped, "line")),
+    };
+    Ok(format!("{file}: another is in HOME:\n{}{more}", String::from_utf8_lossy(&out)))
 }
 
 /// What is met, where RAPID stands still and everything can be loaded.
@@ -139,41 +203,6 @@ fn may_load(args: &Args, modules: &[ModuleUpload], session: &mut Session) -> any
     }
     loading.replaces()?;
     Ok(loading)
-}
-
-/// Exchanges the modules, asked for again.
-fn load(
-    args: &Args,
-    modules: &[ModuleUpload],
-    loading: &Loading,
-    session: &mut Session,
-    console: &mut Console,
-) -> anyhow::Result<Outcome> {
-    let (task, replaces) = (&loading.task, loading.replaces()?);
-    write!(console.out(), "{}", loading.text(modules))?;
-    let is_sure = args.confirmed || is_yes("RAPID stands still. Load?", session, console)?;
-    if !is_sure {
-        console.note("nothing was loaded: it was not confirmed (--confirmed in scripts)");
-        return Ok(Outcome::Refused);
-    }
-    let before = EmittedState::of_task(session, task, &loading.loaded)?;
-    let mut on_notice = |text: &str| console.note(text);
-    session.with_right(&mut on_notice, |session| {
-        let mut all = modules.iter().zip(&replaces);
-        all.try_for_each(|(module, replaces)| {
-            session.exchange_module(task, &module.module, &module.file, *replaces)
-        })
-    })?;
-    for module in modules {
-        writeln!(console.out(), "{}: loaded into {task}", module.module)?;
-    }
-    let minute = before.iter().flat_map(|own| &own.values).find(|(name, _)| name == "tcMinute");
-    if let Some((_, minute)) = minute {
-        console.note(format_args!(
-            "the warm-up state begins anew: it was at minute {minute}; `tcStartAt {minute}` takes it up"
-        ));
-    }
-    Ok(Outcome::Done)
 }
 
 /// An error of the controller stays one: an interruption is no failure.

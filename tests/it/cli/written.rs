@@ -33,6 +33,9 @@ fn a_full_disk_is_told_with_what_was_written() {
         err(&json)
     );
     assert!(bench.files().is_empty() && out(&json).is_empty(), "{:?}", bench.files());
+    // A device that gives bytes without end is no earlier result, and is not asked for any.
+    let program = driftpost(&["compensate", CUBE, "-o", "/dev/full", "--diff", "none"]);
+    assert!(err(&program).contains("output::unwritable"), "{}", err(&program));
     let full = || Stdio::from(std::fs::File::create("/dev/full").unwrap());
     let run = |arguments: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_driftpost"));
@@ -244,4 +247,25 @@ fn a_sheet_that_has_been_filled_in_is_overwritten_only_by_force() {
     }
     assert_eq!(plan(&["--force"]).status.code(), Some(0));
     assert_eq!(bench.text("sheet.csv"), blank);
+}
+
+/// Somebody else's program is as worthy as an input: the place of a single result is no licence to overwrite it.
+#[test]
+fn a_program_of_somebody_else_is_not_overwritten() {
+    let bench = Bench::default();
+    let place = bench.path("Cube45_tc.mod");
+    let name = place.display().to_string();
+    let run =
+        |more: &[&str]| driftpost(&[&["compensate", CUBE, "-o", &name, "--diff", "none"], more].concat());
+    std::fs::write(&place, "MODULE Mine\n  PROC main()\n  ENDPROC\nENDMODULE\n").unwrap();
+    let refused = run(&[]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(err(&refused).contains("output::changed") && err(&refused).contains("no result of this one"));
+    assert!(std::fs::read_to_string(&place).unwrap().starts_with("MODULE Mine"));
+    assert_eq!(run(&["--force"]).status.code(), Some(0));
+    // What is no program, the original once more and a result of ours make room.
+    for there in [String::new(), "notes".to_owned(), std::fs::read_to_string(CUBE).unwrap()] {
+        std::fs::write(&place, there).unwrap();
+        assert_eq!((run(&[]).status.code(), run(&[]).status.code()), (Some(0), Some(0)));
+    }
 }

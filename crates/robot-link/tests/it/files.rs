@@ -113,3 +113,26 @@ fn a_module_with_errors_is_taken_out_again() {
         is_left_clean(&double);
     }
 }
+
+#[test]
+fn a_load_that_fails_says_that_the_module_it_replaces_is_out() {
+    for personality in Personality::ALL {
+        for fault in [Fault::Unavailable, Fault::DropBefore, Fault::ErrorInside] {
+            let double = double(personality);
+            let mut session = open(&double);
+            session.write_file("Part.mod", newer().as_bytes()).unwrap();
+            double.plan(Box::new(move |seen, _| {
+                let is_load = seen.uri.contains("loadmod") && !seen.uri.contains("unloadmod");
+                (seen.method == "POST" && is_load).then_some(fault)
+            }));
+            let error = exchange(&mut session, true).unwrap_err();
+            assert_eq!(error.code(), "link::taken-out", "{fault:?} {error}");
+            assert!(error.to_string().starts_with("Part was taken out of T_ROB1, and"), "{error}");
+            assert!(double.with(|c| c.module("Part").is_none()), "{fault:?}");
+            // Nothing was there before: that it is not loaded is all there is to say.
+            assert_ne!(exchange(&mut session, false).unwrap_err().code(), "link::taken-out", "{fault:?}");
+            session.end().unwrap();
+            is_left_clean(&double);
+        }
+    }
+}
