@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 
 from . import _driftpost
 from ._driftpost import Table, __version__
+from ._command import command
 from ._errors import DriftpostError, Message
 from ._files import Folder, is_text, paths_of, texts_of
 from ._inputs import numbers, words
@@ -144,7 +145,10 @@ def compensate(program, *, robot="irb140", deformation=None, model=None,
         given = texts_of(program) if isinstance(program, dict) else paths_of(program)
         if progress is not None and not callable(progress):
             raise DriftpostError(f"progress is {type(progress).__name__}, which cannot be called", "option::usage")
-        files, diff, data, review, messages = _driftpost.compensate(given, words(options), progress)
+        try:
+            files, diff, data, review, messages = _driftpost.compensate(given, words(options), progress)
+        except DriftpostError as error:
+            raise folder.error(error) from None
     data = json.loads(data)
     motions, buckets = data.pop("motions"), data.pop("buckets")
     data.pop("warnings", None)
@@ -165,7 +169,7 @@ def simulate(program, original=None, *, robot=None, deformation=None, model=None
         if original is not None:
             given += ["--original", *folder.program(original, "original.mod")]
         made = folder.path("passes.csv")
-        code, data, text = _command(folder, [*given, f"--csv={made}", *words({**options, "minutes": minutes})])
+        code, data, text = command(folder, [*given, f"--csv={made}", *words({**options, "minutes": minutes})])
         return Simulation(code == 0, _csv_table(made.read_text()), data, text)
 
 
@@ -179,7 +183,9 @@ def diagnose(measurements, *, robot="irb140", tool=None, sigma_mm: float | None 
         options = _models(folder, robot, None, None, options)
         model, rows = folder.path("model.toml"), folder.path("rows.csv")
         given = [folder.table(measurements, "measurements.csv"), f"--model-out={model}", f"--csv={rows}"]
-        _, data, text = _command(folder, ["diagnose", *given, *words({**options, "tool": tool if tool is None else numbers("tool", tool), "sigma_mm": sigma_mm})])
+        tool = tool if tool is None else numbers("tool", tool)
+        asked = ["diagnose", *given, *words({**options, "tool": tool, "sigma_mm": sigma_mm})]
+        _, data, text = command(folder, asked, accepted="model::none")
         found = model.read_text() if model.exists() else None
         return Diagnosis(data["verdict"], _table(data["causes"]), data, _csv_table(rows.read_text()), found, text)
 
@@ -193,7 +199,7 @@ def fit(touches, *, robot="irb140", tool=None, **options) -> Fit:
         options = _models(folder, robot, None, None, options)
         table, model = folder.path("table.csv"), folder.path("model.toml")
         given = [folder.table(touches, "touches.csv"), f"--table-out={table}", f"--model-out={model}"]
-        _, data, text = _command(folder, ["fit", *given, *words({**options, "tool": tool if tool is None else numbers("tool", tool)})])
+        _, data, text = command(folder, ["fit", *given, *words({**options, "tool": tool if tool is None else numbers("tool", tool)})])
         return Fit(_csv_table(table.read_text()), model.read_text(), data, text)
 
 
@@ -205,7 +211,7 @@ def validate(measurements, model, *, robot="irb140", register: str = "base,tool"
     with Folder() as folder:
         options = _models(folder, robot, None, model, options)
         given = folder.table(measurements, "measurements.csv")
-        return _command(folder, ["validate", given, *words({**options, "register": register})])[1]
+        return command(folder, ["validate", given, *words({**options, "register": register})])[1]
 
 
 def plan(*, robot="irb140", **options) -> Plan:
@@ -214,7 +220,7 @@ def plan(*, robot="irb140", **options) -> Plan:
         options = _models(folder, robot, None, None, options)
         poses, sheet, module = folder.path("poses.csv"), folder.path("sheet.csv"), folder.path("Measure.mod")
         given = [f"--csv={poses}", f"--template-out={sheet}", f"--rapid-out={module}"]
-        _, data, _ = _command(folder, ["plan", *given, *words(options)])
+        _, data, _ = command(folder, ["plan", *given, *words(options)])
         return Plan(_csv_table(poses.read_text()), sheet.read_text(), module.read_text(), data)
 
 
@@ -226,18 +232,6 @@ def _models(folder: Folder, robot, deformation, model, options: dict) -> dict:
     if model is not None:
         options["model"] = folder.table(model, "model.toml")
     return options
-
-
-def _command(folder: Folder, given: list[str]) -> tuple[int, dict, str]:
-    """Exit code, JSON and text of a command."""
-    data = folder.path("result.json")
-    try:
-        code, output, said = _driftpost.command([*given, f"--json={data}"])
-    except DriftpostError as error:
-        raise folder.error(error) from None
-    if code == 2:
-        raise DriftpostError(said.strip() or output.strip() or "the command was refused")
-    return code, json.loads(data.read_text()), output
 
 
 def _table(rows: list[dict]) -> Table:

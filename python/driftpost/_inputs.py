@@ -22,7 +22,7 @@ def words(options: dict) -> list[str]:
         option = "--" + name.replace("_", "-")
         for one in value if isinstance(value, list) else [value]:
             if isinstance(one, Robot):
-                one = one._core.source
+                one = one._core.current_source()
             one = _plain(one)
             if isinstance(one, (tuple, list)):
                 one = ",".join(str(_plain(part)) for part in one)

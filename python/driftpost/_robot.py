@@ -15,7 +15,9 @@ from ._files import Folder, path_of
 def _array(name: str, values, shape: tuple[int, ...]) -> tuple[np.ndarray, bool]:
     """Values as (N, *shape) of float64, and whether one row stood alone."""
     try:
-        array = np.asarray(values)
+        # What is masked is no number.
+        is_masked = isinstance(values, np.ma.MaskedArray) and values.dtype.kind in "iuf"
+        array = np.asarray(values.astype(np.float64).filled(np.nan) if is_masked else values)
     except (TypeError, ValueError) as error:
         raise DriftpostError(f"{name} is no array of numbers: {error}", "array::shape") from None
     if array.dtype.kind not in "iuf":
@@ -67,7 +69,12 @@ class Robot:
     """
 
     def __init__(self, core: _driftpost.Robot):
+        if not isinstance(core, _driftpost.Robot):
+            raise DriftpostError("a robot is loaded: Robot.load(\"irb140\")", "option::usage")
         self._core = core
+
+    def __reduce__(self):
+        return type(self).load, (self._core.source,)
 
     @classmethod
     def load(cls, name: str | os.PathLike[str]) -> Robot:
@@ -104,7 +111,10 @@ class Robot:
             raise DriftpostError(f"growth is {type(growth).__name__}, not a law like \"two-stage:46\"", "option::usage")
         with Folder() as folder:
             path = None if deformation is None else folder.table(deformation, "deformation.csv")
-            poses = self._core.forward_deformed(_flat(q), _flat(t_min), path, growth).reshape(-1, 4, 4)
+            try:
+                poses = self._core.forward_deformed(_flat(q), _flat(t_min), path, growth).reshape(-1, 4, 4)
+            except DriftpostError as error:
+                raise folder.error(error) from None
         return poses[0] if alone else poses
 
     def calibrate(self, q, pose, *, sigma_mm: float = 0.02, sigma_deg: float | None = 0.0057, prior_shift_mm: float = 1.0,

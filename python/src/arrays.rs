@@ -46,6 +46,17 @@ impl Robot {
         &self.source
     }
 
+    /// What names the robot to a command; refused where that is another robot by now.
+    fn current_source(&self, py: Python<'_>) -> PyResult<&str> {
+        let now = command_line::robot(&self.source).map_err(|diagnostic| one(py, diagnostic))?;
+        if now == *self.arm.robot() {
+            return Ok(&self.source);
+        }
+        let text = format!("{} is another robot than when it was loaded", self.source);
+        let help = "the file was changed since, or the working folder: load the robot again";
+        Err(one(py, Diagnostic::error("robot::changed", text).help(help)))
+    }
+
     /// Degrees, `None` where a joint has no range.
     #[getter]
     fn ranges(&self) -> Vec<Option<[f64; 2]>> {

@@ -1,20 +1,28 @@
 //! The command line, run within Python.
 
 use crate::errors::refused;
+use driftpost::LocatedDiagnostic;
 use driftpost::command_line::{self, Outcome};
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
-/// Runs a command; gives its exit code, standard output and standard error. A refusal is an exception.
+/// Runs a command; gives its exit code, standard output and standard error. A refusal is an exception, but for one with the code
+/// `accepted`.
 #[pyfunction]
-pub(crate) fn command(py: Python<'_>, words: Vec<OsString>) -> PyResult<(u8, String, String)> {
+#[pyo3(signature = (words, accepted=None))]
+pub(crate) fn command(
+    py: Python<'_>,
+    words: Vec<OsString>,
+    accepted: Option<&str>,
+) -> PyResult<(u8, String, String)> {
     let words: Vec<OsString> = [OsString::from("driftpost")].into_iter().chain(words).collect();
     // Nothing of a run is shared with another thread until it has ended.
     let (code, output, messages, errors) = py.detach(|| {
         let captured = command_line::run_captured(&words);
         (code_of(captured.outcome), captured.output, captured.messages, captured.errors)
     });
-    if code == 2 && !errors.is_empty() {
+    let is_accepted = |message: &LocatedDiagnostic| Some(message.diagnostic.code) == accepted;
+    if code == 2 && !errors.iter().all(is_accepted) {
         return Err(refused(py, &errors));
     }
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();

@@ -8,6 +8,7 @@ import math
 import os
 import subprocess
 import sys
+import time
 
 import fleet_plant
 import pytest
@@ -168,13 +169,17 @@ def test_a_run_that_was_cut_off_goes_on_where_it_was(plant, tmp_path):
     parts = sorted((out / "parts").iterdir(), key=lambda part: pq.read_table(part)["robot_serial"][0].as_py())
     assert len(parts) == 2 and not (out / "run.json").exists()
     # What a machine that went down in the middle may leave: a file unfinished, and one that lost its end.
-    (out / "parts" / "unfinished-1-part-2.parquet").write_bytes(parts[0].read_bytes())
+    left, written_to = (out / "parts" / f"unfinished-{n}-part-2.parquet" for n in (1, 2))
+    for path, age_s in ((left, 4000), (written_to, 5)):
+        path.write_bytes(parts[0].read_bytes())
+        os.utime(path, (time.time() - age_s,) * 2)
     parts[1].write_bytes(parts[1].read_bytes()[:-100])
     seen.clear()
     summary = fleet.run(until(99), str(weeks), str(out), ray=False)
     assert summary.skipped == 5 and seen == [f"140-{n:06d}" for n in range(5, 20)]
     assert (out / "results" / "results-00000.parquet").read_bytes() == (plant / "diagnosed" / "results" / "results-00000.parquet").read_bytes()
-    assert not list((out / "parts").glob("unfinished-*"))
+    # What was written to just now is another run's.
+    assert list((out / "parts").glob("unfinished-*")) == [written_to]
     assert json.loads((out / "run.json").read_text())["files"] == summary.files
     again = fleet.run(until(99), str(weeks), str(out), ray=False)
     assert again.skipped == 20 and again.files == summary.files and len(seen) == 15
@@ -272,3 +277,38 @@ def test_the_page_of_the_documentation(fixtures, tmp_path, monkeypatch, capsys):
     exec(reads, names)
     said = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert [line[:3] for line in said] == [["140-1", "done", "None"], ["140-2", "done", "None"]] and all(float(line[3]) <= 0.02 for line in said)
+
+
+def test_a_set_without_a_model_has_its_verdict(plant, tmp_path):
+    """Five poses are too few, and that is an answer: the row is done, and holds no model."""
+    table = pq.read_table(plant / "weeks" / "second.parquet").slice(0, 1).to_pylist()
+    row = {name: value[:5] if isinstance(value, list) and len(value or []) > 20 else value for name, value in table[0].items()}
+    given = tmp_path / "few.parquet"
+    pq.write_table(pa.Table.from_pylist([row], pq.read_schema(plant / "weeks" / "second.parquet")), given)
+    fleet.run(fleet.DIAGNOSE, str(given), str(tmp_path / "out"), ray=False)
+    found, = pq.read_table(tmp_path / "out" / "results").to_pylist()
+    assert (found["status"], found["verdict"], found["model"]) == ("done", "insufficient_data", None), found
+
+
+def test_a_part_that_is_damaged_is_named(plant, tmp_path):
+    out = tmp_path / "out"
+    given = str(plant / "weeks" / "second.parquet")
+    fleet.run(fleet.DIAGNOSE, given, str(out), ray=False)
+    part = next((out / "parts").iterdir())
+    whole = part.read_bytes()
+    middle = len(whole) // 2
+    part.write_bytes(whole[:middle] + bytes(byte ^ 85 for byte in whole[middle:middle + 400]) + whole[middle + 400:])
+    with pytest.raises(driftpost.DriftpostError) as caught:
+        fleet.run(fleet.DIAGNOSE, given, str(out), ray=False)
+    assert caught.value.code == "fleet::damaged-part" and part.name in str(caught.value)
+    part.unlink()
+    assert fleet.run(fleet.DIAGNOSE, given, str(out), ray=False).refused == 0
+
+
+@pytest.mark.parametrize("days", ["nan", "inf", "-1", "0", "1e12", "soon"])
+def test_days_that_are_none(days, tmp_path):
+    from driftpost.fleet.__main__ import main
+
+    with pytest.raises(SystemExit) as caught:
+        main(["watch", str(tmp_path), str(tmp_path / "out"), "--days", days])
+    assert caught.value.code == 2

@@ -1,6 +1,7 @@
 """Kinematics against a forward kinematics of our own, written from the data sheet, and against RoboDK's joints."""
 
 import csv
+import pickle
 import threading
 import time
 
@@ -162,6 +163,33 @@ def test_bad_arrays(robot, call, code, place):
         call(robot)
     assert caught.value.code.startswith(code)
     assert place in str(caught.value)
+
+
+def test_masked_rows_are_no_numbers(robot):
+    q = np.ma.masked_array(np.zeros((3, 6)), mask=[[False] * 6, [False, True] * 3, [False] * 6])
+    with pytest.raises(driftpost.DriftpostError, match="row 1") as caught:
+        robot.fk(q)
+    assert caught.value.code == "array::not-finite"
+    assert np.array_equal(robot.fk(np.ma.masked_array(np.zeros((2, 6)), mask=False)), robot.fk(np.zeros((2, 6))))
+
+
+def test_a_robot_is_what_it_was_when_it_was_loaded(fixtures, tmp_path):
+    path = tmp_path / "arm.toml"
+    text = (fixtures / "measurements" / "r2000ic" / "robot.toml").read_text()
+    path.write_text(text)
+    arm = driftpost.Robot.load(path)
+    copied = pickle.loads(pickle.dumps(arm))
+    assert np.array_equal(copied.fk(np.zeros(6)), arm.fk(np.zeros(6)))
+    assert driftpost.plan(robot=arm, n=12).poses
+    path.write_text(text.replace("1075.0", "1076.0"))
+    assert path.read_text() != text
+    with pytest.raises(driftpost.DriftpostError) as caught:
+        driftpost.plan(robot=arm, n=12)
+    assert caught.value.code == "robot::changed"
+    path.unlink()
+    with pytest.raises(driftpost.DriftpostError) as caught:
+        driftpost.plan(robot=arm, n=12)
+    assert caught.value.code == "input::missing"
 
 
 def test_names_that_are_no_robots():

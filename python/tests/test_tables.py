@@ -40,6 +40,22 @@ def test_a_diagnosis(expected, measured):
     assert len(expected.residuals) == len((measured / "measurements.csv").read_text().splitlines()) - 1
 
 
+@pytest.mark.parametrize("rows, verdict", [(5, "insufficient_data"), (60, "data_fault")])
+def test_a_diagnosis_without_a_model(measured, rows, verdict):
+    """What the command line says with exit 0 is no exception: the verdict and the data are there, and no model."""
+    table = (measured / "measurements.csv").read_text().splitlines()[: rows + 1]
+    if verdict == "data_fault":
+        columns = table[0].split(",")
+        x = columns.index("x_mm")
+        cells = [line.split(",") for line in table[1:]]
+        for row in cells:
+            row[x] = repr(float(row[x]) / 25.4)
+        table[1:] = [",".join(row) for row in cells]
+    found = driftpost.diagnose("\n".join(table) + "\n", robot=measured / "robot.toml")
+    assert (found.verdict, found.model, found.data["verdict"]) == (verdict, None, verdict), found.report()
+    assert found.report() and len(found.residuals) in (0, rows)
+
+
 def test_ids_come_back_as_they_were_written(measured):
     rows = pandas.read_csv(measured / "measurements.csv")
     names = ["3_4", "34", "007", "7", "1e3", "nan", "+5", *(f"p{k}" for k in range(len(rows) - 7))]

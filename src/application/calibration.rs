@@ -125,6 +125,20 @@ mod tests {
         assert!(found.rms_deg.is_none() && found.rms_mm < 1e-3, "{found:?}");
     }
 
+    /// Where nothing is off nothing is left to settle, whichever pose it is.
+    #[test]
+    fn a_pose_that_is_exact_has_no_offsets() {
+        let arm = Arm::new(Robot::built_in("irb140").unwrap());
+        for j5_deg in [10.0, 29.9, 30.0, 45.0] {
+            for rows in [1, 2, 5] {
+                let q_deg = [0.0, 0.0, 0.0, 0.0, j5_deg, 0.0].repeat(rows);
+                let poses = arm.forward(&q_deg).unwrap();
+                let found = arm.calibrate(&q_deg, &poses, &CalibrationSizes::default()).unwrap();
+                assert!(found.rms_mm < 1e-9, "{j5_deg} {rows} {found:?}");
+            }
+        }
+    }
+
     #[test]
     fn what_cannot_be_calibrated_is_told() {
         let arm = Arm::new(Robot::built_in("irb140").unwrap());

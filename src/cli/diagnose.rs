@@ -122,7 +122,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-/// Writes JSON, RAPID, the table of axes, the file without false rows, the model and the residuals, as far as they are asked for.
+/// Writes JSON, RAPID, the table of axes, the file without false rows, the residuals and the model, as far as they are asked for.
 fn write_results(
     args: &Args,
     outputs: Outputs,
@@ -149,12 +149,12 @@ fn write_results(
     if let (Some(file), Some(path)) = (outputs.clean, &args.source.measurements) {
         file.write(&found.cleaned(&files::read(path, "measurement file")?))?;
     }
+    if let Some(csv) = outputs.csv {
+        csv.write(found.residuals_csv().as_bytes())?;
+    }
     if let Some(file) = outputs.model {
         let model = found.model_of(&given.name, &given.sha256).ok_or_else(|| none(&file))?;
         file.write(model.to_toml().as_bytes())?;
-    }
-    if let Some(csv) = outputs.csv {
-        csv.write(found.residuals_csv().as_bytes())?;
     }
     Ok(())
 }

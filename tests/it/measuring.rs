@@ -283,8 +283,8 @@ fn fixed_points_touched_again_need_no_tracker() {
     // All touches are within half a metre of each other: under much the same moments link 1's bending is of nearly the same shape.
     // With the payload's centre free in both it is not likely enough to be named.
     let named: Vec<_> = found.causes.iter().map(|c| (c.effect.name(), c.joint)).collect();
-    assert_eq!(named, [("joint_compliance", Axis::numbered(2))], "{}", found.reason);
-    assert_eq!(found.verdict, Verdict::Explained, "{}", found.reason);
+    assert_eq!(named, [("joint_compliance", Axis::numbered(2))], "{} {:?}", found.reason, found.causes);
+    assert_eq!(found.verdict, Verdict::Explained, "{} {:?}", found.reason, found.causes);
     assert!(found.causes[0].posterior > 0.9, "{:?}", found.causes);
 }
 

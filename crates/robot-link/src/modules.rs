@@ -1,8 +1,13 @@
 //! Modules of a task: listed, and exchanged while RAPID stands still.
 
-use crate::answer::WITH_ERRORS;
+use crate::answer::{Answer, WITH_ERRORS};
 use crate::requests;
 use crate::{Execution, LinkError, Session, names};
+
+/// ABB's number of the errors that RAPID has found in what was loaded.
+fn errors_in(loaded: &Answer) -> Option<i64> {
+    loaded.contents.code.filter(|code| WITH_ERRORS.contains(code))
+}
 
 /// A module in a task.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,16 +61,8 @@ impl Session {
         }
         let arguments = [("task", task), ("home", home), ("file", file)];
         let loaded = self.ask(requests::LOAD, &arguments);
-        let code = loaded.as_ref().ok().and_then(|answer| answer.contents.code);
-        if let Some(code) = code.filter(|code| WITH_ERRORS.contains(code)) {
-            let mut then = match self.unload(task, module) {
-                Ok(()) => "it was taken out again".to_owned(),
-                Err(error) => format!("it could not be taken out again: {error}"),
-            };
-            if replaces {
-                then.push_str(", and so was the module that it replaces");
-            }
-            return Err(LinkError::ModuleErrors { module: module.to_owned(), code, then });
+        if let Some(errors) = loaded.as_ref().ok().and_then(errors_in) {
+            return Err(self.taken_back(task, module, errors, replaces));
         }
         let missing = |cause: LinkError| {
             let (module, task) = (module.to_owned(), task.to_owned());
@@ -99,6 +96,18 @@ impl Session {
             }),
             _ => Ok(()),
         }
+    }
+
+    /// Takes a module out again in which RAPID has found errors; what there is to say of it.
+    fn taken_back(&mut self, task: &str, module: &str, code: i64, replaces: bool) -> LinkError {
+        let mut then = match self.unload(task, module) {
+            Ok(()) => "it was taken out again".to_owned(),
+            Err(error) => format!("it could not be taken out again: {error}"),
+        };
+        if replaces {
+            then.push_str(", and so was the module that it replaces");
+        }
+        LinkError::ModuleErrors { module: module.to_owned(), code, then }
     }
 
     /// Whether a module of this name can be asked for and loaded at all.

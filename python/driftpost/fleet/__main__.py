@@ -72,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
         command.add_argument("--rows-a-task", type=_count, default=16, metavar="N", help="rows that a task does and writes at once [default: 16]")
         command.add_argument("--json", metavar="FILE|-", help="how the run ended, as JSON")
         if name == "watch":
-            command.add_argument("--days", type=float, default=7, metavar="N", help="how long before the last set the one compared was [default: 7]")
+            command.add_argument("--days", type=_days, default=7, metavar="N", help="how long before the last set the one compared was [default: 7]")
     return parser
 
 
@@ -80,6 +80,13 @@ def _count(text: str) -> int:
     number = int(text)
     if number < 1:
         raise argparse.ArgumentTypeError(f"{text} is not 1 or more")
+    return number
+
+
+def _days(text: str) -> float:
+    number = float(text)
+    if not 0 < number < 1e5:
+        raise argparse.ArgumentTypeError(f"{text} is no number of days above 0")
     return number
 
 

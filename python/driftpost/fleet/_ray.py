@@ -38,8 +38,13 @@ def on_ray(task: Task, source: Input, store: Store, keys: list[str], done: froze
         # Ray reports its use to its makers unless it is told not to; what a plant does is the plant's.
         os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
         # A core for each task: threads of a task would only take turns with those of the others.
-        ray.init(address=address, num_cpus=None if address else workers, include_dashboard=False if address is None else None,
-                 log_to_driver=False, logging_level=logging.WARNING, runtime_env={"env_vars": {"RAYON_NUM_THREADS": "1"}})
+        try:
+            ray.init(address=address, num_cpus=None if address else workers, include_dashboard=False if address is None else None,
+                     log_to_driver=False, logging_level=logging.WARNING, runtime_env={"env_vars": {"RAYON_NUM_THREADS": "1"}})
+        except (ConnectionError, ImportError, RuntimeError, ValueError) as error:
+            where = "a Ray of this machine's own" if address is None else address
+            raise DriftpostError(f"{where} cannot be had: {error}", "fleet::ray-unreachable",
+                                 "Is it running, and the address right? ray://HOST:PORT needs pip install 'ray[client]'.") from None
     try:
         context = ray.data.DataContext.get_current()
         context.enable_progress_bars = False

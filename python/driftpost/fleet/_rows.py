@@ -7,11 +7,13 @@ import hashlib
 import io
 import json
 import math
+import os
 import re
 
 import pyarrow as pa
 
-from .. import _driftpost, compensate
+from .. import compensate
+from .._command import command
 from .._errors import DriftpostError
 from .._files import Folder
 from ._layout import BUCKETS, CAUSES, LENGTHS, MOTIONS, NUMBERS, WORDS
@@ -55,7 +57,7 @@ def diagnosed(row: dict) -> dict:
     with Folder() as folder:
         table, model = folder.path("measurements.csv"), folder.path("model.toml")
         table.write_text(_csv(row, columns))
-        data = _command(folder, ["diagnose", table, f"--model-out={model}", *_known(folder, row, row, columns)])
+        _, data, _ = command(folder, ["diagnose", str(table), f"--model-out={model}", *_known(folder, row, row, columns)], accepted="model::none")
         found = model.read_text() if model.exists() else None
     left = data.get("shrink") or {}
     return {"verdict": data["verdict"], "causes": [_only(CAUSES, cause) for cause in data["causes"]], "model": found,
@@ -77,7 +79,7 @@ def compared(row: dict) -> dict:
         first, second = folder.path("before.csv"), folder.path("after.csv")
         first.write_text(_csv(before, columns))
         second.write_text(_csv(after, columns))
-        data = _command(folder, ["compare-measurements", first, second, *_known(folder, row, after, columns)])
+        _, data, _ = command(folder, ["compare-measurements", str(first), str(second), *_known(folder, row, after, columns)])
     noise = data["noise_rms_mm"]
     lengths = [math.hypot(*tool["by_mm"]) for tool in data["tools"]]
     return {"changed": data["changed"], "verdict": data["verdict"], "pairs": data["pairs"], "rms_mm": data["rms_mm"], "noise_rms_mm": noise,
@@ -109,6 +111,9 @@ def _robot(folder: Folder, robot: str) -> str:
     if not re.fullmatch(r"[A-Za-z0-9_-]+(\.\d+)?", robot):
         raise DriftpostError(f"robot is {robot!r}: the name of a built-in robot, or the text of a robot file, is needed", "fleet::robot",
                              "A path would mean another file on another worker.")
+    if os.path.lexists(robot):
+        raise DriftpostError(f"robot is {robot!r}, and a file of that name lies in this worker's folder", "fleet::robot",
+                             "A path would mean another file on another worker: run it in a folder of its own.")
     return robot
 
 
@@ -167,14 +172,6 @@ def _known(folder: Folder, row: dict, of: dict, columns: list[str]) -> list[str]
     if of["sigma_mm"] is not None:
         words.append(f"--sigma-mm={of['sigma_mm']!r}")
     return words
-
-
-def _command(folder: Folder, words: list) -> dict:
-    path = folder.path("result.json")
-    code, output, said = _driftpost.command([*map(str, words), f"--json={path}"])
-    if code == 2:
-        raise DriftpostError(said.strip() or output.strip() or "the command was refused")
-    return json.loads(path.read_text())
 
 
 def _only(kind: pa.ListType, found: dict) -> dict:

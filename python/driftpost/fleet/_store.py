@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import time
 import uuid
 from collections.abc import Callable, Iterator
 
@@ -19,6 +20,8 @@ from pyarrow import fs
 from .._errors import DriftpostError
 
 ROWS_A_FILE = 1000
+LEFT_S = 3600
+"""A file that is unfinished and was not written to for so long belongs to no run."""
 
 
 class Store:
@@ -36,12 +39,17 @@ class Store:
         try:
             self.fs.create_dir(f"{self.root}/parts", recursive=True)
             for name in self._names("parts"):
-                if not name.startswith("part-"):
+                if not name.startswith("part-") and self._is_left(f"parts/{name}"):
                     self.fs.delete_file(f"{self.root}/parts/{name}")
             if self.fs.get_file_info(f"{self.root}/run.json").type != fs.FileType.NotFound:
                 self.fs.delete_file(f"{self.root}/run.json")
         except OSError as error:
             raise DriftpostError(f"{self.place}: {error}", "output::unwritable") from None
+
+    def _is_left(self, name: str) -> bool:
+        """Whether nobody writes to a file any more: another run may be at work here."""
+        info = self.fs.get_file_info(f"{self.root}/{name}")
+        return info.mtime_ns is not None and time.time_ns() - info.mtime_ns > LEFT_S * 1_000_000_000
 
     def write_part(self, table: pa.Table) -> str:
         """Writes rows of results under the name that their keys give; the name."""
@@ -109,7 +117,11 @@ class Store:
                 pieces.append(pa.Table.from_pylist([absent(key)], schema))
                 order.append(place)
         for part, places in wanted.items():
-            held = pq.read_table(f"{self.root}/parts/{part}", filesystem=self.fs, partitioning=None).cast(schema)
+            try:
+                held = pq.read_table(f"{self.root}/parts/{part}", filesystem=self.fs, partitioning=None).cast(schema)
+            except (pa.ArrowException, OSError) as error:
+                raise DriftpostError(f"{self.place}/parts/{part} is damaged: {error}", "fleet::damaged-part",
+                                     "Take the file away and run again: its rows are done anew.") from None
             pieces.append(held.take([row for _, row in places]))
             order.extend(place for place, _ in places)
         if not pieces:

@@ -26,7 +26,7 @@ use super::outcome::{
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
-use super::verdict::{Judgement, judge};
+use super::verdict::{Judgement, judge, worse_elsewhere};
 use super::zeros::zeros;
 use crate::measure::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
@@ -114,7 +114,7 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
-    let not_carried = judgement.hold_against(&shrink);
+    let not_carried = judgement.hold_against(&shrink).or_else(|| worse_elsewhere(&shrink, &judgement.causes));
     let identification = wants_model.then(|| match not_carried {
         Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),
         None => {
@@ -302,7 +302,8 @@ fn detectable(fitted: &FittedModel<'_>) -> Vec<Detectable> {
         let effect = candidate.effect();
         let joint = candidate.variant.joint;
         let known = seen.iter().any(|d| d.effect == effect.kind() && d.joint == joint);
-        if known || candidate.variant.joint_b.is_some() {
+        let is_rival_alone = candidate.kind == EffectKind::JointCompliance && candidate.of_all_joints();
+        if known || is_rival_alone || candidate.variant.joint_b.is_some() {
             continue;
         }
         let sums = products.sum(&groups);

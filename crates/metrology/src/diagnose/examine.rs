@@ -249,12 +249,17 @@ fn usable_stations(
 /// Where the repeats speak against the noise that was stated.
 fn contradicted_noise(stations: &Stations, options: &DiagnosisOptions) -> Option<Warning> {
     let seen = stations.repeats?;
-    NoisePrior::contradicted(Some(&seen), options.sigma_m).then(|| Warning {
-        code: "diagnose::noise",
-        message: format!(
-            "the repeats scatter by {:.4} mm in one coordinate, which is not the noise that was stated; the repeats are believed",
-            mm_from_m(seen.sigma_m)
-        ),
+    NoisePrior::contradicted(Some(&seen), options.sigma_m).then(|| {
+        let so = if options.sigma_m.is_some_and(|stated_m| stated_m > seen.sigma_m) {
+            "less than the noise that was stated; they are believed, and what is slow may be as large as stated"
+        } else {
+            "which is not the noise that was stated; the repeats are believed"
+        };
+        let seen_mm = mm_from_m(seen.sigma_m);
+        Warning {
+            code: "diagnose::noise",
+            message: format!("the repeats scatter by {seen_mm:.4} mm in one coordinate, {so}"),
+        }
     })
 }
 

@@ -33,6 +33,8 @@ pub(super) struct NoisePrior {
     pub known: Option<KnownNoise>,
     /// Whether repeats stand behind it; a statement alone can be wrong.
     pub from_repeats: bool,
+    /// What was stated, where repeats show less: readings of a pose at about one time do not show noise that is slow.
+    pub stated_more_m: Option<f64>,
 }
 
 impl NoisePrior {
@@ -40,6 +42,7 @@ impl NoisePrior {
     #[must_use]
     pub(super) fn new(repeats: Option<&Repeats>, stated_m: Option<f64>) -> Self {
         let seen = repeats.filter(|r| r.degrees_of_freedom >= FEWEST_FREEDOM);
+        let none = Self { known: None, from_repeats: false, stated_more_m: None };
         match (seen, stated_m) {
             // Both say the same: what they say together is worth what each is worth alone.
             (Some(r), Some(stated_m)) if is_consistent(r, stated_m) => {
@@ -52,16 +55,19 @@ impl NoisePrior {
                         freedom: freedom.min(MOST_FREEDOM),
                     }),
                     from_repeats: true,
+                    ..none
                 }
             }
             (Some(r), _) => {
                 let freedom = (r.degrees_of_freedom as f64).min(MOST_FREEDOM);
-                Self { known: Some(KnownNoise { sigma_m: r.sigma_m, freedom }), from_repeats: true }
+                Self {
+                    known: Some(KnownNoise { sigma_m: r.sigma_m, freedom }),
+                    from_repeats: true,
+                    stated_more_m: stated_m.filter(|stated_m| *stated_m > r.sigma_m),
+                }
             }
-            (None, Some(sigma_m)) => {
-                Self { known: Some(KnownNoise { sigma_m, freedom: STATED }), from_repeats: false }
-            }
-            (None, None) => Self { known: None, from_repeats: false },
+            (None, Some(sigma_m)) => Self { known: Some(KnownNoise { sigma_m, freedom: STATED }), ..none },
+            (None, None) => none,
         }
     }
 
@@ -77,7 +83,7 @@ impl NoisePrior {
         }
         if ratio < 1.0 - CLEARLY_LESS * (2.0 / freedom).sqrt() {
             let known = KnownNoise { sigma_m: own_m2.sqrt(), freedom: freedom.min(MOST_FREEDOM) };
-            return Self { known: Some(known), from_repeats: true };
+            return Self { known: Some(known), from_repeats: true, ..self };
         }
         if self.from_repeats {
             return self;
@@ -248,7 +254,7 @@ mod tests {
     fn sigma_is_integrated_as_a_fine_sum_does() {
         let (m, q) = (120.0, 120.0 * 2.5e-5_f64.powi(2));
         for known in [None, Some(KnownNoise { sigma_m: 2e-5, freedom: 30.0 })] {
-            let noise = NoisePrior { known, from_repeats: known.is_some() };
+            let noise = NoisePrior { known, from_repeats: known.is_some(), stated_more_m: None };
             let steps = 40_000;
             let (low, high) = (SIGMA_M[0].ln(), 3e-3_f64.ln());
             let h = (high - low) / f64::from(steps);
@@ -277,7 +283,7 @@ mod tests {
     #[test]
     fn a_statement_and_repeats_that_agree_are_taken_together() {
         let repeats = Repeats { sigma_m: 4e-5, degrees_of_freedom: 6, sigma_rad: None };
-        let NoisePrior { known: Some(KnownNoise { sigma_m, freedom }), from_repeats: true } =
+        let NoisePrior { known: Some(KnownNoise { sigma_m, freedom }), from_repeats: true, .. } =
             NoisePrior::new(Some(&repeats), Some(3e-5))
         else {
             panic!()

@@ -161,10 +161,7 @@ fn variants(dataset: &Dataset) -> Vec<Candidate> {
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in testable_effects(dataset).candidates {
         let kind = candidate.kind;
-        // Offsets of all joints at once are no cause of their own.
-        if kind == EffectKind::GearMesh
-            || (kind == EffectKind::JointOffset && candidate.variant.joint.is_none())
-        {
+        if kind == EffectKind::GearMesh || candidate.of_all_joints() {
             continue;
         }
         let same = |k: &&mut Candidate| {

@@ -201,7 +201,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
                 vec![Estimate { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
             let soft = soft(dataset.joints());
             for (j, give) in usual_compliance(&dataset.slides).iter().enumerate() {
-                let extra = soft.iter().position(|&x| x == j).and_then(|k| values.get(k + 1));
+                let extra = soft.clone().position(|x| x == j).and_then(|k| values.get(k + 1));
                 let value = share * give * (kg.value + extra.map_or(0.0, |e| e.value));
                 all.push(Estimate { value, sigma: None });
             }
@@ -342,6 +342,10 @@ mod tests {
         for candidate in testable_effects(&dataset).candidates {
             // Offsets of all joints at once are taken apart by the search; gear lines are all alike.
             if candidate.variant.n.is_some_and(|n| n > 3 && n != 40) {
+                continue;
+            }
+            // Springs of all joints at once are held against causes, and stand in no model.
+            if candidate.kind == EffectKind::JointCompliance && candidate.of_all_joints() {
                 continue;
             }
             tried.insert(candidate.kind);

@@ -129,6 +129,8 @@ impl Ramp {
             Some(law) => [0.25, 0.5, 0.75, 0.95]
                 .iter()
                 .filter_map(|share| law.minute_of(*share).map(Moment::Minute))
+                // What a model has from the beginning the warm-up may take back.
+                .chain(model.identified.is_some().then_some(Moment::Minute(0.0)))
                 .chain([Moment::Settled])
                 .collect(),
             None => {

@@ -56,7 +56,7 @@ pub enum TargetsError {
     },
     /// Positions alone do not say how the flange stands.
     #[error(
-        "the targets have no orientation: say how the flange stands, roll, pitch and yaw in degrees, e.g. --orient-deg 0,90,0"
+        "the targets have no orientation: say how the flange stands, in columns of the file, or for `tabulate` as roll, pitch and yaw in degrees, e.g. --orient-deg 0,90,0"
     )]
     NoOrientation,
     /// A header and nothing under it.

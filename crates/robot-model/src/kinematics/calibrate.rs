@@ -16,6 +16,8 @@ const MOST_STEPS: usize = 50;
 const MOST_HALVINGS: usize = 20;
 /// A step that lowers the cost by less than this share of it is the last.
 const SETTLED: f64 = 1e-12;
+/// A cost under this, squares of sigmas, is rounding: its share says nothing.
+const LEAST_COST: f64 = 1e-6;
 
 /// A pose of the flange, measured at joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,7 +148,7 @@ pub fn calibrate(
         };
         let gained = here.cost - there.cost;
         here = there;
-        if gained <= SETTLED * here.cost {
+        if gained <= SETTLED * here.cost.max(LEAST_COST) {
             return Ok(here.done(steps + 1, measured.len()));
         }
     }

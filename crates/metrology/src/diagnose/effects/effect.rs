@@ -154,6 +154,13 @@ impl Candidate {
         CauseKey { kind: self.kind, joint, joint_b }
     }
 
+    /// Whether it stands for one effect in all joints at once: what the search looks at together, and never names so.
+    #[must_use]
+    pub(crate) fn of_all_joints(&self) -> bool {
+        matches!(self.kind, EffectKind::JointOffset | EffectKind::JointCompliance)
+            && self.variant.joint.is_none()
+    }
+
     /// A candidate of `kind` of weight 1, all parameters reported, unit SI.
     #[must_use]
     pub(crate) fn new(kind: EffectKind, variant: EffectVariant, prior_sigma: Vec<f64>) -> Self {

@@ -7,14 +7,15 @@ use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::PayloadScaling;
 use robot_model::robot::Joints;
+use std::ops::Range;
 
 /// All joints give by a usual compliance under one more kilogram at the tool, where a payload hangs.
 pub(super) struct PayloadMass;
 
-/// The joints that carry most, counted from 0: they may be softer or stiffer than usual.
+/// The joints, counted from 0, that a payload turns: each may be softer or stiffer than usual.
 #[must_use]
-pub(in crate::diagnose) fn soft(joints: usize) -> [usize; 3] {
-    [1, 2, (joints - 2).max(3)]
+pub(in crate::diagnose) fn soft(joints: usize) -> Range<usize> {
+    1..joints
 }
 /// Usual compliance of each joint, rad/(N.m).
 #[must_use]
@@ -29,7 +30,7 @@ pub(in crate::diagnose) fn usual_compliance(slides: &[bool]) -> Joints {
 
 /// How `joints`, counted from 0, give together under one kilogram more at the tool, each by its usual compliance.
 #[must_use]
-pub(in crate::diagnose) fn give_per_kg(observation: &Observation, joints: std::ops::Range<usize>) -> Twist {
+pub(in crate::diagnose) fn give_per_kg(observation: &Observation, joints: Range<usize>) -> Twist {
     let compliance = usual_compliance(&observation.slides);
     let mut all = Twist::default();
     for j in joints {
@@ -68,6 +69,8 @@ impl Effect for PayloadMass {
             dataset.observations.iter().filter(|s| s.kind != ObservationKind::Nest).map(|s| s.payload_kg);
         let first = loads.next();
         let alike = loads.all(|load| Some(load) == first);
+        let sizes = [0.6].into_iter().chain(soft(dataset.joints()).map(|_| 0.3)).chain([0.6 * LEVER_M; 3]);
+        let sizes: Vec<f64> = sizes.collect();
         [
             (PayloadScaling::WhereLoaded, 2.0),
             (PayloadScaling::Always, 1.0),
@@ -81,7 +84,7 @@ impl Effect for PayloadMass {
             ..Candidate::new(
                 EffectKind::PayloadMass,
                 EffectVariant { payload_scaling, ..EffectVariant::PLAIN },
-                vec![0.6, 0.3, 0.3, 0.3, 0.6 * LEVER_M, 0.6 * LEVER_M, 0.6 * LEVER_M],
+                sizes.clone(),
             )
         })
         .collect()

@@ -201,7 +201,7 @@ fn assert_within_the_error_stated(problem: &Problem, seed: u64) {
 fn what_the_nuisance_takes_of_a_candidate_is_what_dense_matrices_say() {
     const RATIO: f64 = 2e4;
     let problem = problem(5, 2e-5, 1.0, 0.5);
-    let noise = NoisePrior { known: None, from_repeats: false };
+    let noise = NoisePrior { known: None, from_repeats: false, stated_more_m: None };
     let (design, nuisance) = problem.nuisance(noise);
     let sums = design.products(&design.columns_of(&problem.dataset, &problem.candidate)).sum(&[0]);
     let absorbed = nuisance.absorbed(&nuisance.project(&sums), &sums, RATIO);

@@ -19,7 +19,31 @@ impl Library<'_> {
     /// Whether `candidate` is the offsets of all joints at once.
     pub(super) fn all_offsets(&self, candidate: usize) -> bool {
         let this = &self.candidates[candidate];
-        this.kind == EffectKind::JointOffset && this.variant.joint.is_none()
+        this.kind == EffectKind::JointOffset && this.of_all_joints()
+    }
+
+    /// Whether `candidate` is the compliance of all joints at once.
+    pub(super) fn all_springs(&self, candidate: usize) -> bool {
+        let this = &self.candidates[candidate];
+        this.kind == EffectKind::JointCompliance && this.of_all_joints()
+    }
+
+    /// Whether `candidate` stands for all joints at once.
+    pub(super) fn of_all_joints(&self, candidate: usize) -> bool {
+        self.candidates[candidate].of_all_joints()
+    }
+
+    /// The linear springs of those joints of which none is among the candidates `taken`.
+    pub(super) fn single_springs(&self, taken: &[usize]) -> Vec<usize> {
+        let spring = |c: &Candidate| c.kind == EffectKind::JointCompliance;
+        let joint = |c: &usize| self.candidates[*c].variant.joint;
+        let is_taken = |c: &usize| {
+            taken.iter().any(|other| spring(&self.candidates[*other]) && joint(other) == joint(c))
+        };
+        (0..self.candidates.len())
+            .filter(|c| spring(&self.candidates[*c]) && joint(c).is_some())
+            .filter(|c| !self.candidates[*c].variant.refined && !is_taken(c))
+            .collect()
     }
 
     /// The offsets of single joints.

@@ -61,7 +61,7 @@ impl Library<'_> {
         let open: Vec<&TrackedCandidate> = search
             .near
             .iter()
-            .filter(|&&c| self.allowed(c, others) && !self.all_offsets(c))
+            .filter(|&&c| self.allowed(c, others) && !self.of_all_joints(c))
             .map(|&c| &search.tracked[c])
             .collect();
         let ranking = self.rank(&nuisance, &open, false);

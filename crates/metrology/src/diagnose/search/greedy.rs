@@ -93,6 +93,7 @@ impl Library<'_> {
                 .tracked
                 .iter()
                 .filter(|f| self.allowed(f.candidate, &search.chosen))
+                .filter(|f| !self.all_springs(f.candidate))
                 .filter(|f| uncalibrated && search.chosen.is_empty() || !self.all_offsets(f.candidate))
                 .collect();
             let ranking = self.rank(nuisance, &open, false);

@@ -279,7 +279,7 @@ impl Library<'_> {
 
     /// Whether two other causes can look like `candidate`: not like a line of a gear.
     fn may_be_imitation(&self, candidate: usize) -> bool {
-        self.candidates[candidate].kind != EffectKind::GearMesh && !self.all_offsets(candidate)
+        self.candidates[candidate].kind != EffectKind::GearMesh && !self.of_all_joints(candidate)
     }
 
     /// Of each effect and joint the variant that is likeliest in the open place.

@@ -114,7 +114,40 @@ impl Library<'_> {
             .iter()
             .filter(|f| !without.contains(&f.candidate) && !self.all_offsets(f.candidate))
             .collect();
-        self.rank(nuisance, &open, true)
+        let mut ranking = self.rank(nuisance, &open, true);
+        self.name_springs(&mut ranking, nuisance, subset, without);
+        ranking
+    }
+
+    /// Names the springs of all joints, as a rival, by the one that explains most alone beside `taken`.
+    fn name_springs(
+        &self,
+        ranking: &mut HypothesisRanking,
+        nuisance: &NuisanceModel,
+        subset: &[usize],
+        taken: &[usize],
+    ) {
+        let is_springs = |h: &Hypothesis| matches!(h, Hypothesis::Effect(c) if self.all_springs(*c));
+        let Some(at) = ranking.ranked.iter().position(|r| is_springs(&r.hypothesis)) else { return };
+        let springs = ranking.ranked.remove(at);
+        let evidence = |candidate: usize| {
+            let projected = nuisance.project(&self.products[candidate].sum(subset));
+            (candidate, self.evidence(nuisance, &projected, candidate))
+        };
+        let singles = self.single_springs(taken).into_iter().map(evidence);
+        let best = singles.max_by(|a, b| a.1.log_evidence.total_cmp(&b.1.log_evidence));
+        let Some((single, peak)) = best else { return };
+        let key = self.candidates[single].cause_key();
+        let is_same =
+            |h: &Hypothesis| matches!(h, Hypothesis::Effect(c) if self.candidates[*c].cause_key() == key);
+        match ranking.ranked.iter_mut().find(|ranked| is_same(&ranked.hypothesis)) {
+            Some(ranked) => ranked.probability += springs.probability,
+            None => {
+                let hypothesis = Hypothesis::Effect(single);
+                ranking.ranked.push(RankedHypothesis { hypothesis, peak, ..springs });
+            }
+        }
+        ranking.ranked.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     }
 
     /// Every GP alternative over `nuisance` of all groups, weighed against nothing.

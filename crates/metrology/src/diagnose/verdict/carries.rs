@@ -9,6 +9,9 @@ const MUCH: f64 = 0.5;
 /// So much of what is taken at the poses measured has to be taken at others too.
 const CARRIED: f64 = 0.25;
 
+/// A gap that is so many times as large is larger, and no rounding.
+const WORSE: f64 = 1.005;
+
 /// A size of so many of its standard deviations does not rest on a few poses.
 const FIRM: f64 = 10.0;
 
@@ -28,6 +31,13 @@ fn does_not_carry(shrink: &ErrorReduction) -> Option<[f64; 2]> {
     let [gap, here, there] = [before.powi(2), before.powi(2) - left.powi(2), before.powi(2) - after.powi(2)];
     let is_worse = shrink.ci90.is_some_and(|[least, _]| least > 1.0);
     (is_worse || here > MUCH * gap && there < CARRIED * here).then_some([before, after])
+}
+
+/// The gap at poses held out without and with a model that makes it larger there, 3-D rms, mm, whatever chance does.
+#[must_use]
+pub(crate) fn worse_elsewhere(shrink: &ErrorReduction, causes: &[Cause]) -> Option<[f64; 2]> {
+    let (before, after) = (shrink.before_rms_mm?, shrink.after_rms_mm?);
+    (after > WORSE * before && !is_firm(causes)).then_some([before, after])
 }
 
 impl Judgement {
@@ -77,6 +87,8 @@ mod tests {
         };
         assert_eq!(does_not_carry(&sways([1.1, 1.38])), Some([0.054, 0.068]));
         assert_eq!(does_not_carry(&sways([0.97, 1.5])), None);
+        assert_eq!(worse_elsewhere(&sways([0.97, 1.5]), &[]), Some([0.054, 0.068]));
+        assert_eq!(worse_elsewhere(&ErrorReduction::default(), &[]), None);
     }
 
     #[test]

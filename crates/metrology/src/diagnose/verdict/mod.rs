@@ -20,6 +20,7 @@ mod with_causes;
 mod without_cause;
 mod wording;
 
+pub(super) use carries::worse_elsewhere;
 pub(super) use cause_group::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
 pub(super) use judge::judge;
 pub(super) use judgement::Judgement;

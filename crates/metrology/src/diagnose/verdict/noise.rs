@@ -94,6 +94,7 @@ pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
 fn excess_m(fitted: &FittedModel<'_>) -> f64 {
     let FittedModel { model, linear, .. } = fitted;
     let Some(KnownNoise { sigma_m, .. }) = model.noise.known else { return 0.0 };
+    let sigma_m = model.noise.stated_more_m.unwrap_or(sigma_m);
     let expected =
         linear.dataset.observations.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
             / linear.dataset.observations.len() as f64
@@ -126,6 +127,8 @@ pub(super) fn reduced_chi_square(
 ) -> Option<ReducedChiSquare> {
     let FittedModel { model, workspace, linear } = fitted;
     let KnownNoise { sigma_m, freedom } = model.noise.known?;
+    // All scatter together has in it what is slow, which a statement may speak of and readings at one time do not show.
+    let sigma_m = model.noise.stated_more_m.unwrap_or(sigma_m);
     let groups = workspace.design.all_groups();
     let nuisance = NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, None), model.noise);
     let ratio = nuisance.null().geometry_ratio;

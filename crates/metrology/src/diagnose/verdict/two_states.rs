@@ -189,7 +189,8 @@ mod tests {
         let square = |i| along_m(i).powi(2) + noise_m(3 * i + 1).powi(2) + noise_m(3 * i + 2).powi(2);
         let along = |i| Along { seen: LEVER_M * along_m(i), motion: LEVER_M * LEVER_M };
         let squares = (0..60).map(square).sum();
-        let marginal = NoisePrior { known: None, from_repeats: false }.marginal_over(180.0);
+        let marginal =
+            NoisePrior { known: None, from_repeats: false, stated_more_m: None }.marginal_over(180.0);
         let NoiseIntegral { log, sigma_m } = marginal.at(squares);
         let plain = Plain { marginal, squares, log, sigma_m, free: 1.0 };
         (about_their_mean((0..60).map(along).collect()), plain)

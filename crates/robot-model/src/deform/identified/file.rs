@@ -313,6 +313,11 @@ mod tests {
         );
         assert_eq!(error("joint = 3", "joint = 7"), "model, [[effect]] 1, joint: 7 is not 1 to 6");
         assert!(error("format = 1", "format =").starts_with("model, line "));
+        let bent = "effect = \"link_bending\"\njoint = 2";
+        let last = error(bent, "effect = \"link_bending\"\njoint = 6");
+        assert!(last.ends_with("joint: link_bending needs a joint behind the link, 1 to 5"), "{last}");
+        let itself = error("joint_b = 6", "joint_b = 5");
+        assert!(itself.ends_with("joint_b: a joint is not coupled to itself"), "{itself}");
         assert_eq!(
             error("verdict = \"several\"", "verdict = \"severel\""),
             "model, top, verdict: `severel` is no verdict"

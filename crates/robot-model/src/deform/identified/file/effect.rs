@@ -38,6 +38,14 @@ pub(super) fn read_term(mut keys: TableReader, kinds: &Joints<JointKind>) -> Res
     if (kind == EffectKind::JointCoupling) != joint_b.is_some() {
         return Err(keys.wrong("joint_b", "joint_coupling needs it, no other effect takes it".to_owned()));
     }
+    if kind == EffectKind::JointCoupling && joint == joint_b {
+        return Err(keys.wrong("joint_b", "a joint is not coupled to itself".to_owned()));
+    }
+    // What is loaded there stands at the next joint; beyond the last one there is none.
+    let most = kinds.len() - 1;
+    if kind == EffectKind::LinkBending && joint.is_some_and(|joint| joint.index() >= most) {
+        return Err(keys.wrong("joint", format!("link_bending needs a joint behind the link, 1 to {most}")));
+    }
     let n = keys.integer("n")?.and_then(|n| u32::try_from(n).ok());
     let n = match (kind, n) {
         (EffectKind::GearEccentricity, _) => Some(1),
