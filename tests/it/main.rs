@@ -65,6 +65,7 @@ mod simulate;
 mod slow_noise;
 #[cfg(target_os = "linux")]
 mod sound_file;
+mod springs;
 mod stepped;
 mod tabulate;
 #[path = "../../fuzz/targets/mod.rs"]

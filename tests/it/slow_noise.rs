@@ -172,6 +172,19 @@ fn slow_noise_that_nobody_stated_is_no_structure() {
     }
 }
 
+/// Readings one after the other share what is slow of their noise, so they show less than what is rightly stated: what they leave is noise.
+#[test]
+fn repeats_one_after_the_other_do_not_show_slow_noise() {
+    let csv = foreign("repeats_in_slow_noise.csv");
+    let answer = diagnose(&csv, &["--robot", "irb6700", "--sigma-mm", "0.0247"]);
+    assert_eq!(answer["verdict"], "nothing_above_noise", "{}", answer["reason"]);
+    let seen_mm = answer["noise"]["repeats_sigma_mm"].as_f64().unwrap();
+    assert!(seen_mm < 0.7 * 0.0247, "{seen_mm}");
+    // A third of it stated is not enough for what is there.
+    let answer = diagnose(&csv, &["--robot", "irb6700", "--sigma-mm", "0.008"]);
+    assert!(answer["verdict"].as_str().unwrap().starts_with("unexplained_"), "{}", answer["reason"]);
+}
+
 /// Two waves of 1.4 times the noise, and nobody says how much noise there is: no larger than what is slow of noise may be, and structure
 /// nonetheless, for noise is rough from row to row and a function of time is smooth.
 #[test]

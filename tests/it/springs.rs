@@ -1,0 +1,70 @@
+//! An arm whose joints all give a little: what they do together is no other cause's, beyond doubt. Files of somebody else's physics.
+
+use assert_cmd::Command;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/measuring/all_joints_give").join(name)
+}
+
+/// Each cause with its joint, 0 where it has none, and its probability.
+fn causes(name: &str, known: &[&str]) -> Vec<(String, u64, f64)> {
+    let output = Command::cargo_bin("driftpost")
+        .unwrap()
+        .arg("diagnose")
+        .arg(file(name))
+        .args(known)
+        .args(["--json", "-"])
+        .output()
+        .unwrap();
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let cause = |cause: &Value| {
+        let joint = cause["joint"].as_u64().unwrap_or(0);
+        (cause["effect"].as_str().unwrap().to_owned(), joint, cause["posterior"].as_f64().unwrap())
+    };
+    answer["causes"].as_array().unwrap().iter().map(cause).collect()
+}
+
+/// The largest probability of an effect, 0 where it is not named.
+fn most(causes: &[(String, u64, f64)], effect: &str) -> f64 {
+    causes.iter().filter(|(name, ..)| name == effect).fold(0.0, |most, (_, _, p)| most.max(*p))
+}
+
+#[test]
+fn a_payload_that_is_noted_rightly_is_not_wrong_beyond_doubt() {
+    let found = causes(
+        "two_payloads.csv",
+        &["--robot", "irb4600", "--tool", "-118.26,1.41,111.82", "--sigma-mm", "0.0564"],
+    );
+    assert!(most(&found, "payload_mass") < 0.5 && most(&found, "joint_compliance") > 0.5, "{found:?}");
+}
+
+#[test]
+fn two_joints_that_give_are_no_bending_beyond_doubt() {
+    let found = causes(
+        "two_joints.csv",
+        &["--robot", "irb140", "--tool", "86.10,-10.08,73.55", "--sigma-mm", "0.0271"],
+    );
+    let [bending, joints] = ["link_bending", "joint_compliance"].map(|effect| most(&found, effect));
+    assert!(bending < joints && joints > 0.5, "{found:?}");
+}
+
+/// A shape that no effect has is taken by a gear line, 313 to the turn, at thirty poses, and by none at others.
+#[test]
+fn a_model_that_is_worse_at_poses_held_out_is_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("model.toml");
+    let output = Command::cargo_bin("driftpost")
+        .unwrap()
+        .arg("diagnose")
+        .arg(file("bump.csv"))
+        .args(["--robot", "irb140", "--tool", "112.27,-11.22,165.75", "--model-out"])
+        .arg(&model)
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains("model::none") && said.contains("at poses held out it leaves"), "{said}");
+    assert!(!model.exists());
+}
