@@ -6,7 +6,7 @@ use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{rms_m, shift_m};
-use crate::diagnose::marginal::KnownNoise;
+use crate::diagnose::marginal::{KnownNoise, NoisePrior};
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::scatter::{self, JointScatter, Residuals};
 use crate::diagnose::search::{ChosenCause, cause_columns};
@@ -90,13 +90,34 @@ pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
     })
 }
 
+/// Noise of a reading that is allowed for: variances of what readings at one time show, and of what they share.
+#[derive(Clone, Copy, Debug)]
+struct AllowedNoise {
+    quick_m2: f64,
+    slow_m2: f64,
+}
+
+impl AllowedNoise {
+    /// What is known to be of `sigma_m`, and what was stated beyond that, which is slow.
+    fn of(noise: &NoisePrior, sigma_m: f64) -> Self {
+        let quick_m2 = sigma_m.powi(2);
+        let stated_m2 = noise.stated_more_m.map_or(quick_m2, |stated_m| stated_m.powi(2));
+        Self { quick_m2, slow_m2: (stated_m2 - quick_m2).max(0.0) }
+    }
+
+    /// Variance of one coordinate of the mean of so many readings at one time.
+    fn of_mean_m2(self, readings: usize) -> f64 {
+        self.slow_m2 + self.quick_m2 / readings as f64
+    }
+}
+
 /// Scatter beyond the noise as known, 3-D rms, metres.
 fn excess_m(fitted: &FittedModel<'_>) -> f64 {
     let FittedModel { model, linear, .. } = fitted;
     let Some(KnownNoise { sigma_m, .. }) = model.noise.known else { return 0.0 };
-    let sigma_m = model.noise.stated_more_m.unwrap_or(sigma_m);
+    let allowed = AllowedNoise::of(&model.noise, sigma_m);
     let expected =
-        linear.dataset.observations.iter().map(|s| 3.0 * sigma_m.powi(2) / s.repeats as f64).sum::<f64>()
+        linear.dataset.observations.iter().map(|s| 3.0 * allowed.of_mean_m2(s.repeats)).sum::<f64>()
             / linear.dataset.observations.len() as f64
             + 3.0 * model.shared_ratio * model.peak.sigma_m.powi(2);
     (rms_m(&model.residuals, |i| !model.outliers[i]).powi(2) - expected).max(0.0).sqrt()
@@ -127,8 +148,7 @@ pub(super) fn reduced_chi_square(
 ) -> Option<ReducedChiSquare> {
     let FittedModel { model, workspace, linear } = fitted;
     let KnownNoise { sigma_m, freedom } = model.noise.known?;
-    // All scatter together has in it what is slow, which a statement may speak of and readings at one time do not show.
-    let sigma_m = model.noise.stated_more_m.unwrap_or(sigma_m);
+    let allowed = AllowedNoise::of(&model.noise, sigma_m);
     let groups = workspace.design.all_groups();
     let nuisance = NuisanceModel::new(&workspace.design, &groups, &cause_columns(chosen, None), model.noise);
     let ratio = nuisance.null().geometry_ratio;
@@ -139,7 +159,7 @@ pub(super) fn reduced_chi_square(
     let residuals = workspace.design.independent_residuals(&fit.coefficients);
     for ((m, observation), out) in residuals.iter().zip(&linear.dataset.observations).zip(&model.outliers) {
         if !*out {
-            sum += shift_m(m).powi(2) * observation.repeats as f64;
+            sum += shift_m(m).powi(2) / allowed.of_mean_m2(observation.repeats);
             rows += observation.rows(3) as f64;
         }
     }
@@ -150,7 +170,7 @@ pub(super) fn reduced_chi_square(
     } else {
         STATED_SCATTER + spread
     };
-    Some(ReducedChiSquare { value: sum / (sigma_m * sigma_m) / free, limit })
+    Some(ReducedChiSquare { value: sum / free, limit })
 }
 
 /// What slow noise means beside `chosen`.
@@ -230,8 +250,17 @@ fn comes_on_top(fast: f64, total: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::comes_on_top;
+    use super::{AllowedNoise, comes_on_top};
+    use crate::diagnose::marginal::NoisePrior;
     use std::f64::consts::PI;
+
+    /// Readings at one time scatter by 3, 5 are stated: 4 are slow, and the mean of nine keeps 16 + 9 / 9 of 25.
+    #[test]
+    fn the_mean_of_readings_keeps_what_is_slow() {
+        let noise = |stated_more_m| NoisePrior { known: None, from_repeats: true, stated_more_m };
+        let mean_m2 = |stated_m| AllowedNoise::of(&noise(stated_m), 3.0).of_mean_m2(9);
+        assert_eq!((mean_m2(Some(5.0)), mean_m2(None)), (17.0, 1.0));
+    }
 
     /// Of an autoregressive process of unit variance the share at frequencies under f per row is 2/pi atan(tan(pi f) (1 + r) / (1 - r))
     /// (integral of its spectrum); 40 half periods, or one for six rows, are slow. Stated 5 % of sigma too low, or right: noise. As
