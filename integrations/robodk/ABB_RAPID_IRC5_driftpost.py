@@ -80,7 +80,10 @@ class RobotPost(InstalledPost):
         made = [os.path.join(output, os.path.basename(path)) for path in files]
         where = made[0] if len(made) == 1 else os.path.join(output, "")
         command = [driftpost(), "compensate", *files, "-o", where, "--diff", "none", "--joints-hint", "-"]
-        command += ["--settings", SETTINGS] if os.path.isfile(SETTINGS) else []
+        if os.path.isfile(SETTINGS):
+            command += ["--settings", SETTINGS]
+        else:
+            self._say("driftpost: %s is not there: robot and deformation are those of the reference paper" % SETTINGS)
         targets = [list(joints)[:6] if joints else [""] * 6 for joints in self._joints]
         rows = [["q%i_deg" % axis for axis in range(1, 7)], *targets]
         hint = "".join(",".join(map(str, row)) + "\n" for row in rows)

@@ -187,6 +187,10 @@ class Replay(unittest.TestCase):
             self.assertEqual(robot.PROG_FILES, [])
             self.assertIn("cannot be run", robot.LOG)
 
+    def test_that_there_are_no_settings_is_said(self):
+        (pathlib.Path(self.folder) / "ABB_RAPID_IRC5_driftpost.toml").unlink()
+        self.assertIn("those of the reference paper", self.replay("posts_2017").LOG)
+
     def test_the_corrected_file_alone_is_named_as_saved(self):
         def saved():
             printed = io.StringIO()
