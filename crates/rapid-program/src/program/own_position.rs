@@ -88,7 +88,7 @@ impl OwnPositions {
                             }
                         }
                         StmtKind::Return(Some(value)) => {
-                            returns = returns.or(found.read_at(index, ctx, value))
+                            returns = returns.or(found.read_at(index, ctx, value));
                         }
                         _ => {}
                     }
