@@ -12,13 +12,10 @@ impl Args {
         let warmth = matches!(self.clock, ClockName::Warmth);
         let no_buckets = "the correction follows the drift in every minute; --form schedule has buckets";
         let no_cooling = "only --clock warmth lets the robot cool while it stands";
-        let no_law =
-            "the model has its own growth; a deformation table beside it (--deformation) can have one";
         [
             ("--until", matches!(self.until, Until::Minutes(_)) && !scheduled, no_buckets),
             ("--bucket-min", self.bucket_min.is_some() && !scheduled, no_buckets),
             ("--tau-cool", self.tau_cool.is_some() && !warmth, no_cooling),
-            ("--growth", self.growth.is_some() && self.model.is_some() && self.deformation.is_none(), no_law),
         ]
         .into_iter()
         .filter_map(|(option, is_idle, why)| {
@@ -51,11 +48,10 @@ mod tests {
     fn what_has_no_effect_is_named() {
         assert_eq!(idle("--form ramp --until 60 --bucket-min 5"), ["--until", "--bucket-min"]);
         assert_eq!(idle("--clock elapsed --tau-cool 20"), ["--tau-cool"]);
-        assert_eq!(idle("--model m.toml --growth exp:30"), ["--growth"]);
         for useful in [
             "--until 60 --bucket-min 5 --tau-cool 20 --growth exp:30",
             "--form ramp --until auto --tau-cool 20",
-            "--model m.toml --deformation d.csv --growth exp:30",
+            "--model m.toml --growth exp:30",
         ] {
             assert_eq!(idle(useful), [""; 0], "{useful}");
         }

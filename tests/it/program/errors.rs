@@ -162,6 +162,31 @@ fn a_target_that_run_time_tells_may_have_placed_an_external_axis() {
     ] {
         assert_eq!(last(with(&declared, &lines)), [kept, "-", "-"], "{declared}\n{lines}");
     }
+    // An axis by its name may be written wherever it is handed, and each of several extjoints counts.
+    let axes = "CONST extjoint es{2}:=[[150,9E9,9E9,9E9,9E9,9E9],[9E9,9E9,9E9,9E9,9E9,9E9]];\nVAR num i;";
+    for (declared, line) in
+        [("", "Add pV.extax.eax_a,150;"), ("", "Incr pV.extax.eax_a;"), (axes, "pV.extax:=es{i};")]
+    {
+        let lines = format!("pV:={none};\n{line}\nMoveL pV,v100,fine,t;");
+        assert_eq!(last(with(declared, &lines)), [kept, "-", "-"], "{line}");
+    }
+    // Six numbers of another type are none, nor is a copy of an axis that nothing places.
+    for declared in [
+        "CONST num depth{6}:=[1,2,3,4,5,6];",
+        "CONST num grid{2,6}:=[[1,2,3,4,5,6],[1,2,3,4,5,6]];",
+        "CONST string names{6}:=[\"a\",\"b\",\"c\",\"d\",\"e\",\"f\"];",
+        "CONST robtarget pN:=[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\nCONST robtarget six{6}:=[pN,pN,pN,pN,pN,pN];",
+        "CONST jointtarget two{2}:=[[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]],[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]]];",
+        "VAR robjoint six;\nVAR robtarget q;",
+    ] {
+        let copies = if declared.starts_with("VAR robjoint") {
+            "six:=[1,2,3,4,5,6];\npV.extax.eax_a:=q.extax.eax_a;\n"
+        } else {
+            ""
+        };
+        let lines = format!("pV:={none};\n{copies}pV.trans.x:=GInput(gi1);\nMoveL pV,v100,fine,t;");
+        assert_eq!(last(with(declared, &lines)), ["-"; 3], "{declared}");
+    }
     // Where no text of the program places an axis, none was placed; the arm's own six joints are no external axes.
     let joints =
         "CONST robjoint r:=[1,2,3,4,50,6];\nVAR jointtarget j:=[[1,2,3,4,50,6],[9E9,9E9,9E9,9E9,9E9,9E9]];";

@@ -200,10 +200,13 @@ fn a_reading_written_out_and_read_in_again_is_a_reading() {
         ("pG:=CRobT();\nGetDataVal \"pg\",p;", true),
         ("pG:=CRobT();\nGetDataVal s,p;", true),
         ("q:=CRobT();\nSetDataVal \"P\",q;", true),
+        ("q:=CRobT();\nSetDataVal s,q;", true),
+        ("PackRawBytes CRobT(),raw,1;\nCopyRawBytes raw,1,other,1;\nUnpackRawBytes other,1,p;", true),
+        ("q:=CRobT();\nTPReadNum n,\"at \"+ValToStr(q);\np:=Offs(q0,0,0,n);", false),
         ("pG:=CRobT();\nGetDataVal \"other\",p;", false),
         ("ok:=StrToVal(\"[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]\",p);", false),
     ] {
-        let data = "VAR robtarget p;\nVAR robtarget pG;\nVAR robtarget q;\nVAR string s;\nVAR bool ok;\nVAR rawbytes raw;";
+        let data = "VAR robtarget p;\nVAR robtarget pG;\nVAR robtarget q;\nVAR string s;\nVAR bool ok;\nVAR rawbytes raw;\nVAR rawbytes other;\nVAR num n;\nCONST robtarget q0:=[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];";
         let program = main_of(data, &format!("{lines}\nMoveL p,v100,fine,tool0;"));
         let code = if kept { "keep::own-position" } else { "keep::runtime-target" };
         assert_eq!(codes(&program), [code], "{lines}");

@@ -21,6 +21,15 @@ use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, ParamMode, Stmt, 
 /// Functions of the controller that read where the robot stands.
 const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
 
+/// Types of data that say where something stands.
+const PLACES: [&str; 7] = ["robtarget", "jointtarget", "robjoint", "pos", "pose", "tooldata", "wobjdata"];
+
+/// Whether what an instruction or function of the controller's own writes is made of its other arguments; others ask the operator, a signal or
+/// a file, whatever they are told beside.
+fn hands_on(name: &str) -> bool {
+    matches!(name, "add" | "copyrawbytes" | "packrawbytes" | "strtoval" | "unpackrawbytes")
+}
+
 /// Data and functions of a program whose values come from where the robot stands.
 #[derive(Debug, Default)]
 pub(super) struct OwnPositions {
@@ -127,7 +136,7 @@ impl OwnPositions {
             self.exchanged_by_name(index, (ctx, name), &call.args, data);
         }
         let mut enter = |name: TextRange, args: &[Arg], written: &[&Expr]| {
-            if written.is_empty() || index.declares_routine(name, ctx) {
+            if !hands_on(&lower_case(index.text(ctx.file, name))) || index.declares_routine(name, ctx) {
                 return;
             }
             let reading = args.iter().filter_map(value_of).find_map(|arg| self.read_at(index, ctx, arg));
@@ -169,9 +178,14 @@ impl OwnPositions {
             meant && index.data[datum].ctx.routine.is_none()
         };
         match &*lower_case(index.text(ctx.file, instruction)) {
-            "setdataval" if written.is_some() => {
+            "setdataval" => {
                 let Some(at) = self.read_at(index, ctx, value) else { return };
-                data.extend(index.data.ids().filter(|&datum| is_meant(datum)).map(|datum| (datum, at)));
+                // Whatever stands somewhere may be set by a name that is worked out.
+                let is_place = |datum: DatumId| {
+                    written.is_some() || PLACES.contains(&index.type_text(index.data[datum].type_name))
+                };
+                let set = index.data.ids().filter(|&datum| is_meant(datum) && is_place(datum));
+                data.extend(set.map(|datum| (datum, at)));
             }
             "getdataval" => {
                 let held = self.data.iter().filter(|(datum, _)| is_meant(**datum)).map(|(_, at)| *at).min();

@@ -65,7 +65,7 @@ fn written_arguments(name: &str) -> &'static [usize] {
         "searchl" | "searchc" | "searchextj" => &[1],
         "packrawbytes" | "packdnheader" => &[1],
         "sortdata" => &[0, 1],
-        "ivarvalue" | "loadid" => &[2],
+        "copyrawbytes" | "ivarvalue" | "loadid" => &[2],
         "stoolrotcalib" => &[3],
         "mtoolrotcalib" => &[2, 3, 4],
         "mtooltcpcalib" | "stooltcpcalib" => &[4, 5, 6],

@@ -4,9 +4,9 @@ use super::CfgBuilder;
 use crate::program::const_eval::{ConstEvaluator, Constant};
 use crate::program::convert;
 use crate::program::data::ExtJoint;
-use crate::program::expressions::{expressions_of, value_of};
+use crate::program::expressions::{expressions_of, root_of, value_of};
 use crate::program::flow::{Blocker, FlowStep, Node, placed_axis};
-use crate::program::index::Ctx;
+use crate::program::index::{Ctx, Resolved};
 use crate::program::motion::MotionId;
 use crate::program::motion_site::MotionSites;
 use crate::program::names::lower_case;
@@ -69,24 +69,48 @@ fn placed_anywhere(evaluator: &mut ConstEvaluator<'_>, sites: &MotionSites<'_>) 
     let index = evaluator.index;
     let mut found = PlacedAxes { evaluator, placed: [false; 6] };
     for datum in index.data.iter() {
-        if let Some(init) = datum.init.filter(|_| index.type_text(datum.type_name) != "robjoint") {
-            found.expression(init, datum.ctx);
+        if let Some(init) = datum.init {
+            found.expression(init, datum.ctx, Holds::of_type(index.type_text(datum.type_name)));
         }
     }
     for site in &sites.motions {
         for target in site.args(index).targets {
-            found.expression(target, site.ctx(index));
+            found.expression(target, site.ctx(index), Holds::Target);
         }
     }
     for routine in &index.routines {
         for body in bodies(routine.tree) {
             every_naming_statement(index, routine.ctx, body, &mut |stmt| match &stmt.kind {
                 StmtKind::Assign(assign) => found.assignment(&assign.target, &assign.value, routine.ctx),
-                _ => expressions_of(stmt).for_each(|expr| found.expression(expr, routine.ctx)),
+                StmtKind::Call(call) => {
+                    call.args.iter().filter_map(value_of).for_each(|arg| found.argument(arg, routine.ctx));
+                }
+                _ => expressions_of(stmt).for_each(|expr| found.expression(expr, routine.ctx, Holds::Unsaid)),
             });
         }
     }
     found.placed
+}
+
+/// What the lists of an expression are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    /// Robtargets or jointtargets: the last part of each is its external axes.
+    Target,
+    /// Places of external axes.
+    Axes,
+    /// Nothing says so: six numbers of which one is 9E9 are external axes.
+    Unsaid,
+}
+
+impl Holds {
+    fn of_type(name: &str) -> Self {
+        match name {
+            "robtarget" | "jointtarget" => Self::Target,
+            "extjoint" => Self::Axes,
+            _ => Self::Unsaid,
+        }
+    }
 }
 
 /// The external axes that the text looked at so far places away from 0.
@@ -97,49 +121,79 @@ struct PlacedAxes<'e, 'a> {
 
 impl PlacedAxes<'_, '_> {
     fn assignment(&mut self, target: &Expr, value: &Expr, ctx: Ctx) {
-        if let ExprKind::Field(field) = &target.kind {
-            match &*lower_case(self.evaluator.index.text(ctx.file, field.name)) {
-                "robax" => return,
-                name => {
-                    let letter = name.strip_prefix("eax_").and_then(|letter| letter.bytes().next());
-                    if let Some(axis) = letter.and_then(|letter| letter.checked_sub(b'a')) {
-                        self.axis(usize::from(axis), value, ctx);
+        let index = self.evaluator.index;
+        let holds = match &target.kind {
+            ExprKind::Field(field) => {
+                if let Some(axis) = self.axis_named(target, ctx) {
+                    // A copy places the axis where something else has.
+                    if self.axis_named(value, ctx).is_none() {
+                        self.axis(axis, value, ctx);
                     }
+                    return;
                 }
+                let is_axes = lower_case(index.text(ctx.file, field.name)) == "extax";
+                if is_axes { Holds::Axes } else { Holds::Unsaid }
             }
+            _ => match root_of(target).map(|(root, _)| index.datum(root, ctx)) {
+                Some(Resolved::Here(datum) | Resolved::Elsewhere(datum)) => {
+                    Holds::of_type(index.type_text(index.data[datum].type_name))
+                }
+                _ => Holds::Unsaid,
+            },
+        };
+        self.expression(value, ctx, holds);
+    }
+
+    /// What is handed to a routine or an instruction: an axis by its own name may be written there.
+    fn argument(&mut self, arg: &Expr, ctx: Ctx) {
+        match self.axis_named(arg, ctx) {
+            Some(axis) => self.placed[axis] = true,
+            None => self.expression(arg, ctx, Holds::Unsaid),
         }
-        self.expression(value, ctx);
+    }
+
+    /// Which axis `a.extax.eax_b` is, from 0.
+    fn axis_named(&self, expr: &Expr, ctx: Ctx) -> Option<usize> {
+        let ExprKind::Field(field) = &expr.kind else { return None };
+        let name = lower_case(self.evaluator.index.text(ctx.file, field.name));
+        let letter = name.strip_prefix("eax_")?.bytes().next()?;
+        Some(usize::from(letter.checked_sub(b'a')?)).filter(|axis| *axis < self.placed.len())
+    }
+
+    /// A number that is written out, or a constant.
+    fn constant(&mut self, expr: &Expr, ctx: Ctx) -> Option<f64> {
+        match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
+            Value::Num(number) => Some(number),
+            _ => None,
+        }
     }
 
     fn axis(&mut self, axis: usize, place: &Expr, ctx: Ctx) {
-        let known = self.evaluator.fold(place, ctx, &Constant).map(|typed| typed.value);
-        let stays = match known {
-            Ok(Value::Num(place)) => convert::used(place).is_none_or(|place| place == 0.0),
-            _ => false,
-        };
-        if let Some(placed) = self.placed.get_mut(axis) {
-            *placed |= !stays;
-        }
+        let stays = |place: f64| convert::used(place).is_none_or(|place| place == 0.0);
+        let stays = self.constant(place, ctx).is_some_and(stays);
+        self.placed[axis] |= !stays;
     }
 
     /// What the lists in an expression place; names hold what was given to them elsewhere.
-    fn expression(&mut self, expr: &Expr, ctx: Ctx) {
+    fn expression(&mut self, expr: &Expr, ctx: Ctx, holds: Holds) {
         match &expr.kind {
-            ExprKind::Aggregate(_) | ExprKind::Numbers => self.list(expr, ctx),
+            ExprKind::Aggregate(_) | ExprKind::Numbers => self.list(expr, ctx, holds),
             ExprKind::Call(call) => {
-                call.args.iter().filter_map(value_of).for_each(|arg| self.expression(arg, ctx));
+                call.args.iter().filter_map(value_of).for_each(|arg| self.argument(arg, ctx));
             }
-            ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => self.expression(inner, ctx),
+            ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => {
+                self.expression(inner, ctx, holds);
+            }
             ExprKind::Binary(binary) => {
-                self.expression(&binary.lhs, ctx);
-                self.expression(&binary.rhs, ctx);
+                self.expression(&binary.lhs, ctx, Holds::Unsaid);
+                self.expression(&binary.rhs, ctx, Holds::Unsaid);
             }
             _ => {}
         }
     }
 
     /// A robtarget, a jointtarget, an extjoint, or a list of such.
-    fn list(&mut self, list: &Expr, ctx: Ctx) {
+    fn list(&mut self, list: &Expr, ctx: Ctx, holds: Holds) {
         if let Some(target) = convert::robtarget_as_written(self.evaluator.index.text(ctx.file, list.range)) {
             for (placed, place) in self.placed.iter_mut().zip(target.ext) {
                 *placed |= place.is_some_and(|place| place != 0.0);
@@ -148,16 +202,24 @@ impl PlacedAxes<'_, '_> {
         }
         let parts = self.parts(list, ctx);
         if let Some(axes) = six_numbers(&parts) {
-            axes.iter().enumerate().for_each(|(axis, place)| self.axis(axis, place, ctx));
+            let is_unused = |place: f64| convert::used(place).is_none();
+            let are_axes = match holds {
+                Holds::Axes => true,
+                Holds::Target => false,
+                Holds::Unsaid => axes.iter().any(|place| self.constant(place, ctx).is_some_and(is_unused)),
+            };
+            if are_axes {
+                axes.iter().enumerate().for_each(|(axis, place)| self.axis(axis, place, ctx));
+            }
             return;
         }
-        let ext = match &*parts {
-            [_, ext] | [_, _, _, ext] => six_numbers(&self.parts(ext, ctx)).is_some(),
-            _ => false,
-        };
-        // Of a robtarget and a jointtarget the last part alone holds external axes.
-        let holding = if ext { &parts[parts.len() - 1..] } else { &parts[..] };
-        holding.iter().for_each(|part| self.expression(part, ctx));
+        if holds == Holds::Target && is_target(&parts, |part| six_numbers(&self.parts(part, ctx)).is_some()) {
+            if let Some(ext) = parts.last() {
+                self.expression(ext, ctx, Holds::Axes);
+            }
+            return;
+        }
+        parts.iter().for_each(|part| self.expression(part, ctx, holds));
     }
 
     fn parts<'e>(&self, list: &'e Expr, ctx: Ctx) -> Cow<'e, [Expr]> {
@@ -171,9 +233,17 @@ impl PlacedAxes<'_, '_> {
     }
 }
 
+/// Whether the parts are those of one target and not two or four targets, which are lists of lists.
+fn is_target(parts: &[Expr], is_six: impl Fn(&Expr) -> bool) -> bool {
+    matches!(parts, [_, ext] | [_, _, _, ext] if is_six(ext) || !is_list(ext))
+}
+
+fn is_list(part: &Expr) -> bool {
+    matches!(part.kind, ExprKind::Aggregate(_) | ExprKind::Numbers)
+}
+
 /// The parts of a list of six that are no lists themselves.
 fn six_numbers(parts: &[Expr]) -> Option<&[Expr; 6]> {
     let parts: &[Expr; 6] = parts.try_into().ok()?;
-    let is_list = |part: &Expr| matches!(part.kind, ExprKind::Aggregate(_) | ExprKind::Numbers);
     (!parts.iter().any(is_list)).then_some(parts)
 }
