@@ -180,15 +180,15 @@ def test_a_robot_is_what_it_was_when_it_was_loaded(fixtures, tmp_path):
     arm = driftpost.Robot.load(path)
     copied = pickle.loads(pickle.dumps(arm))
     assert np.array_equal(copied.fk(np.zeros(6)), arm.fk(np.zeros(6)))
-    assert driftpost.plan(robot=arm, n=12).poses
+    assert driftpost.plan(robot=arm, n=30).poses
     path.write_text(text.replace("1075.0", "1076.0"))
     assert path.read_text() != text
     with pytest.raises(driftpost.DriftpostError) as caught:
-        driftpost.plan(robot=arm, n=12)
+        driftpost.plan(robot=arm, n=30)
     assert caught.value.code == "robot::changed"
     path.unlink()
     with pytest.raises(driftpost.DriftpostError) as caught:
-        driftpost.plan(robot=arm, n=12)
+        driftpost.plan(robot=arm, n=30)
     assert caught.value.code == "input::missing"
 
 
