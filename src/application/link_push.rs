@@ -7,11 +7,11 @@ use serde_json::{Value, json};
 /// What stands in the controller's HOME under a file's name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HomeFile {
-    /// No such file.
+    /// HOME has no file of the name.
     New,
-    /// The same bytes.
+    /// The file is there, byte for byte.
     Same,
-    /// Other bytes.
+    /// A file of the name is there and holds something else.
     Other,
 }
 
@@ -35,7 +35,7 @@ impl PushReport {
         self.home.iter().all(|home| *home == HomeFile::Same)
     }
 
-    /// The same for programs; `loading`: what the task was found to have, where it was asked.
+    /// What scripts read; `loading`: what the task was found to have, where it was asked.
     #[must_use]
     pub fn json(&self, modules: &[ModuleUpload], loading: Option<&Loading>) -> Value {
         let one = |(position, (module, home)): (usize, (&ModuleUpload, &HomeFile))| {

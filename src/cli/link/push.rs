@@ -85,11 +85,11 @@ impl Push<'_> {
         self.compare()?;
         let loading = match Loading::of(&self.modules, args.task.as_deref(), &mut self.session) {
             Ok(loading) => {
-                self.say(&loading.text(&self.modules))?;
+                self.say(loading.text(&self.modules))?;
                 Some(loading)
             }
             Err(LoadingError::Task(why)) => {
-                self.say(&format!("what --load would meet is not known: {}\n", why.message))?;
+                self.say(format!("what --load would meet is not known: {}\n", why.message))?;
                 None
             }
             Err(LoadingError::Link(error)) => return Err(error.into()),
@@ -109,7 +109,7 @@ impl Push<'_> {
             let ModuleUpload { file, bytes, .. } = &self.modules[position];
             self.session.write_file(file, bytes)?;
             let text = format!("{file}: {} bytes written, read back, the same\n", bytes.len());
-            self.say(&text)?;
+            self.say(text)?;
         }
         self.report.is_written = true;
         let outcome = match &loading {
@@ -119,8 +119,9 @@ impl Push<'_> {
         Ok((outcome, loading))
     }
 
-    fn say(&mut self, text: &str) -> std::io::Result<()> {
-        if self.is_silent { Ok(()) } else { write!(self.console.out(), "{text}") }
+    /// Says it as it is: lines of a module may be Latin-1.
+    fn say(&mut self, text: impl AsRef<[u8]>) -> std::io::Result<()> {
+        if self.is_silent { Ok(()) } else { self.console.out().write_all(text.as_ref()) }
     }
 
     /// Says what would become of what is in HOME.
@@ -129,14 +130,15 @@ impl Push<'_> {
             let ModuleUpload { file, bytes, .. } = &self.modules[position];
             let found = self.session.file(file)?;
             let (home, text) = match &found {
-                None => (HomeFile::New, format!("{file}: new in HOME, {} bytes\n", bytes.len())),
-                Some(found) if found == bytes => {
-                    (HomeFile::Same, format!("{file}: is in HOME already, the same {} bytes\n", bytes.len()))
-                }
+                None => (HomeFile::New, format!("{file}: new in HOME, {} bytes\n", bytes.len()).into_bytes()),
+                Some(found) if found == bytes => (
+                    HomeFile::Same,
+                    format!("{file}: is in HOME already, the same {} bytes\n", bytes.len()).into_bytes(),
+                ),
                 Some(found) => (HomeFile::Other, difference(file, found, bytes)?),
             };
             self.report.home.push(home);
-            self.say(&text)?;
+            self.say(text)?;
         }
         Ok(())
     }
@@ -144,7 +146,7 @@ impl Push<'_> {
     /// Exchanges the modules, asked for again.
     fn load(&mut self, args: &Args, loading: &Loading) -> anyhow::Result<Outcome> {
         let (task, replaces) = (&loading.task, loading.replaces()?);
-        self.say(&loading.text(&self.modules))?;
+        self.say(loading.text(&self.modules))?;
         let Push { modules, session, console, .. } = self;
         let is_sure = args.confirmed || is_yes("RAPID stands still. Load?", session, console)?;
         if !is_sure {
@@ -167,7 +169,7 @@ impl Push<'_> {
             .take(loaded)
             .map(|module| format!("{}: loaded into {task}\n", module.module))
             .collect();
-        self.say(&text)?;
+        self.say(text)?;
         done?;
         self.report.is_loaded = true;
         let mut values = before.into_iter().flat_map(|own| own.values);
@@ -182,16 +184,15 @@ impl Push<'_> {
 }
 
 /// What is in HOME beside what is to come, line by line, cut to what one reads.
-fn difference(file: &str, found: &[u8], bytes: &[u8]) -> anyhow::Result<String> {
-    let mut out = Vec::new();
+fn difference(file: &str, found: &[u8], bytes: &[u8]) -> anyhow::Result<Vec<u8>> {
+    let mut out = format!("{file}: another is in HOME:\n").into_bytes();
     let mut cut = report::Cut::new(&mut out, DIFF_LINES);
     report::write_texts(&mut cut, &format!("HOME/{file}"), file, found, bytes)?;
     let dropped = cut.dropped;
-    let more = match dropped {
-        0 => String::new(),
-        _ => format!("... and {dropped} more {}\n", report::plural(dropped, "line")),
-    };
-    Ok(format!("{file}: another is in HOME:\n{}{more}", String::from_utf8_lossy(&out)))
+    if dropped > 0 {
+        out.extend(format!("... and {dropped} more {}\n", report::plural(dropped, "line")).into_bytes());
+    }
+    Ok(out)
 }
 
 /// What is met, where RAPID stands still and everything can be loaded.
@@ -210,5 +211,17 @@ fn in_command(error: LoadingError) -> anyhow::Error {
     match error {
         LoadingError::Task(message) => message.into(),
         LoadingError::Link(error) => error.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::difference;
+
+    /// RAPID is Latin-1 on many controllers: what is shown of it are its own bytes.
+    #[test]
+    fn a_difference_has_the_bytes_of_the_files() {
+        let shown = difference("a.mod", b"! caf\xe9\n", b"! tea\n").unwrap();
+        assert!(shown.windows(6).any(|part| part == b"! caf\xe9"), "{}", String::from_utf8_lossy(&shown));
     }
 }
