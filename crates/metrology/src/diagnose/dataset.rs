@@ -12,6 +12,9 @@ use robot_model::kinematics::SerialChain;
 use robot_model::robot::{JointKind, Joints, SerialArm};
 use std::collections::BTreeMap;
 
+/// No torque about a joint, or force along it, under this one counts as a load: the axis stands upright, N.m or N.
+const LEAST_TORQUE_N_M: f64 = 1e-6;
+
 /// An observation together with the data set that it belongs to: what an effect's signature is evaluated at.
 #[derive(Clone, Copy)]
 pub(super) struct DataPoint<'a> {
@@ -40,6 +43,8 @@ pub(super) struct Dataset {
     pub joint_temperature_c: Option<Joints<[f64; 2]>>,
     /// Torques of each joint that divide the stations into held by gravity and not, N.m; see backlash.
     pub torque_limit_n_m: Joints<[f64; LIMITS]>,
+    /// The joints that gravity turns, or pushes along, at some observation.
+    pub loaded: Joints<bool>,
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
     /// Largest payload of the data, kg.
@@ -87,6 +92,9 @@ impl Dataset {
             fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
             stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),
             torque_limit_n_m: torque_limits_n_m(&observations, robot.joints.len()),
+            loaded: Joints::from_fn(robot.joints.len(), |j| {
+                observations.iter().any(|s| s.loads.torque_n_m[j].abs() > LEAST_TORQUE_N_M)
+            }),
             visits: visits(&observations),
             touches_alone: observations.iter().all(|s| matches!(s.kind, ObservationKind::Touch)),
             observations,

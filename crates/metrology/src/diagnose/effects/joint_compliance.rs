@@ -50,7 +50,7 @@ impl Effect for JointCompliance {
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let error = if dataset.masses_known { MASS_ERROR } else { GUESS_ERROR };
         let joints = dataset.joints();
-        let loaded = || (0..joints).filter(|&j| is_loaded(dataset, j));
+        let loaded = || (0..joints).filter(|&j| dataset.loaded[j]);
         let mut all: Vec<Candidate> = loaded()
             .flat_map(|j| {
                 let prior_sigma = usual(dataset, j);
@@ -116,7 +116,7 @@ impl Effect for JointCompliance {
         }
         let DataPoint { dataset, observation } = at;
         let loads = &observation.loads;
-        let loaded = || (0..observation.joints()).filter(|&j| is_loaded(dataset, j));
+        let loaded = || (0..observation.joints()).filter(|&j| dataset.loaded[j]);
         out.extend(loaded().map(|j| scaled(observation.jacobian_column(j), loads.torque_n_m[j])));
         // What is wrong of a mass is wrong for all joints: each as soft as usual.
         let mut together = |part: &dyn Fn(usize) -> f64| {
@@ -137,11 +137,6 @@ impl Effect for JointCompliance {
             (0..3).for_each(|k| together(&|j| payload_kg * loads.unit_lever_n[j][k]));
         }
     }
-}
-
-/// Whether gravity turns a joint at any row.
-fn is_loaded(dataset: &Dataset, j: usize) -> bool {
-    dataset.observations.iter().any(|s| s.loads.torque_n_m[j].abs() > 1e-6)
 }
 
 /// Prior standard deviation of a joint's compliance, rad/(N.m) or m/N.

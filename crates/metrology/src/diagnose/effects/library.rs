@@ -111,3 +111,59 @@ pub(crate) fn testable_effects(dataset: &Dataset) -> TestableEffects {
     }
     TestableEffects { candidates, untestable }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::evenly_spread;
+    use std::collections::BTreeMap;
+    use std::time::{Duration, Instant};
+
+    /// Observations that the signatures are written at: alike in both data sets, the same number.
+    const ASKED: usize = 100;
+
+    /// Least time of three that each effect's signatures take at [`ASKED`] observations of `stations`; the thousands of gear lines are one law.
+    fn times(stations: usize) -> BTreeMap<String, Duration> {
+        let dataset = evenly_spread(stations);
+        let candidates = testable_effects(&dataset).candidates;
+        let mut times = BTreeMap::new();
+        for effect in LIBRARY {
+            let own: Vec<&Candidate> = candidates
+                .iter()
+                .filter(|c| c.kind == effect.kind())
+                .take(20)
+                .chain(candidates.iter().rfind(|c| c.kind == effect.kind()))
+                .collect();
+            let run = || {
+                let start = Instant::now();
+                let mut out = Vec::new();
+                for observation in dataset.observations.iter().take(ASKED) {
+                    for candidate in &own {
+                        out.clear();
+                        candidate.scaled_signature(dataset.at(observation), &mut out);
+                    }
+                }
+                assert!(own.is_empty() || !out.is_empty(), "{:?}", effect.kind());
+                start.elapsed()
+            };
+            if let Some(least) = [(); 3].map(|()| run()).into_iter().min().filter(|_| !own.is_empty()) {
+                times.insert(effect.kind().name().to_owned(), least);
+            }
+        }
+        times
+    }
+
+    /// A file of many rows takes time in proportion: what one row shows of a cause looks at no other rows.
+    #[test]
+    fn a_signature_takes_as_long_in_a_long_file() {
+        let (short, long) = (times(ASKED), times(60 * ASKED));
+        assert!(short.len() > 12, "{short:?}");
+        for (name, short) in short {
+            let long = long[&name];
+            assert!(
+                long < 8 * short + Duration::from_millis(1),
+                "{name}: {short:?}, in a long file {long:?}"
+            );
+        }
+    }
+}
