@@ -260,6 +260,18 @@ mod tests {
         assert_eq!(none, MeasureError::NothingMeasured { line: 2, column: "q6_deg" });
     }
 
+    /// A nest is where it is wherever the arm stood: a spreadsheet's empty joint costs no file, and no nest.
+    #[test]
+    fn a_nest_without_one_of_the_joints_is_one_without_the_arm() {
+        let rows = "0,0,0,0,0,10,1,2,3,pose,\n0,0,0,0,0,NaN,4,5,6,base,N\n0,0,0,0,0,10,4,5,6,base,N\n";
+        let m = read(&format!("{HEADER},kind,fixed_id\n{rows}")).unwrap();
+        let with_arm = |row: &MeasurementRow| match row.reading {
+            Reading::Nest { with_joints, .. } => Some(with_joints),
+            _ => None,
+        };
+        assert_eq!(m.rows.iter().map(with_arm).collect::<Vec<_>>(), [None, Some(false), Some(true)]);
+    }
+
     #[test]
     fn rows_with_one_pose_id_repeat_one_pose() {
         let m = read(&format!(

@@ -245,7 +245,7 @@ impl RowCells<'_> {
     }
 
     fn has_joints(&self) -> bool {
-        self.columns.joints.iter().all(|name| !self.empty(name))
+        self.columns.joints.iter().all(|name| self.text(name).is_some_and(|text| !is_nothing(text)))
     }
 
     /// What the row saw; `fixed_point` numbers fixed points by kind and name.
