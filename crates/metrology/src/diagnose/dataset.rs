@@ -108,6 +108,14 @@ impl Dataset {
         }
     }
 
+    /// The same measurement, with its ranges, at every `step`-th of its observations; none of them share a visit.
+    #[must_use]
+    pub(super) fn every(&self, step: usize) -> Self {
+        let observations: Vec<Observation> = self.observations.iter().step_by(step.max(1)).cloned().collect();
+        let visits = (0..observations.len()).map(|i| vec![i]).collect();
+        Self { observations, visits, ..self.clone() }
+    }
+
     /// The data point of one of its observations, or of one that could be added to it.
     #[must_use]
     pub(super) fn at<'a>(&'a self, observation: &'a Observation) -> DataPoint<'a> {

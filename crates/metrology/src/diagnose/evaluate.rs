@@ -3,8 +3,6 @@
 //! Puts the answers of the other modules together; knows nothing of how the file was read and checked.
 
 use super::dataset::Twist;
-use super::design::{Design, Whitening};
-use super::effects::{Candidate, TestableEffects, UntestableEffect, testable_effects};
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
 use super::heldout;
@@ -27,6 +25,7 @@ use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
 use super::verdict::{Judgement, judge, worse_elsewhere};
+use super::visible::{INVISIBLE, visible};
 use super::zeros::zeros;
 use crate::measure::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
@@ -40,13 +39,8 @@ const FOLLOWED: f64 = 0.9;
 const MOST_TURNED: usize = 2;
 /// Geometry this many tolerances off, all joints together, is no mere nuisance any more.
 const BEYOND: f64 = 1.0;
-/// Of which less than this share is left by the registration: no signal.
-const INVISIBLE: f64 = 1e-7;
 /// More than this share of the rows is not false by chance.
 const FALSE_SHARE: f64 = 0.2;
-/// Distance at which an orientation counts while it is only asked what leaves a signal at all, metres.
-const USUAL_LENGTH_M: f64 = 0.2;
-
 /// Measurements, registered and linearised.
 pub(super) struct Prepared<'a> {
     /// The measurements of the robot, as stations.
@@ -86,7 +80,7 @@ pub(super) fn evaluate(prepared: &Prepared<'_>, wants_model: bool) -> Evaluation
 fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> Evaluation {
     let Prepared { measured, linear, noise, .. } = *prepared;
     let folds = heldout::folds(&linear.dataset);
-    let visible = visible(prepared, testable_effects(&linear.dataset));
+    let visible = visible(linear, prepared.measured.stations.targets, prepared.noise);
     let problem = SearchProblem {
         linear,
         candidates: &visible.candidates,
@@ -226,56 +220,6 @@ fn too_many_false(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) -> Opti
             format!("{count} of {used} rows ({which}) do not go with the others, each in its own way: look at them before anything else")
         })
     })
-}
-
-/// Candidates that leave a signal beside the registration, and the effects that these data cannot show.
-struct VisibleCandidates {
-    candidates: Vec<Candidate>,
-    untestable: Vec<Untestable>,
-}
-
-/// Takes out the candidates whose signal the registration takes whole.
-fn visible(prepared: &Prepared<'_>, testable: TestableEffects) -> VisibleCandidates {
-    let Prepared { measured, linear, noise, .. } = *prepared;
-    let n = linear.dataset.observations.len();
-    let whitening = Whitening::independent(vec![1.0; n], USUAL_LENGTH_M);
-    let targets = measured.stations.targets;
-    let design = Design::new(&linear.dataset, &linear.residuals, targets, whitening, &vec![0; n]);
-    let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
-    let mut candidates = Vec::new();
-    let mut untestable: Vec<Untestable> = Vec::new();
-    for candidate in testable.candidates {
-        // Lines of a gear never lie in the registration; there are thousands.
-        let is_line = candidate.kind == EffectKind::GearMesh;
-        let share = if is_line {
-            1.0
-        } else {
-            let columns = design.columns_of(&linear.dataset, &candidate);
-            nuisance.visible(&design.products(&columns).sum(&[0]))
-        };
-        if share > INVISIBLE {
-            candidates.push(candidate);
-            continue;
-        }
-        let effect = candidate.kind;
-        let joint = candidate.variant.joint;
-        let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
-        match untestable.iter_mut().find(|h| h.effect == effect) {
-            Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
-            None => untestable.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
-        }
-    }
-    // What one variant hides another may show.
-    let is_shown = |effect, joint| candidates.iter().any(|c| c.kind == effect && c.variant.joint == joint);
-    untestable.retain_mut(|hidden| {
-        let effect = hidden.effect;
-        let of_joints = !hidden.joints.is_empty();
-        hidden.joints.retain(|joint| !is_shown(effect, Some(*joint)));
-        if of_joints { !hidden.joints.is_empty() } else { !is_shown(effect, None) }
-    });
-    let whole = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
-    untestable.extend(testable.untestable.into_iter().map(whole));
-    VisibleCandidates { candidates, untestable }
 }
 
 /// The instrument's scale, where it hides in the links' lengths.

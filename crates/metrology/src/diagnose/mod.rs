@@ -54,6 +54,7 @@ mod time_course;
 mod twist;
 mod validate;
 mod verdict;
+mod visible;
 pub mod warmup;
 mod zeros;
 

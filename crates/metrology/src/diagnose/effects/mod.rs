@@ -33,7 +33,7 @@ pub(in crate::diagnose) use backlash::held_above_n_m;
 pub(super) use effect::{Candidate, CauseKey, EffectVariant, GravityHold};
 pub(super) use gear_harmonic::OVERTONE_WEIGHT;
 pub(super) use gear_mesh::{line, line_with_overtone};
-pub(super) use library::{TestableEffects, UntestableEffect, effect, testable_effects};
+pub(super) use library::{UntestableEffect, effect, testable_effects};
 pub(in crate::diagnose) use link_bending::one_beam_with;
 pub(in crate::diagnose) use link_geometry::along_link;
 pub(super) use over_time::steps_too_near;

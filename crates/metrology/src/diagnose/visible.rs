@@ -1,0 +1,122 @@
+//! Which causes base and target, which are unknown, leave anything of.
+
+use super::dataset::{Dataset, Twist};
+use super::design::{Design, Whitening};
+use super::effects::{Candidate, UntestableEffect, testable_effects};
+use super::evidence::NuisanceModel;
+use super::linearise::Linearised;
+use super::marginal::NoisePrior;
+use super::outcome::Untestable;
+use robot_model::deform::EffectKind;
+
+/// Of which less than this share is left by the registration: no signal.
+pub(super) const INVISIBLE: f64 = 1e-7;
+/// Observations that are asked first what the registration leaves, and the share that they leave of what all of them surely show: the
+/// signal in those few is hardly less than a thousandth of the whole.
+const ASKED_FIRST: usize = 200;
+const PLAIN: f64 = 1e3 * INVISIBLE;
+/// Distance at which an orientation counts while it is only asked what leaves a signal at all, metres.
+const USUAL_LENGTH_M: f64 = 0.2;
+
+/// Candidates that leave a signal beside the registration, and the effects that these data cannot show.
+pub(super) struct VisibleCandidates {
+    /// The candidates that leave one.
+    pub candidates: Vec<Candidate>,
+    /// Effects that leave none, with the reason.
+    pub untestable: Vec<Untestable>,
+}
+
+/// Base and target beside the observations of a data set, all alike: what they leave of a candidate's signal.
+struct Sight<'a> {
+    dataset: &'a Dataset,
+    design: Design,
+    nuisance: NuisanceModel,
+}
+
+impl<'a> Sight<'a> {
+    fn new(dataset: &'a Dataset, residuals: &[Twist], targets: usize, noise: NoisePrior) -> Self {
+        let n = dataset.observations.len();
+        let whitening = Whitening::independent(vec![1.0; n], USUAL_LENGTH_M);
+        let design = Design::new(dataset, residuals, targets, whitening, &vec![0; n]);
+        let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
+        Self { dataset, design, nuisance }
+    }
+
+    /// Share of a candidate's signal that is left.
+    fn share(&self, candidate: &Candidate) -> f64 {
+        let columns = self.design.columns_of(self.dataset, candidate);
+        self.nuisance.visible(&self.design.products(&columns).sum(&[0]))
+    }
+}
+
+/// Takes out the candidates whose signal the registration, with so many `targets`, takes whole.
+pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) -> VisibleCandidates {
+    let Linearised { dataset, residuals, .. } = linear;
+    let whole = Sight::new(dataset, residuals, targets, noise);
+    // There are many candidates, and may be many rows: what some of them show all of them do.
+    let step = dataset.observations.len().div_ceil(ASKED_FIRST).max(1);
+    let some = (step > 1).then(|| dataset.every(step));
+    let some_residuals: Vec<Twist> = residuals.iter().step_by(step).copied().collect();
+    let some = some.as_ref().map(|some| Sight::new(some, &some_residuals, targets, noise));
+    let testable = testable_effects(dataset);
+    let mut candidates = Vec::new();
+    let mut untestable: Vec<Untestable> = Vec::new();
+    for candidate in testable.candidates {
+        // Lines of a gear never lie in the registration; there are thousands.
+        let is_line = candidate.kind == EffectKind::GearMesh;
+        let is_plain = is_line || some.as_ref().is_some_and(|some| some.share(&candidate) > PLAIN);
+        let share = if is_plain { 1.0 } else { whole.share(&candidate) };
+        if share > INVISIBLE {
+            candidates.push(candidate);
+            continue;
+        }
+        let effect = candidate.kind;
+        let joint = candidate.variant.joint;
+        let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
+        match untestable.iter_mut().find(|h| h.effect == effect) {
+            Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
+            None => untestable.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
+        }
+    }
+    // What one variant hides another may show.
+    let is_shown = |effect, joint| candidates.iter().any(|c| c.kind == effect && c.variant.joint == joint);
+    untestable.retain_mut(|hidden| {
+        let effect = hidden.effect;
+        let of_joints = !hidden.joints.is_empty();
+        hidden.joints.retain(|joint| !is_shown(effect, Some(*joint)));
+        if of_joints { !hidden.joints.is_empty() } else { !is_shown(effect, None) }
+    });
+    let of_kind = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
+    untestable.extend(testable.untestable.into_iter().map(of_kind));
+    VisibleCandidates { candidates, untestable }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::dataset::evenly_spread;
+
+    /// What a part of the rows shows is no less than a part of what all of them show, so whatever is plain there is seen by all.
+    #[test]
+    fn what_some_rows_show_plainly_all_of_them_do() {
+        let dataset = evenly_spread(900);
+        let some = dataset.every(5);
+        assert_eq!(some.observations.len(), 180);
+        let noise = NoisePrior { known: None, from_repeats: false, stated_more_m: None };
+        let sight = |dataset| Sight::new(dataset, &vec![Twist([1e-4; 6]); 900], 1, noise);
+        let (whole, some) = (sight(&dataset), Sight::new(&some, &[Twist([1e-4; 6]); 180], 1, noise));
+        let (mut plain, mut hidden) = (0, 0);
+        for candidate in testable_effects(&dataset).candidates {
+            if candidate.kind == EffectKind::GearMesh {
+                continue;
+            }
+            let is_plain = some.share(&candidate) > PLAIN;
+            plain += usize::from(is_plain);
+            let share = whole.share(&candidate);
+            hidden += usize::from(share <= INVISIBLE);
+            assert!(!is_plain || share > INVISIBLE, "{:?} {:?}: {share}", candidate.kind, candidate.variant);
+        }
+        // An offset of joint 1 and of joint 6 and what else base and target take; most causes are plain.
+        assert!(hidden >= 2 && plain > 100, "{hidden} {plain}");
+    }
+}
