@@ -23,7 +23,7 @@ impl Library<'_> {
     }
 
     /// Whether `candidate` is the compliance of all joints at once.
-    pub(super) fn all_springs(&self, candidate: usize) -> bool {
+    pub(crate) fn all_springs(&self, candidate: usize) -> bool {
         let this = &self.candidates[candidate];
         this.kind == EffectKind::JointCompliance && this.of_all_joints()
     }
@@ -34,7 +34,7 @@ impl Library<'_> {
     }
 
     /// The linear springs of those joints of which none is among the candidates `taken`.
-    pub(super) fn single_springs(&self, taken: &[usize]) -> Vec<usize> {
+    pub(crate) fn single_springs(&self, taken: &[usize]) -> Vec<usize> {
         let spring = |c: &Candidate| c.kind == EffectKind::JointCompliance;
         let joint = |c: &usize| self.candidates[*c].variant.joint;
         let is_taken = |c: &usize| {

@@ -13,6 +13,7 @@ mod listing;
 mod noise;
 mod overtones;
 mod size;
+mod springs_together;
 mod structure;
 mod two_states;
 mod unrecorded;

@@ -11,6 +11,7 @@ use super::listing::{listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
 use super::overtones::overtones;
 use super::size::{cause, cause_unfitted, moved_m, rms, total_rms_m};
+use super::springs_together::share_springs;
 use super::structure::{
     MANY_CAUSES, NEGLIGIBLE_STRUCTURE_RATIO, alternative_share, gp_alternative_share, left_over_m,
     likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
@@ -128,6 +129,7 @@ impl CausesFound {
         join_nested(&fitted.workspace, &mut cause_groups);
         doubt_shapes(&fitted.workspace, &mut cause_groups);
         share_slip(&fitted.workspace, &mut cause_groups);
+        share_springs(fitted, chosen, i, &mut cause_groups);
         let Some(first) = cause_groups.first() else { return };
         let near = credible(&cause_groups);
         let nothing =
