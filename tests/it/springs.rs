@@ -84,3 +84,24 @@ fn a_model_that_is_worse_at_poses_held_out_is_not_written() {
     assert!(said.contains("model::none") && said.contains("at poses held out it leaves"), "{said}");
     assert!(!model.exists());
 }
+
+/// A large arm may have a balancing cylinder at joint 2, an IRB 140 has none; the error once a turn is that of the exam's virtual robot.
+#[test]
+fn a_balancing_cylinder_is_told_of_where_an_arm_may_have_one() {
+    let folder = tempfile::tempdir().unwrap();
+    for (robot, is_told) in [("irb6700", true), ("irb140", false)] {
+        let sets = folder.path().join(robot);
+        let mut synth = Command::cargo_bin("driftpost").unwrap();
+        synth.arg("synth").arg(&sets).args(["--robot", robot, "--effects", "gear_eccentricity:2"]);
+        synth.args(["--n", "60", "--seed", "3"]).assert().success();
+        let mut diagnose = Command::cargo_bin("driftpost").unwrap();
+        let file = sets.join("set_0000/measurements.csv");
+        let output =
+            diagnose.arg("diagnose").arg(file).args(["--robot", robot, "--json", "-"]).output().unwrap();
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(answer["causes"][0]["effect"], "gear_eccentricity", "{robot}: {}", answer["reason"]);
+        assert_eq!(answer["causes"][0]["joint"], 2);
+        let codes: Vec<&Value> = answer["warnings"].as_array().unwrap().iter().map(|w| &w["code"]).collect();
+        assert_eq!(codes.contains(&&Value::from("diagnose::balancing")), is_told, "{robot}: {codes:?}");
+    }
+}

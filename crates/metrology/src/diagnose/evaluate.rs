@@ -2,6 +2,7 @@
 //!
 //! Puts the answers of the other modules together; knows nothing of how the file was read and checked.
 
+use super::balancing::balancing;
 use super::dataset::Twist;
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
@@ -149,7 +150,7 @@ fn consequences(
     fitted: &mut FittedModel<'_>,
     judgement: Judgement,
 ) -> Findings {
-    let Prepared { measured, options, .. } = *prepared;
+    let Prepared { measured, linear, options, .. } = *prepared;
     let geometry_tolerances = fitted.model.peak.geometry_ratio * fitted.model.peak.sigma_m;
     // Far beyond tolerance the arm was never calibrated: its geometry is then part of the answer.
     let zeros_alone = (geometry_tolerances > BEYOND).then(|| zeros(fitted)).flatten();
@@ -159,6 +160,7 @@ fn consequences(
         warnings: region_warning(&shrink, fitted)
             .into_iter()
             .chain(play_ahead(fitted, &judgement.causes))
+            .chain(balancing(measured.robot, &linear.dataset, &judgement.causes))
             .collect(),
         shrink,
         zeros_alone,

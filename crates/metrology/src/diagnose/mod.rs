@@ -4,6 +4,7 @@
 //! One evidence engine over a library of effects (one file each in `effects`). Knows no RAPID and no files.
 
 mod angle_grid;
+mod balancing;
 mod cause;
 mod compare;
 mod dataset;
