@@ -26,7 +26,13 @@ pub(super) struct RunRecord<'a> {
     pub background: &'a Disturbance,
     /// How far each point is off its nominal place, noise included, metres.
     pub off_m: &'a [Vector3<f64>],
+    /// Whether nests on the base are read at the rows past the recipe's number.
+    pub with_nests: bool,
 }
+
+/// Where nests on the base stand, base frame, metres: round the foot, none at the height of another.
+const NESTS_M: [Vector3<f64>; 3] =
+    [Vector3::new(0.31, 0.12, 0.0), Vector3::new(-0.13, 0.34, 0.02), Vector3::new(-0.22, -0.28, 0.04)];
 
 /// Where an instrument stands, and how its reflector is mounted.
 struct Instrument {
@@ -61,9 +67,38 @@ impl RunRecord<'_> {
             out += &self.arm_cells(k, &faults);
             out += &faults.point_cells(k, faults.point_of(k).map(|row| &points[row]));
             out += &self.optional_cells(k, &instrument, &faults, rng);
+            if self.with_nests {
+                out += ",pose,";
+            }
             out.push('\n');
+            if self.with_nests && k >= self.recipe.n {
+                self.push_nests(&mut out, k, &instrument, &faults, rng);
+            }
         }
         self.recipe.gaps.as_ref().map_or_else(|| out.clone(), |gaps| gaps.made_in(&out))
+    }
+
+    /// The rows of the nests on the base while the arm stands as in row `k`.
+    fn push_nests(
+        &self,
+        out: &mut String,
+        k: usize,
+        instrument: &Instrument,
+        faults: &FileFaults,
+        rng: &mut Rng,
+    ) {
+        let disturbance = self.run.disturbance(k, self.effects, self.background);
+        for (nest, stands_m) in NESTS_M.into_iter().enumerate() {
+            let noise_m = Vector3::from(rng.normal3()) * m_from_mm(self.recipe.sigma_mm);
+            let seen_m = MeasuredRun::nest_m(stands_m, &disturbance) + noise_m;
+            let point = instrument.instrument_from_base * Point3::from(seen_m);
+            // writing to a String cannot fail
+            let _ = write!(out, "{k}n{nest},{k}n{nest}");
+            *out += &self.arm_cells(k, faults);
+            *out += &faults.point_cells(k, Some(&point));
+            *out += &self.optional_cells(k, instrument, faults, rng);
+            let _ = writeln!(out, ",base,N{nest}");
+        }
     }
 
     fn header(&self) -> String {
@@ -90,6 +125,9 @@ impl RunRecord<'_> {
         if recorded.temperature {
             names.extend((1..=joints).map(|joint| format!("temp_j{joint}_c")));
             names.push("temp_air_c".to_owned());
+        }
+        if self.with_nests {
+            names.extend(["kind", "fixed_id"].map(str::to_owned));
         }
         names.join(",") + "\n"
     }

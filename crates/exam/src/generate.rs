@@ -67,7 +67,8 @@ pub fn continued_set(
     let poses = (0..recipe.n).map(|k| if k >= distinct { k - distinct } else { k });
     let poses = poses.chain(more.rows.iter().map(|row| distinct + row.pose)).collect();
     let own = states[..recipe.n].to_vec();
-    let rows = RunRows { tool_m, states, poses, later: more.seed, amplitudes: None };
+    let rows =
+        RunRows { tool_m, states, poses, later: more.seed, with_nests: more.with_nests, amplitudes: None };
     let mut set = measured(&arm, robot_name, recipe, rows, rng)?;
     let others = (0..OTHER_ROWS.div_ceil(recipe.n)).flat_map(|_| elsewhere(robot, &arm, rng, &run, &own));
     let others = MeasuredRun::new(&arm, tool_m, others.collect());
@@ -107,6 +108,7 @@ pub fn planned_set(
         states: states_of(&arm, rng, tool_m, rows),
         poses: rows.iter().map(|row| row.pose).collect(),
         later: 0,
+        with_nests: false,
         amplitudes: Some(amplitudes),
     };
     measured(&arm, robot_name, &recipe, rows, rng)
@@ -119,6 +121,8 @@ struct RunRows<'a> {
     poses: Vec<usize>,
     /// Seed of the noise in rows past the recipe's number.
     later: u64,
+    /// Whether nests on the base are read at those.
+    with_nests: bool,
     /// Sizes of the effects; `None`: as large as the recipe asks.
     amplitudes: Option<&'a [f64]>,
 }
@@ -131,7 +135,7 @@ fn measured(
     rows: RunRows<'_>,
     rng: &mut Rng,
 ) -> Option<DataSet> {
-    let RunRows { tool_m, mut states, poses, later, amplitudes } = rows;
+    let RunRows { tool_m, mut states, poses, later, with_nests, amplitudes } = rows;
     let more = states.split_off(recipe.n.min(states.len()));
     let mut run = MeasuredRun::new(arm, tool_m, states);
     let injected = injected(&run, recipe, amplitudes, rng)?;
@@ -172,6 +176,7 @@ fn measured(
         effects: &effects,
         background: &background,
         off_m: &with,
+        with_nests,
     };
     let csv = record.csv(rng, &mut later);
     let stated = tool_m.map(|c| mm_from_m(c) + 0.5 * rng.normal());

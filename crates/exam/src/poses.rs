@@ -138,11 +138,13 @@ pub struct MoreRows<'a> {
     pub from_cold: bool,
     /// Seed of their noise: that of the run's own rows stays as it was.
     pub seed: u64,
+    /// Whether nests on the base are read at each of them.
+    pub with_nests: bool,
 }
 
 impl MoreRows<'_> {
     /// No rows beside those of the run.
-    pub const NONE: Self = Self { rows: &[], from_cold: false, seed: 0 };
+    pub const NONE: Self = Self { rows: &[], from_cold: false, seed: 0, with_nests: false };
 }
 
 /// The same, and those of `more` after them.

@@ -8,6 +8,11 @@ use nalgebra::{Isometry3, Point3, Vector3};
 /// Where the instrument stands in the base frame, metres.
 const INSTRUMENT_M: Vector3<f64> = Vector3::new(2.1, -0.6, 0.4);
 
+/// What the instrument makes of a point: one that reads long does so from where it stands, two metres before the robot.
+fn seen_m(point_m: Vector3<f64>, disturbance: &Disturbance) -> Vector3<f64> {
+    point_m + (point_m - INSTRUMENT_M) * disturbance.instrument_scale
+}
+
 /// An arm in the states in which it is measured, and where its points stand without any effect.
 pub(super) struct MeasuredRun<'a> {
     pub arm: &'a ScrewArm,
@@ -48,9 +53,13 @@ impl<'a> MeasuredRun<'a> {
     pub(crate) fn point_m(&self, k: usize, disturbance: &Disturbance) -> Vector3<f64> {
         let flange = self.flange(k, disturbance);
         let point = (flange * Point3::from(self.tool_m)).coords + disturbance.point_m;
-        // an instrument that reads long does so from where it stands, two metres before the robot
-        let from_instrument = point - INSTRUMENT_M;
-        point + from_instrument * disturbance.instrument_scale
+        seen_m(point, disturbance)
+    }
+
+    /// Where it sees a nest on the base that stands at `nest_m` of the undisturbed base.
+    pub(crate) fn nest_m(nest_m: Vector3<f64>, disturbance: &Disturbance) -> Vector3<f64> {
+        let base = Isometry3::new(disturbance.base_m, disturbance.base_rad);
+        seen_m((base * Point3::from(nest_m)).coords, disturbance)
     }
 
     /// How far each row's point is off its nominal place, base frame, metres.

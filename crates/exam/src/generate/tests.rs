@@ -5,7 +5,8 @@ use crate::poses::Recorded;
 use crate::registration::rms_after_registration_m;
 use crate::row_fault::RowFault;
 use crate::truth::QuestionKind;
-use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
+use nalgebra::{Isometry3, Point3, Quaternion, UnitQuaternion};
+use robot_model::robot::Joints;
 
 fn recipe(effect: Effect, rho: f64) -> Recipe {
     Recipe {
@@ -69,6 +70,54 @@ fn numbers<const N: usize>(csv: &str, names: [&str; N]) -> Vec<[f64; N]> {
     let (header, rows) = table(csv);
     let at = names.map(|name| header.iter().position(|h| h == name).unwrap());
     rows.iter().map(|row| at.map(|c| row[c].parse().unwrap())).collect()
+}
+
+/// The nests' plane turns by the tilt alone: by its amplitude times the difference of the moments over the foot, of an arm that is
+/// stretched forward and one that is stretched backward; and the three keep their distances.
+#[test]
+fn nests_on_the_base_turn_by_its_tilt() {
+    let robot = SerialArm::built_in("irb140").unwrap();
+    let recipe = Recipe { sigma_mm: 0.002, ..recipe(Effect::BaseTilt, 30.0) };
+    let sides = [0.0_f64, 175.0].map(f64::to_radians);
+    let stretched = |q1: f64| Joints::from_fn(6, |j| [q1, 1.0, -0.6, 0.0, 0.4, 0.0][j]);
+    let rows: Vec<CommandedRow> = (0..20)
+        .map(|pose| CommandedRow {
+            pose,
+            q_rad: stretched(sides[pose % 2]),
+            direction: Joints::from_fn(6, |_| 1),
+            payload_kg: 0.0,
+        })
+        .collect();
+    let more = MoreRows { rows: &rows, from_cold: false, seed: 5, with_nests: true };
+    let set = continued_set(&robot, "irb140", &recipe, more, &mut Rng::new(11, 2)).unwrap();
+    let (header, cells) = table(&set.csv);
+    assert!(cells.iter().all(|row| row.len() == header.len()));
+    let column = |name: &str| header.iter().position(|h| h == name).unwrap();
+    let points = numbers(&set.csv, ["x_mm", "y_mm", "z_mm"]);
+    let nests: Vec<Vector3<f64>> = cells
+        .iter()
+        .zip(&points)
+        .filter(|(row, _)| row[column("kind")] == "base")
+        .map(|(_, point)| Vector3::from(*point))
+        .collect();
+    assert_eq!(nests.len(), 3 * rows.len());
+    let mut normals = [Vector3::zeros(); 2];
+    for (k, three) in nests.chunks_exact(3).enumerate() {
+        let [a, b] = [three[1] - three[0], three[2] - three[0]];
+        // Of places written down beside the foot: (-0.44, 0.22, 0.02) and (-0.53, -0.40, 0.04) m.
+        assert!(
+            (a.norm() - 492.341).abs() < 0.02 && (b.norm() - 665.207).abs() < 0.02,
+            "{} {}",
+            a.norm(),
+            b.norm()
+        );
+        normals[k % 2] += a.cross(&b).normalize() / 10.0;
+    }
+    let arm = ScrewArm::new(&robot);
+    let moments = sides.map(|q1| arm.moment_n_m(0, &stretched(q1), 0.0, &Point3::origin()).xy());
+    let expected_rad = set.truth.effects[0].amplitude * (moments[0] - moments[1]).norm();
+    let turned_rad = normals[0].cross(&normals[1]).norm();
+    assert!((turned_rad / expected_rad - 1.0).abs() < 0.05, "{turned_rad} {expected_rad}");
 }
 
 /// What a small effect adds to the file, base and target fitted by the orientations that stand in it.
