@@ -368,3 +368,28 @@ ENDMODULE\n",
     let back = std::fs::read_to_string(path("back2.mod")).unwrap();
     assert_eq!(back, source.replace("[[400,60", "[[400.5,60"));
 }
+
+/// What asks the model at run time holds for a tool that the robot carries: with one that stands a motion was called corrected, and went
+/// to the original. A target that is known beforehand is corrected.
+#[test]
+fn a_target_of_run_time_with_a_stationary_tool_is_kept_with_its_reason() {
+    let body = "  PERS tooldata tS:=[FALSE,[[450,0,400],[0,0,1,0]],[1,[0,0,1],[1,0,0,0],0,0,0]];
+  PERS wobjdata wR:=[TRUE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  CONST robtarget pS:=[[10,5,-20],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    MoveJ pS,v100,fine,tS\\WObj:=wR;
+  ENDPROC
+  PROC given(robtarget p,jointtarget j)
+    MoveL p,v100,fine,tS\\WObj:=wR;
+    MoveC pS,p,v100,fine,tS\\WObj:=wR;
+    MoveAbsJ j,v100,fine,tS\\WObj:=wR;
+  ENDPROC\n";
+    for form in ["live", "auto"] {
+        let made = made(form, body);
+        let statuses: Vec<&str> = made.motions.iter().map(|(status, _)| status.as_str()).collect();
+        assert_eq!(statuses, ["compensated", "compensated", "kept", "kept", "kept"], "{:?}", made.motions);
+        assert!(made.motions[2..].iter().all(|(_, why)| why.contains("the tool is stationary")));
+        assert!(made.corrected_mm < 0.006, "{form}: {}", made.corrected_mm);
+    }
+}

@@ -35,7 +35,7 @@ pub(super) fn run_time(
     if !motion.run_time {
         return None;
     }
-    let why_not = of_controller(program, motion).or_else(|| live.lacks()).or_else(|| {
+    let why_not = of_controller(program, motion).or_else(|| stationary_tool(motion)).or_else(|| live.lacks()).or_else(|| {
         // Then the controller goes to the solution that is nearest, whatever confdata says.
         (motion.setup.path != Path::AbsJoint && motion.setup.conf_monitored != Some(true)).then(|| {
             let own = motion.skip_reason.as_deref().map(|why| format!("{}; ", why.reason));
@@ -66,14 +66,23 @@ pub(super) fn form_of_known(
         TargetValue::Rob(target) => model.closed.agrees(&Configuration::from(target.conf), q_rad),
         TargetValue::Joint(_) | TargetValue::FromJoints(_) => true,
     });
-    let held_by_robot = motion.setup.tool.as_ref().is_none_or(|tool| tool.robhold);
     let own_load = !conditions::is_beyond_own_load(motion, model);
     let fits = agrees
-        && held_by_robot
+        && stationary_tool(motion).is_none()
         && own_load
         && of_controller(program, motion).is_none()
         && live.lacks().is_none();
     if fits { Form::Live } else { Form::Ramp }
+}
+
+/// Why the model cannot be asked where the robot holds the work object: the arm that is asked carries the tool.
+fn stationary_tool(motion: &Motion) -> Option<SkipReason> {
+    let tool_stands = motion.setup.tool.as_ref().is_some_and(|tool| !tool.robhold);
+    let object_is_held = motion.setup.wobj.as_ref().is_some_and(|wobj| wobj.robhold);
+    (tool_stands || object_is_held).then(|| {
+        let reason = "its target is known at run time alone, and the tool is stationary: what is asked at run time holds for a tool that the robot carries";
+        skip("keep::live-stationary-tool", reason)
+    })
 }
 
 /// What the controller that the program is for lacks.
