@@ -131,6 +131,7 @@ mod tests {
     use super::super::closed_form::ClosedForm;
     use super::*;
     use crate::robot::Robot;
+    use nalgebra::Unit;
 
     fn closed(name: &str) -> ClosedForm {
         ClosedForm::new(&Robot::built_in(name).unwrap()).unwrap()
@@ -169,6 +170,43 @@ mod tests {
             ([0.0, -80.0, -120.0, 0.0, -10.0, 0.0], 7),
         ] {
             assert_eq!(configuration(&closed, q_deg)[3], cfx, "{q_deg:?}");
+        }
+    }
+
+    /// Where the wrist is does not change with the way in which a file counts its joints: the bits of the shoulder and of the lower arm are those of
+    /// the arm as ABB counts it, and each branch solves the pose, whichever of its joints count the other way round.
+    #[test]
+    fn the_branch_is_where_the_wrist_is_however_joints_are_counted() {
+        let q_deg = [
+            [17.0, 8.0, -10.0, 32.0, 41.0, -53.0],
+            [20.0, 40.0, -100.0, 10.0, 30.0, 5.0],
+            [0.0, -80.0, -120.0, 0.0, 20.0, 0.0],
+        ];
+        for name in ["irb140", "irb4600"] {
+            let own = closed(name);
+            for signs in 0..64_u32 {
+                let counts = |i: usize| if signs >> i & 1 == 1 { -1.0 } else { 1.0 };
+                let mut robot = Robot::built_in(name).unwrap();
+                for (i, joint) in robot.joints.iter_mut().enumerate() {
+                    joint.axis = Unit::new_normalize(joint.axis.into_inner() * counts(i));
+                }
+                let other = ClosedForm::new(&robot).unwrap();
+                for q_deg in q_deg {
+                    let q_rad = q_deg.map(rad_from_deg);
+                    let counted: [f64; 6] = std::array::from_fn(|i| counts(i) * q_rad[i]);
+                    let [meant, found] =
+                        [own.configuration(&q_rad), other.configuration(&counted)].map(|c| c.cfx >> 1);
+                    assert_eq!(found, meant, "{name} {signs:b} {q_deg:?}");
+                    let pose = own.chain.forward(&q_rad);
+                    let branches = other.branches(&pose);
+                    let at = usize::try_from(other.configuration(&counted).cfx).unwrap();
+                    let solved = branches[at].unwrap();
+                    assert!(
+                        solved.iter().zip(counted).all(|(a, b)| (a - b).abs() < 1e-9),
+                        "{name} {signs:b}: {solved:?}"
+                    );
+                }
+            }
         }
     }
 

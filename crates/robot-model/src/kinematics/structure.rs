@@ -23,6 +23,8 @@ impl From<StructureError> for Diagnostic {
     }
 }
 
+/// A link that lies along an axis by more than this share of its length at the zero pose says which way that axis points.
+const CLEARLY: f64 = 0.5;
 /// Largest deviation of axes, radians and metres: rounding of a file's numbers, not a real offset.
 const DEVIATION: f64 = 1e-8;
 
@@ -60,27 +62,32 @@ impl Structure {
         let (w, p) = (&zero.axes, &zero.origins_m);
         check_angles(w)?;
 
-        let z = w[0];
-        let y = unit(&sub(&w[1], &scale(&z, dot(&z, &w[1]))));
+        // Axis 1 points along the upper arm of the zero pose, and front is where its forearm points, however a file counts joints 1 and 2.
+        let upper_arm = sub(&p[2], &p[1]);
+        let sign_1 = if dot(&upper_arm, &w[0]) < -CLEARLY * norm(&upper_arm) { -1.0 } else { 1.0 };
+        let z = scale(&w[0], sign_1);
+        let across_axis_1 = unit(&sub(&w[1], &scale(&z, dot(&z, &w[1]))));
+        let wrist = crossing(&p[3], &w[3], &p[4], &w[4]);
+        let to_wrist = sub(&wrist, &p[2]);
+        let forward = dot(&to_wrist, &cross(&across_axis_1, &z));
+        let sign_2 = if forward < -CLEARLY * norm(&to_wrist) { -1.0 } else { 1.0 };
+        let y = scale(&across_axis_1, sign_2);
         let x = cross(&y, &z);
         let base_from_canonical = transpose(&[x, y, z]);
         let shoulder_m = add(&p[0], &scale(&z, dot(&sub(&p[1], &p[0]), &z)));
         let a1 = dot(&sub(&p[1], &shoulder_m), &x);
 
-        let upper_arm = sub(&p[2], &p[1]);
         let (upper_x, upper_z) = (dot(&upper_arm, &x), dot(&upper_arm, &z));
         let c2 = upper_x.hypot(upper_z);
         if c2 < DEVIATION {
             return Err(StructureError("axes 2 and 3 coincide"));
         }
-        let wrist = crossing(&p[3], &w[3], &p[4], &w[4]);
         for i in 3..6 {
             let from_axis = cross(&w[i], &sub(&wrist, &p[i]));
             if norm(&from_axis) > DEVIATION {
                 return Err(StructureError("axes 4, 5 and 6 do not meet in one point"));
             }
         }
-        let to_wrist = sub(&wrist, &p[2]);
         let sign_4 = if dot(&to_wrist, &w[3]) < 0.0 { -1.0 } else { 1.0 };
         // The forearm's frame at the zero pose: u along axis 4, y, n.
         let u = scale(&w[3], sign_4);
@@ -108,7 +115,7 @@ impl Structure {
             c2,
             c3,
             zero_rad: [0.0, theta_2, theta_23 - theta_2, theta_4, theta_5, 0.0],
-            sign: [1.0, 1.0, if dot(&w[2], &y) < 0.0 { -1.0 } else { 1.0 }, sign_4, 1.0, sign_6],
+            sign: [sign_1, sign_2, if dot(&w[2], &y) < 0.0 { -1.0 } else { 1.0 }, sign_4, 1.0, sign_6],
             wrist_m: apply(&flange_from_base, &sub(&wrist, &zero.flange.position_m)),
             canonical6_from_flange: mul(&transpose(&base_from_sixth), &zero.flange.rotation),
         })
