@@ -59,7 +59,7 @@ impl Motion {
 /// What stands on one side of the arm and moves rigidly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RigidBody {
-    /// The base: three shifts, three turns about its origin.
+    /// The base: three shifts, three turns, along and about the axes of joint 1's frame.
     Base,
     /// The target on the flange: three shifts in the flange's axes and, where the orientation is measured, three turns (without it
     /// a turn of the target is a shift).
