@@ -25,6 +25,7 @@ use super::outcome::{
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
+use super::tool_apart::tool_elsewhere;
 use super::verdict::{Judgement, judge, worse_elsewhere};
 use super::visible::{INVISIBLE, visible};
 use super::zeros::zeros;
@@ -160,6 +161,7 @@ fn consequences(
         warnings: region_warning(&shrink, fitted)
             .into_iter()
             .chain(play_ahead(fitted, &judgement.causes))
+            .chain(tool_elsewhere(linear, measured.stations.targets, options))
             .chain(balancing(measured.robot, &linear.dataset, &judgement.causes))
             .collect(),
         shrink,

@@ -52,6 +52,7 @@ mod smoothness;
 mod spectrum;
 mod terms;
 mod time_course;
+mod tool_apart;
 mod twist;
 mod validate;
 mod verdict;

@@ -35,7 +35,7 @@ pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
     Fault, FaultKind, PartFault, PosedRow, describe_move, find_fault, find_in_cells, find_in_orientations,
-    find_in_rows, find_joint_columns, find_pose_names,
+    find_in_rows, find_joint_columns, find_pose_names, tool_apart,
 };
 pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,

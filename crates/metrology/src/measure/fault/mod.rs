@@ -9,7 +9,7 @@ mod whole;
 pub use columns::{find_in_cells, find_pose_names};
 pub use orientation::find_in_orientations;
 pub use rows::{PartFault, PosedRow, describe_move, find_in_rows};
-pub use whole::{find_fault, find_joint_columns};
+pub use whole::{find_fault, find_joint_columns, tool_apart};
 
 use serde::{Serialize, Serializer};
 
