@@ -3,6 +3,7 @@
 
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
+use super::sealed::{Language, Sealed};
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
 use driftpost::application::{ChosenEffects, ClosedLoop};
@@ -46,6 +47,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
+    /// Overwrite a model that was changed by hand since it was written.
+    #[arg(long, requires = "model_out")]
+    pub force: bool,
+
     /// Exit 1 where what is measured again is more than this times the noise floor.
     #[arg(long, value_name = "TIMES", default_value_t = 1.5)]
     pub limit: f64,
@@ -68,7 +73,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let given = ProgramInput::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
-    let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
+    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
+    let model_out = args.model_out.as_deref().map(sealed).transpose()?;
     let mut rng = Rng::new(args.seed, 0);
     let chosen = ChosenEffects {
         effects: args.inject.clone(),
@@ -85,7 +91,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         Err(failure) => failure.model.as_deref(),
     };
     if let (Some(file), Some(model)) = (model_out, model) {
-        file.write(model.to_toml().as_bytes())?;
+        file.write(&model.to_toml())?;
     }
     let closed = closed.map_err(Diagnostic::from)?;
     let answer = closed.json();

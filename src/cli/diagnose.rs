@@ -3,12 +3,13 @@
 use super::files::{self, Output, Pending};
 use super::measured::{MeasurementArgs, MeasurementInput};
 use super::page::ReportArgs;
+use super::sealed::{Language, Sealed};
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, model};
 use driftpost::application::{ControllerData, ControllerDataError, Declaration, Diagnosed, Diagnosis};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Command line of `driftpost diagnose`.
 #[derive(Debug, clap::Args)]
@@ -32,6 +33,10 @@ pub struct Args {
     /// What was found as a model (TOML), for compensate, simulate and validate.
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
+
+    /// Overwrite a model that was changed by hand since it was written.
+    #[arg(long, requires = "model_out")]
+    pub force: bool,
 
     /// Corrected tool, work object and load data as RAPID to paste, and each axis's offset (docs/ISO9283_AND_CHANGES.md).
     #[arg(long, value_name = "FILE")]
@@ -70,7 +75,7 @@ pub struct Args {
 struct Outputs {
     json: Output,
     csv: Option<Pending>,
-    model: Option<Pending>,
+    model: Option<Sealed>,
     rapid: Option<Pending>,
     clean: Option<Pending>,
 }
@@ -78,10 +83,11 @@ struct Outputs {
 impl Outputs {
     fn open(args: &Args) -> Result<Self, Diagnostic> {
         let file = |path: &Option<PathBuf>| path.as_deref().map(Pending::new).transpose();
+        let sealed = |path| Sealed::new(path, Language::Toml, args.force);
         Ok(Self {
             json: Output::new(args.json.as_deref())?,
             csv: file(&args.csv)?,
-            model: file(&args.model_out)?,
+            model: args.model_out.as_deref().map(sealed).transpose()?,
             rapid: file(&args.rapid_out)?,
             clean: file(&args.clean_out)?,
         })
@@ -137,10 +143,10 @@ fn write_results(
         found.write_json(&mut text)?;
         Ok(text)
     })?;
-    let none = |file: &Pending| found.no_model().help(format!("{} was not written", file.path().display()));
+    let none = |path: &Path| found.no_model().help(format!("{} was not written", path.display()));
     if let Some(file) = outputs.rapid {
         let text = found.rapid_of(&given.name, &given.sha256, controller_data);
-        let text = text.ok_or_else(|| none(&file))?;
+        let text = text.ok_or_else(|| none(file.path()))?;
         file.write(text.as_bytes())?;
     }
     if let Some(table) = found.axis_table().filter(|_| is_model_shown) {
@@ -153,8 +159,8 @@ fn write_results(
         csv.write(found.residuals_csv().as_bytes())?;
     }
     if let Some(file) = outputs.model {
-        let model = found.model_of(&given.name, &given.sha256).ok_or_else(|| none(&file))?;
-        file.write(model.to_toml().as_bytes())?;
+        let model = found.model_of(&given.name, &given.sha256).ok_or_else(|| none(file.path()))?;
+        file.write(&model.to_toml())?;
     }
     Ok(())
 }

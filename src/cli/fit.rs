@@ -3,6 +3,7 @@
 use super::measured::MeasurementArgs;
 use super::page::ReportArgs;
 use super::program_input::ProgramInput;
+use super::sealed::{Language, Sealed};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
 use driftpost::application::{Fit, Fitted};
@@ -48,6 +49,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
+    /// Overwrite a model that was changed by hand since it was written.
+    #[arg(long, requires = "model_out")]
+    pub force: bool,
+
     /// Everything a script needs, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
@@ -79,7 +84,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let (touches, given) = args.source.touches(console)?;
     let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
-    let model_out = args.model_out.as_deref().map(files::Pending::new).transpose()?;
+    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
+    let model_out = args.model_out.as_deref().map(sealed).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
@@ -89,7 +95,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         file.write(found.table_csv().as_bytes())?;
     }
     if let Some(file) = model_out {
-        file.write(found.model(&given.name, &given.sha256).to_toml().as_bytes())?;
+        file.write(&found.model(&given.name, &given.sha256).to_toml())?;
     }
     let takes_standard_output = json.is_standard();
     let (data, text) = (found.json(), found.text());

@@ -21,6 +21,7 @@ mod overwriting;
 pub mod page;
 mod pending;
 pub mod program_input;
+mod sealed;
 mod settings;
 pub mod shared;
 mod simulate_hints;

@@ -3,6 +3,7 @@
 use super::copies::Copies;
 use super::files::{self, PENDING};
 use crate::application::EarlierResult;
+use rapid_program::program::module_facts::MEASURING_MODULE;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use rapid_syntax::tree::FileItem;
@@ -47,20 +48,39 @@ fn holds_module(path: &Path, bytes: Vec<u8>) -> bool {
     there.tree.items.iter().any(|item| matches!(item, FileItem::Module(_)))
 }
 
-/// Refuses to overwrite a sheet of `plan` in which something has been filled in.
+/// Refuses to overwrite a module that measures where a module of another name stands.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_plan(path: &Path) -> Result<(), Diagnostic> {
+    let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
+    let there = SourceFile::read(FileId(0), path.display().to_string(), bytes);
+    let is_other = |item: &FileItem| match item {
+        FileItem::Module(module) => {
+            !there.text(module.name).eq_ignore_ascii_case(MEASURING_MODULE.as_bytes())
+        }
+        _ => false,
+    };
+    if !there.tree.items.iter().any(is_other) {
+        return Ok(());
+    }
+    let text = format!("{} is a program, and no module that measures", path.display());
+    Err(Diagnostic::error("output::changed", text)
+        .help("name another place with --rapid-out, or say --force"))
+}
+
+/// Refuses to overwrite anything but a sheet of `plan` in which nothing has been filled in.
 ///
 /// # Errors
 /// `output::changed`, naming the file.
 pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
-    let Some(sheet) = bytes_of_file(path).filter(|sheet| !is_blank(sheet)) else { return Ok(()) };
-    // A spreadsheet may have saved it with other separators.
-    let head = sheet.split(|byte| *byte == b'\n').next().map(String::from_utf8_lossy);
-    if head.is_some_and(|head| MEASURED.iter().all(|column| head.contains(column))) {
-        let text = format!("{} has been filled in since it was written", path.display());
-        return Err(Diagnostic::error("output::changed", text)
-            .help("name another place for the sheet, or say --force"));
+    let there = bytes_of_file(path).filter(|sheet| !sheet.is_empty() && !is_blank(sheet));
+    if there.is_none() {
+        return Ok(());
     }
-    Ok(())
+    let text =
+        format!("{} has been filled in since it was written, or is no sheet of a plan", path.display());
+    Err(Diagnostic::error("output::changed", text).help("name another place for the sheet, or say --force"))
 }
 
 /// The columns of a sheet that are filled in by hand.

@@ -1,6 +1,7 @@
 //! `driftpost plan`: which poses to measure.
 
 use super::number::positive;
+use super::sealed::{Language, Sealed};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, overwriting};
 use driftpost::application::Planning;
@@ -82,8 +83,8 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub template_out: Option<PathBuf>,
 
-    /// Overwrite a sheet that has been filled in.
-    #[arg(long, requires = "template_out")]
+    /// Overwrite a sheet that has been filled in, and a module that was changed since it was written or is somebody else's.
+    #[arg(long)]
     pub force: bool,
 
     /// A RAPID module that drives to the poses.
@@ -113,7 +114,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;
-    let module = args.rapid_out.as_deref().map(files::Pending::new).transpose()?;
+    if let Some(module) = args.rapid_out.as_deref().filter(|_| !args.force) {
+        overwriting::check_plan(module)?;
+    }
+    let module = |path| Sealed::new(path, Language::Rapid, args.force);
+    let module = args.rapid_out.as_deref().map(module).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let planned = console.while_busy("choosing poses", || job.run()).map_err(Diagnostic::from)?;
     if let Some(file) = csv {
@@ -123,7 +128,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         file.write(planned.template_csv().as_bytes())?;
     }
     if let (Some(file), Some(text)) = (module, planned.rapid()) {
-        file.write(text.as_bytes())?;
+        file.write(&text)?;
     }
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", planned.json()).into_bytes()))?;

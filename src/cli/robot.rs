@@ -1,5 +1,6 @@
 //! `driftpost robot`: a robot as a robot file or a URDF description.
 
+use super::sealed::{Language, Sealed};
 use super::shared::RobotName;
 use super::{Console, Outcome, files};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -17,6 +18,10 @@ pub struct Args {
     /// Write it as a robot file (FILE.toml) or a URDF description (FILE.urdf) [default: show joints, axes and ranges].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+
+    /// Overwrite a robot file that was changed by hand since it was written.
+    #[arg(long, requires = "output")]
+    pub force: bool,
 
     /// Name, joints, axes and ranges as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
@@ -55,15 +60,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         return Ok(Outcome::Done);
     };
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
-    let text = match ending.as_deref() {
-        Some("toml") => robot.to_toml(),
-        Some("urdf") => robot.to_urdf(),
+    match ending.as_deref() {
+        Some("toml") => Sealed::new(path, Language::Toml, args.force)?.write(&robot.to_toml())?,
+        Some("urdf") => files::Pending::new(path)?.write(robot.to_urdf().as_bytes())?,
         _ => {
             let text = format!("{} ends neither in .toml nor in .urdf", path.display());
             return Err(Diagnostic::error("robot::format", text).into());
         }
-    };
-    files::Pending::new(path)?.write(text.as_bytes())?;
+    }
     console.note(format_args!("wrote {}", path.display()));
     Ok(Outcome::Done)
 }

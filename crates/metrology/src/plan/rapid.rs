@@ -2,6 +2,7 @@
 
 use super::{MeasurementPlan, MeasurementStep};
 use rapid_program::emit::{write_num, write_robjoint};
+use rapid_program::program::module_facts::MEASURING_MODULE;
 use robot_model::robot::{Joints, Robot};
 use robot_model::units::{deg_from_rad, rad_from_deg};
 use std::fmt::Write as _;
@@ -13,7 +14,7 @@ const NO_AXES: &str = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 pub fn rapid(plan: &MeasurementPlan, robot: &Robot) -> String {
     let Run { data, moves } = Run::of(plan);
     format!(
-        "MODULE DriftpostPlan\n\
+        "MODULE {MEASURING_MODULE}\n\
          \x20 ! Measurement run for {}: {} rows, planned by driftpost {}.\n\
          \x20 ! Nothing here knows your cell: run it slowly without the reflector first.\n\
          \x20 ! Row numbers are the ids of the sheet to fill in. Each pose is come to from its own side.\n\

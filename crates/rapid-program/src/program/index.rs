@@ -9,7 +9,8 @@ mod declare;
 use declare::task_of;
 
 use super::ids::{DatumId, ModuleId, RoutineIndex, Table};
-use super::names::{ByNumber, Interner, Sym, lower_case};
+use super::module_facts::MEASURING_MODULE;
+use super::names::{ByNumber, Interner, Sym};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{DataKind, Expr, FileItem, Module, ParamMode, RecordDecl, Routine};
@@ -114,9 +115,9 @@ pub(super) struct Index<'a> {
 impl<'a> Index<'a> {
     /// Whether what stands there belongs to a measuring program that `plan` has written: its module's name.
     pub(super) fn is_measurement_run(&self, ctx: Ctx) -> bool {
-        self.modules
-            .get(ctx.module)
-            .is_some_and(|module| *lower_case(self.text(module.file, module.tree.name)) == *"driftpostplan")
+        self.modules.get(ctx.module).is_some_and(|module| {
+            self.text(module.file, module.tree.name).eq_ignore_ascii_case(MEASURING_MODULE.as_bytes())
+        })
     }
 
     /// The index of all files.

@@ -1,0 +1,93 @@
+//! Files that a person may correct by hand: robots, models, modules that measure. A line of theirs holds the digest of all others, so that
+//! what was changed since is not overwritten.
+
+use super::files::Pending;
+use super::overwriting::bytes_of_file;
+use crate::application::sha256;
+use rapid_syntax::diagnostic::Diagnostic;
+use std::path::Path;
+
+/// What stands before the digest: not the mark of an emitted module, which a module that measures is not.
+const MARK: &str = "Digest of all other lines, by driftpost: ";
+
+/// The language of a file, for its comment.
+#[derive(Clone, Copy)]
+pub enum Language {
+    /// The line stands at the end.
+    Toml,
+    /// The line stands behind the module's head.
+    Rapid,
+}
+
+/// A file that is sealed when it is written.
+pub struct Sealed {
+    file: Pending,
+    language: Language,
+}
+
+impl Sealed {
+    /// Makes sure that `path` can be written, and that what stands there was not changed since it was.
+    ///
+    /// # Errors
+    /// `output::unwritable`; `output::changed` without `force`.
+    pub fn new(path: &Path, language: Language, force: bool) -> Result<Self, Diagnostic> {
+        if !force && bytes_of_file(path).and_then(|bytes| is_as_written(&bytes)) == Some(false) {
+            let text = format!("{} was changed since it was written", path.display());
+            return Err(Diagnostic::error("output::changed", text).help("name another place, or say --force"));
+        }
+        Ok(Self { file: Pending::new(path)?, language })
+    }
+
+    /// Where it goes.
+    pub fn path(&self) -> &Path {
+        self.file.path()
+    }
+
+    /// Writes `text` with its digest.
+    ///
+    /// # Errors
+    /// `output::unwritable`.
+    pub fn write(self, text: &str) -> Result<(), Diagnostic> {
+        self.file.write(seal(text, self.language).as_bytes())
+    }
+}
+
+/// The text with its digest in a line of its own.
+fn seal(text: &str, language: Language) -> String {
+    let (at, comment) = match language {
+        Language::Toml => (text.len(), "# "),
+        Language::Rapid => (text.find('\n').map_or(text.len(), |end| end + 1), "  ! "),
+    };
+    let (before, behind) = text.split_at(at);
+    format!("{before}{comment}{MARK}{}\n{behind}", sha256(text.as_bytes()))
+}
+
+/// Whether a file is byte for byte as it was written; `None` where it holds no digest.
+fn is_as_written(bytes: &[u8]) -> Option<bool> {
+    let at = memchr::memmem::find(bytes, MARK.as_bytes())?;
+    let from = memchr::memrchr(b'\n', &bytes[..at]).map_or(0, |end| end + 1);
+    let to = memchr::memchr(b'\n', &bytes[at..]).map_or(bytes.len(), |end| at + end + 1);
+    let others = [&bytes[..from], &bytes[to..]].concat();
+    Some(bytes[at + MARK.len()..].starts_with(sha256(&others).as_bytes()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_of_any_line_is_seen_and_a_file_without_a_digest_is_nobodys() {
+        let text = "MODULE A\n  ! of somebody\nENDMODULE\n";
+        for language in [Language::Toml, Language::Rapid] {
+            let sealed = seal(text, language);
+            assert_eq!(is_as_written(sealed.as_bytes()), Some(true), "{sealed}");
+            for (of, by) in [("MODULE A", "MODULE B"), ("somebody", "me"), ("ENDMODULE\n", "ENDMODULE\n\n")] {
+                let changed = sealed.replacen(of, by, 1);
+                assert_eq!(is_as_written(changed.as_bytes()), Some(false), "{changed}");
+            }
+            assert_eq!(is_as_written(format!("{sealed}# more").as_bytes()), Some(false));
+        }
+        assert_eq!(seal(text, Language::Rapid).lines().next(), Some("MODULE A"));
+        assert_eq!(is_as_written(text.as_bytes()), None);
+    }
+}
