@@ -229,7 +229,9 @@ fn start(command: &Command, given: &ArgMatches) -> Option<PathBuf> {
     given.try_get_many::<PathBuf>(id).ok().flatten()?.next().cloned()
 }
 
+/// The nearest of its name; a folder and a link to nothing are found too, for whoever put them there means something by it.
 fn upwards(from: &Path) -> Option<PathBuf> {
     let real = std::path::absolute(from).ok()?;
-    real.ancestors().map(|folder| folder.join(FILE)).find(|file| file.is_file())
+    let is_meant = |file: &PathBuf| file.is_file() || file.is_dir() || file.is_symlink();
+    real.ancestors().map(|folder| folder.join(FILE)).find(is_meant)
 }

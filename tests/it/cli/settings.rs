@@ -113,3 +113,20 @@ fn a_program_that_is_written_anew_is_compensated_again() {
     let output = driftpost(&["compensate", "-", "--watch"]);
     assert!(err(&output).contains("watch::standard"), "{}", err(&output));
 }
+
+/// Whoever put it there means something by it: the defaults of no shop hold in its place.
+#[cfg(unix)]
+#[test]
+fn a_file_of_settings_that_cannot_be_read_is_not_passed_over() {
+    let bench = Bench::default();
+    let program = bench.file("Cube45.mod", fs::read(CUBE).unwrap());
+    let settings = bench.path("driftpost.toml");
+    let refused = || driftpost(&["compensate", &program, "--diff", "none"]);
+    std::os::unix::fs::symlink("/nowhere/shop.toml", &settings).unwrap();
+    let link = refused();
+    assert_eq!(link.status.code(), Some(2));
+    assert!(err(&link).contains("is a link to /nowhere/shop.toml"), "{}", err(&link));
+    fs::remove_file(&settings).unwrap();
+    fs::create_dir(&settings).unwrap();
+    assert!(err(&refused()).contains("is a folder, not a file of settings"), "{}", err(&refused()));
+}
