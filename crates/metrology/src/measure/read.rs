@@ -270,6 +270,9 @@ mod tests {
             _ => None,
         };
         assert_eq!(m.rows.iter().map(with_arm).collect::<Vec<_>>(), [None, Some(false), Some(true)]);
+        let text = "0,0,0,0,0,10,1,2,3,pose,\n0,0,0,0,abc,NaN,4,5,6,base,N\n";
+        let error = read(&format!("{HEADER},kind,fixed_id\n{text}")).unwrap_err();
+        assert!(matches!(error, MeasureError::NotANumber { line: 3, .. }), "{error:?}");
     }
 
     #[test]

@@ -244,8 +244,15 @@ impl RowCells<'_> {
         Ok(Vector3::new(self.length_m(x)?, self.length_m(y)?, self.length_m(z)?))
     }
 
-    fn has_joints(&self) -> bool {
-        self.columns.joints.iter().all(|name| self.text(name).is_some_and(|text| !is_nothing(text)))
+    /// Whether all joints are there; a nest is read without them, and without what is no number among them not.
+    fn has_joints(&self) -> Result<bool, MeasureError> {
+        let there: Vec<bool> = self
+            .columns
+            .joints
+            .iter()
+            .map(|name| self.optional(name).map(|value| value.is_some()))
+            .collect::<Result<_, _>>()?;
+        Ok(there.into_iter().all(|there| there))
     }
 
     /// What the row saw; `fixed_point` numbers fixed points by kind and name.
@@ -262,7 +269,7 @@ impl RowCells<'_> {
             return Ok(Reading::Nest {
                 fixed_point: fixed_point("nest", &name),
                 position_m: self.position_m()?,
-                with_joints: self.has_joints(),
+                with_joints: self.has_joints()?,
             });
         }
         if !kind.is_empty() && !kind.eq_ignore_ascii_case("pose") {
@@ -287,7 +294,7 @@ impl RowCells<'_> {
 
     /// The row, its pose not numbered yet.
     pub(super) fn row(&self, target: usize, reading: Reading) -> Result<MeasurementRow, MeasureError> {
-        let q_rad = if reading.involves_arm() || self.has_joints() {
+        let q_rad = if reading.involves_arm() || self.has_joints()? {
             self.joints()?
         } else {
             Joints::all(self.columns.joints.len(), 0.0)

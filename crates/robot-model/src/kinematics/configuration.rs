@@ -131,7 +131,7 @@ mod tests {
     use super::super::closed_form::ClosedForm;
     use super::*;
     use crate::robot::Robot;
-    use nalgebra::Unit;
+    use nalgebra::{Unit, UnitQuaternion};
 
     fn closed(name: &str) -> ClosedForm {
         ClosedForm::new(&Robot::built_in(name).unwrap()).unwrap()
@@ -207,6 +207,28 @@ mod tests {
                     );
                 }
             }
+        }
+    }
+
+    /// The forearm points back at the zero pose, or the upper arm down: the same arm, whose joints count from elsewhere.
+    #[test]
+    fn another_zero_pose_is_no_other_sense_of_a_joint() {
+        let q_deg = [17.0, 8.0, -10.0, 32.0, 41.0, -53.0];
+        let own = closed("irb140");
+        for (moved, by_deg) in [(2, -125.0), (2, -180.0), (1, 125.0), (1, 180.0)] {
+            let mut robot = Robot::built_in("irb140").unwrap();
+            let joint = &mut robot.joints[moved];
+            joint.previous_from_joint *= UnitQuaternion::from_axis_angle(&joint.axis, rad_from_deg(by_deg));
+            let other = ClosedForm::new(&robot).unwrap();
+            let mut counted = q_deg;
+            counted[moved] -= by_deg;
+            let pose = own.chain.forward(&q_deg.map(rad_from_deg));
+            assert!(
+                (other.chain.forward(&counted.map(rad_from_deg)).translation.x - pose.translation.x).abs()
+                    < 1e-12
+            );
+            let [meant, found] = [configuration(&own, q_deg), configuration(&other, counted)];
+            assert_eq!(found, meant, "{moved} {by_deg}");
         }
     }
 

@@ -25,6 +25,8 @@ impl From<StructureError> for Diagnostic {
 
 /// A link that lies along an axis by more than this share of its length at the zero pose says which way that axis points.
 const CLEARLY: f64 = 0.5;
+/// The same of the shoulder, which lies this far along axis 1 or in front of it, metres.
+const CLEARLY_M: f64 = 0.01;
 /// Largest deviation of axes, radians and metres: rounding of a file's numbers, not a real offset.
 const DEVIATION: f64 = 1e-8;
 
@@ -62,15 +64,18 @@ impl Structure {
         let (w, p) = (&zero.axes, &zero.origins_m);
         check_angles(w)?;
 
-        // Axis 1 points along the upper arm of the zero pose, and front is where its forearm points, however a file counts joints 1 and 2.
+        // Axis 1 points to the shoulder and on along the upper arm of the zero pose, and front is where the shoulder lies and the forearm
+        // points: a file in which neither is so counts the joint the other way round. One alone is another zero pose.
         let upper_arm = sub(&p[2], &p[1]);
-        let sign_1 = if dot(&upper_arm, &w[0]) < -CLEARLY * norm(&upper_arm) { -1.0 } else { 1.0 };
+        let is_down = dot(&upper_arm, &w[0]) < -CLEARLY * norm(&upper_arm);
+        let sign_1 = if is_down && dot(&sub(&p[1], &p[0]), &w[0]) < -CLEARLY_M { -1.0 } else { 1.0 };
         let z = scale(&w[0], sign_1);
         let across_axis_1 = unit(&sub(&w[1], &scale(&z, dot(&z, &w[1]))));
         let wrist = crossing(&p[3], &w[3], &p[4], &w[4]);
         let to_wrist = sub(&wrist, &p[2]);
-        let forward = dot(&to_wrist, &cross(&across_axis_1, &z));
-        let sign_2 = if forward < -CLEARLY * norm(&to_wrist) { -1.0 } else { 1.0 };
+        let front = cross(&across_axis_1, &z);
+        let is_back = dot(&to_wrist, &front) < -CLEARLY * norm(&to_wrist);
+        let sign_2 = if is_back && dot(&sub(&p[1], &p[0]), &front) < -CLEARLY_M { -1.0 } else { 1.0 };
         let y = scale(&across_axis_1, sign_2);
         let x = cross(&y, &z);
         let base_from_canonical = transpose(&[x, y, z]);

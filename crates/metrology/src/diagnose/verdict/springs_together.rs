@@ -1,7 +1,7 @@
-//! A payload's mass beside springs and bends: where all joints give a little, each by a spring of its own, a search that adds one cause
-//! at a time takes the largest of them one by one, and a payload that seems to weigh more for the rest.
+//! Other causes beside springs and bends: where all joints give a little, each by a spring of its own, a search that adds one cause at a
+//! time takes the largest of them one by one, and for the rest a payload that seems to weigh more, or an error that goes with one joint's angle.
 
-use super::cause_group::CauseGroup;
+use super::cause_group::{CauseGroup, SHAPE_KNOWN_TO};
 use super::structure::causes_log_odds;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::marginal::log_sum;
@@ -9,12 +9,24 @@ use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::search::{ChosenCause, cause_columns};
 use robot_model::deform::EffectKind;
 
-/// A payload less likely than this in its place is no question.
+/// A cause less likely than this in its place is no question.
 const ASKED: f64 = 0.01;
 
-/// Takes from a payload's mass among the `cause_groups` of `slot`, beside whatever gives under load in other places, what the springs of
-/// all joints have in the place of all of these, and gives it to the spring that explains most in this one: so they are named in a
-/// ranking as well.
+/// How many causes that give under load make a cause doubtful that is what springs of other joints may be taken for; `None` for another.
+fn fewest_beside(kind: EffectKind) -> Option<usize> {
+    match kind {
+        EffectKind::PayloadMass => Some(1),
+        EffectKind::GearEccentricity
+        | EffectKind::GearSecondHarmonic
+        | EffectKind::JointGain
+        | EffectKind::JointCoupling => Some(2),
+        _ => None,
+    }
+}
+
+/// Takes from the likeliest such cause among the `cause_groups` of `slot`, beside whatever gives under load in other places, what the
+/// springs of all joints have in the place of all of these, and gives it to the spring that explains most in this one: so they are named
+/// in a ranking as well.
 pub(super) fn share_springs(
     fitted: &mut FittedModel<'_>,
     chosen: &[ChosenCause],
@@ -22,14 +34,16 @@ pub(super) fn share_springs(
     cause_groups: &mut Vec<CauseGroup>,
 ) {
     let candidates = fitted.workspace.library.candidates;
-    let is_payload = |c: usize| candidates[c].kind == EffectKind::PayloadMass;
-    let asked = cause_groups.iter().position(|group| is_payload(group.best) && group.probability > ASKED);
-    // A payload in two variants is one.
-    let is_other = |k: &usize| *k != slot && !is_payload(chosen[*k].candidate);
-    let others: Vec<ChosenCause> = (0..chosen.len()).filter(is_other).map(|k| chosen[k].clone()).collect();
+    let asked = cause_groups
+        .iter()
+        .position(|group| group.probability > ASKED && fewest_beside(candidates[group.best].kind).is_some());
     let Some(at) = asked else { return };
-    let payload = cause_groups[at].best;
-    let Some(share) = springs_alone(fitted, &others, payload) else { return };
+    let doubted = cause_groups[at].best;
+    let key = candidates[doubted].cause_key();
+    // A cause in two variants is one.
+    let is_other = |k: &usize| *k != slot && candidates[chosen[*k].candidate].cause_key() != key;
+    let others: Vec<ChosenCause> = (0..chosen.len()).filter(is_other).map(|k| chosen[k].clone()).collect();
+    let Some(share) = springs_alone(fitted, &others, doubted) else { return };
     let Some((spring, gain_nats)) = best_spring(fitted, &others) else { return };
     let moved = share * cause_groups[at].probability;
     cause_groups[at].probability -= moved;
@@ -47,9 +61,9 @@ pub(super) fn share_springs(
     cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
 }
 
-/// Probability of the springs of all joints alone, among these, the same with the candidate `payload`, and that payload with those of
+/// Probability of the springs of all joints alone, among these, the same with the candidate `doubted`, and that cause with those of
 /// `others` that give under load; `None` where none of these does, or not enough joints are under load.
-fn springs_alone(fitted: &mut FittedModel<'_>, others: &[ChosenCause], payload: usize) -> Option<f64> {
+fn springs_alone(fitted: &mut FittedModel<'_>, others: &[ChosenCause], doubted: usize) -> Option<f64> {
     let Workspace { design, library, column_index } = &mut fitted.workspace;
     let candidates = library.candidates;
     let gives = |c: &&ChosenCause| {
@@ -57,10 +71,10 @@ fn springs_alone(fitted: &mut FittedModel<'_>, others: &[ChosenCause], payload: 
     };
     let springs = (0..candidates.len()).find(|&c| library.all_springs(c))?;
     let (loads, rest): (Vec<&ChosenCause>, Vec<&ChosenCause>) = others.iter().partition(gives);
-    if loads.is_empty() {
+    if loads.len() < fewest_beside(candidates[doubted].kind)? {
         return None;
     }
-    let [springs, payload] = [springs, payload].map(|candidate| {
+    let [springs, cause] = [springs, doubted].map(|candidate| {
         let columns = library.columns_in_design(design, column_index, &[candidate]).concat();
         ChosenCause { candidate, columns, gain_nats: 0.0, size_ratio: 0.0 }
     });
@@ -70,9 +84,12 @@ fn springs_alone(fitted: &mut FittedModel<'_>, others: &[ChosenCause], payload: 
     let odds =
         |causes: &[&ChosenCause]| causes_log_odds(fitted, &mut nuisance.clone(), causes.iter().copied());
     let alone = odds(&[&springs]);
-    let with_payload = odds(&[&springs, &payload]);
-    let apart = odds(&[&loads[..], &[&payload]].concat());
-    Some((alone - log_sum([alone, with_payload, apart])).exp())
+    let with_it = odds(&[&springs, &cause]);
+    let apart = odds(&[&loads[..], &[&cause]].concat());
+    // Masses, and so the shapes of springs, are known to a part: odds that rest on a hundredth of the gain decide nothing.
+    let other = log_sum([with_it, apart]);
+    let doubted = other.max((other + SHAPE_KNOWN_TO.powi(2) * alone.max(0.0)).min(alone));
+    Some(1.0 / (1.0 + (doubted - alone).exp()))
 }
 
 /// The single spring that explains most beside `others`, with its gain, nats.
