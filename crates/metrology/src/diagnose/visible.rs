@@ -12,9 +12,9 @@ use robot_model::deform::EffectKind;
 /// Of which less than this share is left by the registration: no signal.
 pub(super) const INVISIBLE: f64 = 1e-7;
 /// Observations that are asked first what the registration leaves, and the share that they leave of what all of them surely show: the
-/// signal in those few is hardly less than a thousandth of the whole.
+/// signal in those few is hardly less than a thousandth of the whole, and [`INVISIBLE`] is a thousandth of this.
 const ASKED_FIRST: usize = 200;
-const PLAIN: f64 = 1e3 * INVISIBLE;
+const PLAIN: f64 = 1e-4;
 /// Distance at which an orientation counts while it is only asked what leaves a signal at all, metres.
 const USUAL_LENGTH_M: f64 = 0.2;
 

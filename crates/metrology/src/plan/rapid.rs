@@ -2,7 +2,7 @@
 
 use super::{MeasurementPlan, MeasurementStep};
 use rapid_program::emit::{write_num, write_robjoint};
-use rapid_program::program::module_facts::MEASURING_MODULE;
+use rapid_program::program::MEASURING_MODULE;
 use robot_model::robot::{Joints, Robot};
 use robot_model::units::{deg_from_rad, rad_from_deg};
 use std::fmt::Write as _;

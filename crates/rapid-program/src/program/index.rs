@@ -9,11 +9,13 @@ mod declare;
 use declare::task_of;
 
 use super::ids::{DatumId, ModuleId, RoutineIndex, Table};
-use super::module_facts::MEASURING_MODULE;
 use super::names::{ByNumber, Interner, Sym};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{DataKind, Expr, FileItem, Module, ParamMode, RecordDecl, Routine};
+
+/// Name of the module with which a plan's poses are measured.
+pub const MEASURING_MODULE: &str = "DriftpostPlan";
 
 /// What kind of name for a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -56,6 +56,7 @@ mod written_by;
 pub use built_in::is_controllers_own;
 pub use file_pairs::FilePairs;
 pub use fixed_point::{FixedPoint, LocalName};
+pub use index::MEASURING_MODULE;
 pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 pub use speed_override::SpeedOverride;
 

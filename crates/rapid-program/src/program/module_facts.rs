@@ -9,9 +9,6 @@ use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::tree::{FileItem, Module, ModuleItem, Stmt, StmtKind};
 
-/// Name of the module with which a plan's poses are measured.
-pub const MEASURING_MODULE: &str = "DriftpostPlan";
-
 /// The first words of the header of a module that this program has emitted.
 pub const EMITTED_MARK: &str = "! driftpost";
 

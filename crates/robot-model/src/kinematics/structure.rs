@@ -64,20 +64,10 @@ impl Structure {
         let (w, p) = (&zero.axes, &zero.origins_m);
         check_angles(w)?;
 
-        // Axis 1 points to the shoulder and on along the upper arm of the zero pose, and front is where the shoulder lies and the forearm
-        // points: a file in which neither is so counts the joint the other way round. One alone is another zero pose.
         let upper_arm = sub(&p[2], &p[1]);
-        let is_down = dot(&upper_arm, &w[0]) < -CLEARLY * norm(&upper_arm);
-        let sign_1 = if is_down && dot(&sub(&p[1], &p[0]), &w[0]) < -CLEARLY_M { -1.0 } else { 1.0 };
-        let z = scale(&w[0], sign_1);
-        let across_axis_1 = unit(&sub(&w[1], &scale(&z, dot(&z, &w[1]))));
         let wrist = crossing(&p[3], &w[3], &p[4], &w[4]);
         let to_wrist = sub(&wrist, &p[2]);
-        let front = cross(&across_axis_1, &z);
-        let is_back = dot(&to_wrist, &front) < -CLEARLY * norm(&to_wrist);
-        let sign_2 = if is_back && dot(&sub(&p[1], &p[0]), &front) < -CLEARLY_M { -1.0 } else { 1.0 };
-        let y = scale(&across_axis_1, sign_2);
-        let x = cross(&y, &z);
+        let ([sign_1, sign_2], [x, y, z]) = senses(w, p, &to_wrist);
         let base_from_canonical = transpose(&[x, y, z]);
         let shoulder_m = add(&p[0], &scale(&z, dot(&sub(&p[1], &p[0]), &z)));
         let a1 = dot(&sub(&p[1], &shoulder_m), &x);
@@ -125,6 +115,24 @@ impl Structure {
             canonical6_from_flange: mul(&transpose(&base_from_sixth), &zero.flange.rotation),
         })
     }
+}
+
+/// Senses of joints 1 and 2 at the zero pose, and the canonical axes x, y, z in the base; `to_wrist`: from axis 3.
+///
+/// Axis 1 points to the shoulder and on along the upper arm, and front is where the shoulder lies and the forearm points: a file in which
+/// neither is so counts the joint the other way round. One alone is another zero pose.
+fn senses(w: &[Vec3; 6], p: &[Vec3; 6], to_wrist: &Vec3) -> ([f64; 2], [Vec3; 3]) {
+    let (to_shoulder, upper_arm) = (sub(&p[1], &p[0]), sub(&p[2], &p[1]));
+    let is_backward = |link: &Vec3, along: &Vec3| {
+        dot(link, along) < -CLEARLY * norm(link) && dot(&to_shoulder, along) < -CLEARLY_M
+    };
+    let sense = |is_backward: bool| if is_backward { -1.0 } else { 1.0 };
+    let sign_1 = sense(is_backward(&upper_arm, &w[0]));
+    let z = scale(&w[0], sign_1);
+    let across = unit(&sub(&w[1], &scale(&z, dot(&z, &w[1]))));
+    let sign_2 = sense(is_backward(to_wrist, &cross(&across, &z)));
+    let y = scale(&across, sign_2);
+    ([sign_1, sign_2], [cross(&y, &z), y, z])
 }
 
 /// Whether the axes stand to each other as the closed form takes them to.
