@@ -88,8 +88,8 @@ fn springs_alone(fitted: &mut FittedModel<'_>, others: &[ChosenCause], doubted: 
     let apart = odds(&[&loads[..], &[&cause]].concat());
     // Masses, and so the shapes of springs, are known to a part: odds that rest on a hundredth of the gain decide nothing.
     let other = log_sum([with_it, apart]);
-    let doubted = other.max((other + SHAPE_KNOWN_TO.powi(2) * alone.max(0.0)).min(alone));
-    Some(1.0 / (1.0 + (doubted - alone).exp()))
+    let raised = other.max((other + SHAPE_KNOWN_TO.powi(2) * alone.max(0.0)).min(alone));
+    Some(1.0 / (1.0 + (raised - alone).exp()))
 }
 
 /// The single spring that explains most beside `others`, with its gain, nats.
