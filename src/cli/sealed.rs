@@ -38,7 +38,7 @@ impl Sealed {
         Ok(Self { file: Pending::new(path)?, language })
     }
 
-    /// Where it goes.
+    /// The place that was named for it, for messages that say it was not written.
     pub fn path(&self) -> &Path {
         self.file.path()
     }

@@ -3,6 +3,7 @@
 use super::dataset::Twist;
 use super::linearise::{Linearised, shift_m, turn_rad};
 use super::moved_together;
+use crate::measure::MIDDLE_OF_3D;
 use nalgebra::Vector3;
 
 /// A station further than this many sigmas from the model, and alone there, is false.
@@ -47,11 +48,11 @@ impl RobustWeights {
     pub(super) fn of(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Self {
         let distances: Vec<f64> =
             residuals.iter().zip(base_weights).map(|(m, w)| shift_m(m) * w.sqrt()).collect();
-        // 1.54 sigma is the middle of a 3-D normal distance, 0.67 that of a number alone.
+        // Of a number alone the middle is 0.67 sigma.
         let mut sigmas: Vec<f64> = distances
             .iter()
             .zip(&linear.dataset.observations)
-            .map(|(d, observation)| d / if observation.rows(3) == 1 { 0.6745 } else { 1.54 })
+            .map(|(d, observation)| d / if observation.rows(3) == 1 { 0.6745 } else { MIDDLE_OF_3D })
             .collect();
         let sigma_m = upper_median(&mut sigmas);
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
@@ -75,7 +76,7 @@ impl RobustWeights {
 /// turned a little, would turn the sensor so, there and where it stood nearest.
 fn turns_beyond(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
     let turns: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| turn_rad(m) * w.sqrt()).collect();
-    let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()) / 1.54;
+    let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()) / MIDDLE_OF_3D;
     let far: Vec<usize> = (0..turns.len()).filter(|&i| turns[i] > limit_rad).collect();
     let share = |(i, turn): (usize, &f64)| {
         let is_false = *turn > limit_rad

@@ -44,7 +44,7 @@ pub use join::{Joined, MatchBy, join};
 pub use performance::{ComparisonFrame, Performance, PerformanceError, WorstPerformance, performance};
 pub use pose_performance::{PerformanceAtTime, PosePerformance};
 pub use reading::{Coordinates, Reading};
-pub use refine::FreeParameters;
+pub use refine::{FreeParameters, MIDDLE_OF_3D};
 pub use register::{RegisterError, register, register_with};
 pub use registration::Registration;
 pub use repeats::{Repeats, STATED_FREEDOM};

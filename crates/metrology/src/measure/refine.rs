@@ -15,6 +15,8 @@ pub enum FreeParameters {
     Nothing(Isometry3<f64>),
 }
 
+/// The middle distance of 3-D normal noise, over its standard deviation: the root of the median of chi-square with three degrees of freedom.
+pub const MIDDLE_OF_3D: f64 = 1.54;
 const ITERATIONS: usize = 60;
 /// Orientation residuals weigh as if at this distance at most, metres.
 const ORIENTATION_ARM_M: f64 = 0.3;
@@ -144,8 +146,7 @@ pub(super) fn gauss_newton(
     let squares: f64 = stations.iter().zip(poses).map(|(s, p)| fit.residual_m(s, p).norm_squared()).sum();
     fit.rms_m = (squares / stations.len().max(1) as f64).sqrt();
     fit.median_m = median_distance(&fit, stations, poses);
-    // 1.54 sigma is the middle of a 3-D normal distance.
-    fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / 1.54;
+    fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / MIDDLE_OF_3D;
     fit
 }
 

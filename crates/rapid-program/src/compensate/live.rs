@@ -35,18 +35,10 @@ pub(super) fn run_time(
     if !motion.run_time {
         return None;
     }
-    let why_not = of_controller(program, motion).or_else(|| stationary_tool(motion)).or_else(|| live.lacks()).or_else(|| {
-        // Then the controller goes to the solution that is nearest, whatever confdata says.
-        (motion.setup.path != Path::AbsJoint && motion.setup.conf_monitored != Some(true)).then(|| {
-            let own = motion.skip_reason.as_deref().map(|why| format!("{}; ", why.reason));
-            let reason = format!(
-                "{}where ConfL or ConfJ is off the configuration may not be the one that is reached, so that run time cannot be \
-                 asked",
-                own.unwrap_or_default()
-            );
-            skip("keep::live-configuration", reason)
-        })
-    });
+    let why_not = of_controller(program, motion)
+        .or_else(|| stationary_tool(motion))
+        .or_else(|| live.lacks())
+        .or_else(|| open_configuration(motion));
     Some(match why_not {
         Some(why) => Err(why),
         None => Ok(PlannedMotion::compensated(Form::Live)),
@@ -75,13 +67,29 @@ pub(super) fn form_of_known(
     if fits { Form::Live } else { Form::Ramp }
 }
 
+/// Why the model cannot be asked where nobody checks confdata: the controller then goes to the solution that is nearest, whatever they say.
+fn open_configuration(motion: &Motion) -> Option<SkipReason> {
+    (motion.setup.path != Path::AbsJoint && motion.setup.conf_monitored != Some(true)).then(|| {
+        let own = motion.skip_reason.as_deref().map(|why| format!("{}; ", why.reason));
+        let reason = format!(
+            "{}where ConfL or ConfJ is off the configuration may not be the one that is reached, so that run time cannot be \
+             asked",
+            own.unwrap_or_default()
+        );
+        skip("keep::live-configuration", reason)
+    })
+}
+
 /// Why the model cannot be asked where the robot holds the work object: the arm that is asked carries the tool.
 fn stationary_tool(motion: &Motion) -> Option<SkipReason> {
     let tool_stands = motion.setup.tool.as_ref().is_some_and(|tool| !tool.robhold);
     let object_is_held = motion.setup.wobj.as_ref().is_some_and(|wobj| wobj.robhold);
     (tool_stands || object_is_held).then(|| {
-        let reason = "its target is known at run time alone, and the tool is stationary: what is asked at run time holds for a tool that the robot carries";
-        skip("keep::live-stationary-tool", reason)
+        skip(
+            "keep::live-stationary-tool",
+            "its target is known at run time alone, and the tool is stationary: what is asked at run time holds for a \
+             tool that the robot carries",
+        )
     })
 }
 

@@ -1,7 +1,7 @@
 //! What is wrong with all rows at once: units, axes, columns, robot and tool, tried one by one.
 
 use super::{Fault, FaultKind, frozen};
-use crate::measure::{Reading, Registration, Station, register};
+use crate::measure::{MIDDLE_OF_3D, Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Robot, SerialArm};
@@ -14,12 +14,10 @@ const SOUND_M: f64 = 4e-3;
 const HOPELESS_M: f64 = 10e-3;
 /// An explanation must leave this share of the distance or less.
 const EXPLAINED: f64 = 0.2;
-/// Further from the named tool than this is a fault, where its errors over these poses are larger than the arm's own may be: over a few
-/// degrees a joint that is off moves the points as a tool does.
+/// Nearer to the named tool than this it is the same, and no fault.
 const TOOL_M: f64 = 5e-3;
+/// What an arm's own errors may make the points miss a tool by that is held: over a few degrees a joint that is off moves them as a tool does.
 const HELD_M: f64 = 1.5e-3;
-/// The middle distance of 3-D normal noise, over its standard deviation.
-const MIDDLE_OF_3D: f64 = 1.54;
 /// Stations used for the trials.
 const TRIAL_STATIONS: usize = 80;
 /// The units that points come in beside millimetres.
