@@ -83,13 +83,8 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     let Prepared { measured, linear, noise, .. } = *prepared;
     let folds = heldout::folds(&linear.dataset);
     let visible = visible(linear, prepared.measured.stations.targets, prepared.noise);
-    let problem = SearchProblem {
-        linear,
-        candidates: &visible.candidates,
-        noise,
-        targets: measured.stations.targets,
-        group_of: &folds.group_of,
-    };
+    let problem =
+        SearchProblem { linear, candidates: &visible.candidates, noise, targets: measured.stations.targets };
     let mut fitted = best_model(&problem);
     if let Some(turned) = about_found(prepared, &fitted).filter(|_| times > 0) {
         drop(fitted);
@@ -103,7 +98,7 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     if let Some(fault) = noise_beyond_stated(measured, &fitted, &judgement) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
-    fitted.workspace.library.gp_alternatives.clear();
+    let mut fitted = fitted.over_groups(&folds.group_of);
     let shrink = heldout::shrink(&mut fitted, &folds);
     if shrink.ratio.is_some_and(|ratio| ratio > FOLLOWED)
         && let Some(fault) = rounding::find(measured, &fitted, FaultPrior::FollowedHereAlone)

@@ -146,7 +146,7 @@ struct ModelMaker<'m, 'a> {
 impl ModelMaker<'_, '_> {
     /// The model of a search among the candidates of `problem`, which lack what is left out.
     fn without(&self, problem: &SearchProblem<'_>, left_out: Vec<LeftOut>) -> Identification {
-        let mut fitted = best_model(problem);
+        let mut fitted = best_model(problem).over_groups(&self.folds.group_of);
         let region = heldout::region_block(&mut fitted, self.folds);
         let in_place = self.not_found_before(&fitted);
         let made = self.of_usual(problem, &Fit { fitted: &fitted, region }, left_out);

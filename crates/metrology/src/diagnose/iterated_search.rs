@@ -40,8 +40,6 @@ pub(super) struct SearchProblem<'a> {
     pub noise: NoisePrior,
     /// Number of targets on the tool.
     pub targets: usize,
-    /// Cross-validation group of each station.
-    pub group_of: &'a [usize],
 }
 
 /// Searches: without slow noise at first and, where what is constant leaves some, with it; the likelier of both answers stands. Steps
@@ -135,7 +133,7 @@ struct NoiseEstimates {
 impl NoiseEstimates {
     /// About registration and geometry alone.
     fn of_bare_data(problem: &SearchProblem<'_>) -> Self {
-        let SearchProblem { linear, noise, targets, group_of, .. } = *problem;
+        let SearchProblem { linear, noise, targets, .. } = *problem;
         let dataset = &linear.dataset;
         let mut start = Self {
             variance_ratio: INITIAL_VARIANCE_RATIO,
@@ -152,7 +150,7 @@ impl NoiseEstimates {
         for round in 1..=START_ROUNDS {
             let weights = start.weights(&base_weights);
             let whitening = Whitening::independent(weights, start.characteristic_length_m);
-            let design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
+            let design = Design::of_all(dataset, &linear.residuals, targets, whitening);
             let groups = design.all_groups();
             let ratio = NuisanceModel::new(&design, &groups, &[], noise).null().geometry_ratio;
             let fit = solve(&design, &groups, &[], Some(ratio));
@@ -213,7 +211,7 @@ fn settled<'a>(problem: &SearchProblem<'a>, start: NoiseEstimates) -> FittedMode
 
 /// The search for causes under one estimate of the noise.
 fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> FittedModel<'a> {
-    let SearchProblem { linear, candidates, targets, group_of, .. } = *problem;
+    let SearchProblem { linear, candidates, targets, .. } = *problem;
     let (dataset, noise) = (&linear.dataset, assumed.known);
     let base_weights = assumed.base_weights(dataset);
     let whitening = Whitening {
@@ -221,7 +219,7 @@ fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> Fitted
         characteristic_length_m: assumed.characteristic_length_m,
         shared: assumed.shared,
     };
-    let mut design = Design::new(dataset, &linear.residuals, targets, whitening, group_of);
+    let mut design = Design::of_all(dataset, &linear.residuals, targets, whitening);
     if let Some(slow) = assumed.slow {
         slow.put(&mut design, dataset);
     }
@@ -234,6 +232,7 @@ fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> Fitted
     let model = Model {
         residuals: design.residuals(&fit.coefficients),
         chosen,
+        targets,
         noise,
         given: problem.noise,
         base_weights,

@@ -146,8 +146,7 @@ fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m:
     let mut offsets = vec![0.0; 6 * (dataset.joints() - 1)];
     for _ in 0..4 {
         let whitening = super::design::Whitening::independent(weights.clone(), 0.2);
-        let groups = vec![0; dataset.observations.len()];
-        let design = Design::new(dataset, residuals, targets, whitening, &groups);
+        let design = Design::of_all(dataset, residuals, targets, whitening);
         let gram = design.gram(&[0]);
         let n = gram.nrows() - 1;
         let mut normal: DMatrix<f64> = gram.view((1, 1), (n, n)).into_owned();

@@ -184,6 +184,9 @@ impl Marginal {
     }
 }
 
+/// A term so far below another, nats, is less than 1e-18 of it.
+const NOTHING_NATS: f64 = 42.0;
+
 /// Density of the normal distribution.
 #[must_use]
 pub(super) fn normal_pdf(x: f64, mean: f64, sigma: f64) -> f64 {
@@ -228,7 +231,8 @@ fn ln_gamma(x: f64) -> f64 {
 #[must_use]
 pub(super) fn log_add(a: f64, b: f64) -> f64 {
     let (high, low) = if a > b { (a, b) } else { (b, a) };
-    if low == f64::NEG_INFINITY { high } else { high + (low - high).exp().ln_1p() }
+    // What is so far below is less than rounding wherever the larger is not itself nearly 0.
+    if low - high < -NOTHING_NATS { high } else { high + (low - high).exp().ln_1p() }
 }
 
 /// ln of the sum of exponentials.

@@ -14,6 +14,8 @@ use std::collections::BTreeMap;
 pub(super) struct Model {
     /// Causes in the model.
     pub chosen: Vec<ChosenCause>,
+    /// Number of targets on the tool.
+    pub targets: usize,
     /// What was known of the noise before the fit.
     pub noise: NoisePrior,
     /// Weight of each station by the number of its repeats.
@@ -83,6 +85,34 @@ pub(super) struct FittedModel<'a> {
 const SLOW_PRIOR: f64 = 0.1;
 
 impl FittedModel<'_> {
+    /// The same with products for each group of stations, `group_of` the group of each: a model is found and judged over all stations at once,
+    /// without these, which are most of what there is to compute and to keep.
+    #[must_use]
+    pub(super) fn over_groups(self, group_of: &[usize]) -> Self {
+        let Self { linear, mut model, workspace: Workspace { design, library, column_index: tried } } = self;
+        let dataset = &linear.dataset;
+        let whitening = design.whitening().clone();
+        drop(design);
+        let mut design = Design::new(dataset, &linear.residuals, model.targets, whitening, group_of);
+        if let Some(slow) = model.slow {
+            slow.put(&mut design, dataset);
+        }
+        let mut library = library.begun_anew(&design);
+        library.forget_columns();
+        // Whatever was tried over all stations is likely to be tried over a part of them.
+        let mut tried: Vec<(Vec<usize>, usize)> =
+            tried.into_iter().map(|(c, columns)| (columns, c)).collect();
+        tried.sort_unstable();
+        let tried: Vec<usize> = tried.into_iter().map(|(_, candidate)| candidate).collect();
+        let mut column_index = BTreeMap::new();
+        library.columns_in_design(&mut design, &mut column_index, &tried);
+        library.extend(&design);
+        for cause in &mut model.chosen {
+            cause.columns.clone_from(&column_index[&cause.candidate]);
+        }
+        Self { linear, model, workspace: Workspace { design, library, column_index } }
+    }
+
     /// Registration, geometry and `chosen` fitted to all stations, with the slow noise beside them.
     #[must_use]
     pub(super) fn fit(&self, chosen: &[ChosenCause]) -> LinearFit {

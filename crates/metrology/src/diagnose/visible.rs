@@ -37,7 +37,7 @@ impl<'a> Sight<'a> {
     fn new(dataset: &'a Dataset, residuals: &[Twist], targets: usize, noise: NoisePrior) -> Self {
         let n = dataset.observations.len();
         let whitening = Whitening::independent(vec![1.0; n], USUAL_LENGTH_M);
-        let design = Design::new(dataset, residuals, targets, whitening, &vec![0; n]);
+        let design = Design::of_all(dataset, residuals, targets, whitening);
         let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
         Self { dataset, design, nuisance }
     }

@@ -49,6 +49,17 @@ pub(crate) struct Design {
 }
 
 impl Design {
+    /// The design of `residuals` (metres and radians, base axes) at the observations of the dataset, all in one group.
+    #[must_use]
+    pub(crate) fn of_all(
+        dataset: &Dataset,
+        residuals: &[Twist],
+        targets: usize,
+        whitening: Whitening,
+    ) -> Self {
+        Self::new(dataset, residuals, targets, whitening, &vec![0; dataset.observations.len()])
+    }
+
     /// The design of `residuals` (metres and radians, base axes) at the observations of the dataset; `group_of` numbers
     /// each observation's group from 0.
     #[must_use]

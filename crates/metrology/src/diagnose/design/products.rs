@@ -124,7 +124,7 @@ impl Products {
     pub(super) fn reserve(&mut self, more: usize) {
         let column = self.p * self.groups;
         if self.cross.capacity() < self.cross.len() + more * column {
-            self.cross.reserve_exact(more.max(COLUMNS_AHEAD) * column);
+            self.cross.reserve_exact((more + COLUMNS_AHEAD) * column);
         }
     }
 

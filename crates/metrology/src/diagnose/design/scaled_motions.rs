@@ -9,6 +9,12 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::ops::Range;
 
+/// Columns of the design whose products with all members come at once: thousands of members with all of them take memory that is
+/// asked for anew each time.
+const COLUMNS_AT_ONCE: usize = 8;
+/// Observations whose factors are widened to full numbers at once, for the same reason.
+const OBSERVATIONS_AT_ONCE: usize = 64;
+
 /// The candidates of one motion.
 #[derive(Clone, Debug)]
 pub(crate) struct ScaledMotions {
@@ -139,8 +145,25 @@ impl Design {
     pub(crate) fn extend_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
         let Some(first) = motions.members.first().and_then(|&c| products.get(c)) else { return };
         let known = first.columns();
+        for &c in &motions.members {
+            products[c].reserve(self.width() - known);
+        }
+        let mut from = known;
+        while from < self.width() {
+            let to = self.width().min(from + COLUMNS_AT_ONCE);
+            self.extend_scaled_by(motions, from..to, products);
+            from = to;
+        }
+        for &c in &motions.members {
+            products[c].sum_all();
+        }
+    }
+
+    /// Adds the members' products with these columns of the design.
+    fn extend_scaled_by(&self, motions: &ScaledMotions, columns: Range<usize>, products: &mut [Products]) {
         let width = motions.plain.ncols();
-        let by_observation: Vec<Vec<f64>> = (known..self.width())
+        let by_observation: Vec<Vec<f64>> = columns
+            .clone()
             .into_par_iter()
             .flat_map_iter(|column| {
                 let column = self.column(column);
@@ -151,21 +174,23 @@ impl Design {
             .collect();
         let of_group = |rows: &Range<usize>| {
             let observations = self.observations(rows);
-            let with = DMatrix::from_fn(observations.len(), by_observation.len(), |r, c| {
-                by_observation[c][observations.start + r]
-            });
-            motions.factors.columns(observations.start, observations.len()).map(f64::from) * with
+            let mut crossed = DMatrix::zeros(motions.factors.nrows(), by_observation.len());
+            for from in observations.clone().step_by(OBSERVATIONS_AT_ONCE) {
+                let some = OBSERVATIONS_AT_ONCE.min(observations.end - from);
+                let with = DMatrix::from_fn(some, by_observation.len(), |r, c| by_observation[c][from + r]);
+                let factors = motions.factors.columns(from, some).map(f64::from);
+                crossed.gemm(1.0, &factors, &with, 1.0);
+            }
+            crossed
         };
         let crossed: Vec<DMatrix<f64>> = self.groups.par_iter().map(of_group).collect();
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
-            products[c].reserve(self.width() - known);
             let to = &mut products[c].cross;
-            for column in 0..self.width() - known {
+            for column in 0..columns.len() {
                 for of in &crossed {
                     to.extend(member.iter().map(|p| of[(p.factor, column * width + p.plain)] * p.sigma));
                 }
             }
-            products[c].sum_all();
         }
     }
 

@@ -1,7 +1,7 @@
 //! A candidate at a first look and in full: an upper bound and an estimate at few ratios of geometry, then the sum over all of
 //! them, of which what adds nothing is left out.
 
-use super::candidate::Projected;
+use super::candidate::{Projected, SignalAtNoPrice};
 use super::principal::PrincipalDirections;
 use super::prior::size_prior;
 use super::sum::{EvidencePeak, EvidenceSum};
@@ -9,6 +9,7 @@ use super::{GeometryTerm, NuisanceModel};
 use crate::diagnose::marginal::NoiseIntegral;
 use nalgebra::DMatrix;
 use std::borrow::Cow;
+use std::sync::OnceLock;
 
 /// Terms of the evidence so far below its largest are less than its rounding, nats.
 const NOTHING_NATS: f64 = 40.0;
@@ -34,8 +35,8 @@ pub(crate) struct Screened<'p> {
 struct ScreenedPoint {
     /// Of geometry: its s_g / sigma.
     ratio: f64,
-    /// The candidate along its own directions there.
-    directions: PrincipalDirections,
+    /// The candidate along its own directions there, once they are asked for: most candidates' never are.
+    directions: OnceLock<PrincipalDirections>,
     /// The ln evidence that it does not pass.
     bound: f64,
 }
@@ -78,14 +79,10 @@ impl NuisanceModel {
         let with_geometry = self.along_geometry(projected);
         let at = |point: &ScreeningPoint| {
             let GeometryTerm { ratio, squares, .. } = point.geometry;
-            let directions = self.principal_directions(projected, &with_geometry, ratio);
-            let explained: f64 = directions
-                .iter()
-                .filter(|along| along.eigenvalue > 0.0)
-                .map(|along| along.with_y * along.with_y / along.eigenvalue)
-                .sum();
+            let SignalAtNoPrice { explained, directions } =
+                self.signal_at_no_price(projected, &with_geometry, ratio);
             let bound = point.base + self.marginal.at(squares - explained).log;
-            ScreenedPoint { ratio, directions, bound }
+            ScreenedPoint { ratio, directions: directions.map_or_else(OnceLock::new, OnceLock::from), bound }
         };
         let points = grid.iter().map(at).collect();
         Screened { projected, with_geometry, points }
@@ -102,7 +99,8 @@ impl NuisanceModel {
         let mut best = EvidencePeak::none(0.0);
         let mut terms = Vec::with_capacity(self.size_ratios.len());
         for (point, seen) in grid.iter().zip(&candidate.points) {
-            seen.directions.size_terms(self.size_ratios.iter().step_by(2), &mut terms);
+            let directions = self.directions_at(candidate, seen);
+            directions.size_terms(self.size_ratios.iter().step_by(2), &mut terms);
             for size in &terms {
                 let NoiseIntegral { log, sigma_m } =
                     self.marginal.at(point.geometry.squares - size.explained);
@@ -157,6 +155,17 @@ impl NuisanceModel {
         self.sign(candidate.projected, &candidate.with_geometry, peak)
     }
 
+    /// The candidate along its own directions at one point of the grid.
+    fn directions_at<'c>(
+        &self,
+        candidate: &'c Screened<'_>,
+        point: &'c ScreenedPoint,
+    ) -> &'c PrincipalDirections {
+        point.directions.get_or_init(|| {
+            self.principal_directions(candidate.projected, &candidate.with_geometry, point.ratio)
+        })
+    }
+
     /// The ln evidence of the one size and ratio of geometry at which a first look found most.
     fn reached(&self, candidate: &Screened<'_>, first: &EvidencePeak, signal: f64) -> f64 {
         let ratio = first.geometry_ratio;
@@ -164,7 +173,7 @@ impl NuisanceModel {
         let point = candidate.points.iter().find(|point| point.ratio == ratio);
         let Some((geometry, point)) = geometry.zip(point) else { return f64::NEG_INFINITY };
         let mut sum = EvidenceSum::new(0.0);
-        let size = point.directions.size_term(first.size_ratio);
+        let size = self.directions_at(candidate, point).size_term(first.size_ratio);
         self.add_term(&mut sum, geometry, size, signal, f64::NEG_INFINITY);
         sum.total()
     }
@@ -189,7 +198,7 @@ impl NuisanceModel {
                     let Screened { projected, with_geometry, .. } = candidate;
                     Cow::Owned(self.principal_directions(projected, with_geometry, geometry.ratio))
                 },
-                |point| Cow::Borrowed(&point.directions),
+                |point| Cow::Borrowed(self.directions_at(candidate, point)),
             );
             left = geometry.squares - directions.explained(largest);
             if reached(left, &geometry) >= least {

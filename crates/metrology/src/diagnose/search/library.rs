@@ -145,6 +145,17 @@ impl<'a> Library<'a> {
         }
     }
 
+    /// The same candidates over another design of the same stations, without GP alternatives; what a search over all data has weighed is
+    /// kept.
+    #[must_use]
+    pub(crate) fn begun_anew(mut self, design: &Design) -> Self {
+        let near_pairs = std::mem::take(&mut self.near_pairs);
+        let (dataset, candidates) = (self.dataset, self.candidates);
+        // Before as much is asked for again.
+        drop(self);
+        Self { near_pairs, ..Self::new(design, dataset, candidates) }
+    }
+
     /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
     pub(crate) fn add_gp_alternatives(
         &mut self,
@@ -228,6 +239,20 @@ impl<'a> Library<'a> {
                 design.extend_sums(&mut s.sums, &gp_alternative::columns(s.gp_alternative, design, dataset));
             }
         });
+    }
+
+    /// Brings the products of `these` candidates up to date, for a trial: [`Self::truncate_these`] has to follow before all others are.
+    pub(super) fn extend_these(&mut self, design: &Design, these: &[usize]) {
+        for &c in these {
+            let mut products = std::mem::replace(&mut self.products[c], Products::none());
+            design.extend(&mut products, &self.columns_at(design, c));
+            self.products[c] = products;
+        }
+    }
+
+    /// Takes off what a trial has added to the products of `these` candidates.
+    pub(super) fn truncate_these(&mut self, these: &[usize], width: usize) {
+        these.iter().for_each(|&c| self.products[c].truncate(width));
     }
 
     /// Takes off the products with the design's columns from number `width` on.

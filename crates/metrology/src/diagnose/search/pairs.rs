@@ -52,6 +52,17 @@ struct OpenPlace {
     single: Option<usize>,
 }
 
+/// Two causes in one place, weighed in full.
+struct PairWeight {
+    /// ln evidence of both over neither.
+    gain_nats: f64,
+    /// ln odds of both, their priors included.
+    odds: f64,
+    /// ln evidence of the second beside the first.
+    second_nats: f64,
+    causes: [ChosenCause; 2],
+}
+
 /// A variant of a cause that a pair may be made of.
 struct PoolVariant {
     /// Its screening evidence with its prior, nats.
@@ -225,31 +236,56 @@ impl Library<'_> {
     ) -> Option<[ChosenCause; 2]> {
         let single_odds = single.map(|c| self.odds(self.gain(bare, search.subset, c), c));
         let mut best: Option<(f64, [ChosenCause; 2])> = None;
-        for [a, b] in pairs {
-            let at = self.columns_in_design(search.design, search.column_index, &[a, b]);
-            let [at_a, at_b] = [&at[0], &at[1]];
-            self.extend(search.design);
-            let mut first = self.chosen(bare, search.subset, a, at_a);
-            if !self.allowed(b, &[others.as_slice(), std::slice::from_ref(&first)].concat()) {
-                continue;
-            }
-            let mut beside = bare.clone();
-            beside.grow(search.design, search.subset, at_a);
-            let mut second = self.chosen(&beside, search.subset, b, at_b);
-            let both = self.evidence_of_two(bare, search.subset, [&first, &second]);
-            let gain_nats = both.log_evidence - bare.null().log_evidence;
-            let odds = self.odds(gain_nats, a) + self.odds(0.0, b);
-            [first.size_ratio, second.size_ratio] = both.size_ratios;
+        self.extend(search.design);
+        for pair in pairs {
+            let width = search.design.width();
+            let at = self.columns_in_design(search.design, search.column_index, &pair);
+            // The two alone: of thousands of others nobody asks for products with columns that are taken off again.
+            self.extend_these(search.design, &pair);
+            let weighed = self.weigh_pair(search, bare, others, (pair, at));
+            search.design.truncate(width);
+            search.column_index.retain(|_, columns| columns.iter().all(|&column| column < width));
+            self.truncate_these(&pair, width);
+            let Some(PairWeight { gain_nats, odds, second_nats, causes }) = weighed else { continue };
             let enough = match single_odds {
                 Some(single_odds) => odds > single_odds,
                 None => gain_nats > (1.0 + BESIDE) * alarm_nats,
             };
-            let needed = second.gain_nats > DROP_NATS;
+            let needed = second_nats > DROP_NATS;
             if enough && needed && best.as_ref().is_none_or(|(most, _)| odds > *most) {
-                best = Some((odds, [first, second]));
+                best = Some((odds, causes));
             }
         }
-        best.map(|(_, pair)| pair)
+        let (_, mut pair) = best?;
+        let candidates = pair.each_ref().map(|cause| cause.candidate);
+        let at = self.columns_in_design(search.design, search.column_index, &candidates);
+        self.extend(search.design);
+        pair.iter_mut().zip(at).for_each(|(cause, columns)| cause.columns = columns);
+        Some(pair)
+    }
+
+    /// Evidence of two causes beside `others` and over `bare`, their columns at these places of the design; `None` where the
+    /// second may not join the first.
+    fn weigh_pair(
+        &self,
+        search: &Search<'_>,
+        bare: &NuisanceModel,
+        others: &[ChosenCause],
+        ([a, b], at): ([usize; 2], Vec<Vec<usize>>),
+    ) -> Option<PairWeight> {
+        let mut first = self.chosen(bare, search.subset, a, &at[0]);
+        if !self.allowed(b, &[others, std::slice::from_ref(&first)].concat()) {
+            return None;
+        }
+        let mut beside = bare.clone();
+        beside.grow(search.design, search.subset, &at[0]);
+        let mut second = self.chosen(&beside, search.subset, b, &at[1]);
+        let second_nats = second.gain_nats;
+        let both = self.evidence_of_two(bare, search.subset, [&first, &second]);
+        let gain_nats = both.log_evidence - bare.null().log_evidence;
+        let odds = self.odds(gain_nats, a) + self.odds(0.0, b);
+        [first.size_ratio, second.size_ratio] = both.size_ratios;
+        Some(PairWeight { gain_nats, odds, second_nats, causes: [first, second] })
     }
 
     /// Evidence of two causes over `bare`, the signs that physics gives them included.
