@@ -7,6 +7,10 @@ use std::ops::Range;
 
 /// Directions that the flat columns tell less than this share of the best are not told.
 pub(super) const RANK: f64 = 1e-10;
+/// A cause's column of whose square those before it leave no more than this share says nothing that they do not: at a thousandth of its
+/// length the rest shows how factors were rounded (to 6e-8), more so with each such column before it. Made as long as the others it would
+/// take out of the data a direction that another rounding turns, and an answer with it.
+const CAUSE_RANK: f64 = 1e-6;
 
 /// A direction that is projected out.
 #[derive(Clone)]
@@ -81,7 +85,7 @@ impl NuisanceModel {
             let mut told_alone = last;
             told_alone.add(-(scale * axis[end]), &along);
             let is_dependent = |(gram, column): (&Vec<f64>, &usize)| {
-                dot(gram, &told_alone.weights).powi(2) > RANK * gram[*column]
+                dot(gram, &told_alone.weights).powi(2) > CAUSE_RANK * gram[*column]
             };
             if left_out.iter().zip(&rest.dependent).any(is_dependent) {
                 return None;
@@ -116,7 +120,7 @@ impl NuisanceModel {
                 }
             }
             let left = dot(gram.column(column).as_slice(), &direction);
-            if left > RANK * whole && left > 0.0 {
+            if left > CAUSE_RANK * whole && left > 0.0 {
                 let length = left.sqrt();
                 direction.iter_mut().for_each(|d| *d /= length);
                 self.push(gram, direction);

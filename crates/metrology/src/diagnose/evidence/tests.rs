@@ -342,3 +342,40 @@ fn two_causes_together_are_as_likely_as_dense_matrices_say() {
         assert!(peak.signs[0] > 3.0, "{:?}", peak.signs);
     }
 }
+
+/// Two causes that differ by a ten-thousandth of their length, beside a third. What the second tells beyond the first is less than the
+/// rounding of factors (6e-8 of the length) would leave of a fourth one after it; the evidence of the third is that without the
+/// second, however the second is rounded.
+#[test]
+fn a_cause_that_only_rounding_tells_from_another_takes_nothing_of_the_data() {
+    let problem = problem(5, 3e-5, 1.0, 0.2);
+    let n = problem.dataset.observations.len();
+    let whitening = Whitening::independent(vec![1.0; n], 0.2);
+    let mut design = Design::of_all(&problem.dataset, &problem.residuals, 1, whitening);
+    let noise = NoisePrior::new(None, Some(3e-5));
+    let third = design.sums(&design.columns_of(&problem.dataset, &problem.candidate));
+    let mut random = SplitMix64::new(11);
+    let mut like = |of: &DMatrix<f64>, share: f64| {
+        let length = of.norm() / (of.len() as f64).sqrt();
+        of + DMatrix::from_fn(of.nrows(), 1, |_, _| share * length * random.normal())
+    };
+    let first = DMatrix::from_fn(3 * n, 1, |r, _| ((r * 7) % 13) as f64 / 4.0 - 1.5);
+    let second = like(&first, 1e-4);
+    let mut gain = |columns: &[&DMatrix<f64>]| {
+        let width = design.width();
+        let at: Vec<usize> = columns.iter().flat_map(|columns| design.append(columns)).collect();
+        let nuisance = NuisanceModel::new(&design, &[0], &at, noise);
+        design.truncate(width);
+        nuisance.evidence(&nuisance.project(&third)).log_evidence - nuisance.null().log_evidence
+    };
+    let alone = gain(&[&first]);
+    let rounded =
+        |seed: usize| second.map_with_location(|r, _, v| v * (1.0 + 6e-8 * ((r * seed) as f64).sin()));
+    for seed in 1..5 {
+        let beside = gain(&[&first, &rounded(seed)]);
+        assert!((beside - alone).abs() < 1e-9, "{beside} {alone}");
+    }
+    // One that differs by a hundredth takes a direction of its own.
+    let other = like(&first, 1e-2);
+    assert!((gain(&[&first, &other]) - alone).abs() > 1e-6);
+}
