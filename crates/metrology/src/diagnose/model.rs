@@ -97,8 +97,8 @@ impl FittedModel<'_> {
         if let Some(slow) = model.slow {
             slow.put(&mut design, dataset);
         }
+        design.expect(tried.values().map(Vec::len).sum());
         let mut library = library.begun_anew(&design);
-        library.forget_columns();
         // Whatever was tried over all stations is likely to be tried over a part of them.
         let mut tried: Vec<(Vec<usize>, usize)> =
             tried.into_iter().map(|(c, columns)| (columns, c)).collect();

@@ -44,6 +44,8 @@ pub(crate) struct Design {
     /// Columns of geometry, scaled by tolerance.
     pub geometry: Range<usize>,
     slow: SlowColumns,
+    /// Columns that it is going to have, as far as that is known: candidates' products make room for them at once.
+    expected_width: usize,
     /// Products of all columns for each group.
     gram: Vec<DMatrix<f64>>,
 }
@@ -104,6 +106,7 @@ impl Design {
             registration: 0..0,
             geometry: 0..0,
             slow: SlowColumns::default(),
+            expected_width: 0,
             gram: Vec::new(),
         };
         design.gram = vec![DMatrix::zeros(0, 0); design.groups.len()];
@@ -139,6 +142,16 @@ impl Design {
     #[must_use]
     pub(crate) fn slow(&self) -> SlowColumns {
         self.slow.clone()
+    }
+
+    /// Says that `more` columns are going to be appended.
+    pub(crate) fn expect(&mut self, more: usize) {
+        self.expected_width = self.width() + more;
+    }
+
+    /// Columns beyond those `known` that there is to be room for.
+    pub(super) fn room_beyond(&self, known: usize) -> usize {
+        self.width().max(self.expected_width).saturating_sub(known)
     }
 
     /// Number of columns, the data's among them.

@@ -83,7 +83,7 @@ impl Design {
             inner_products(columns.rows(rows.start, rows.len()), new.rows(rows.start, rows.len()))
         };
         let of_groups: Vec<DMatrix<f64>> = self.groups.iter().map(of_group).collect();
-        products.reserve(new.ncols());
+        products.reserve(self.room_beyond(products.columns()));
         for column in 0..new.ncols() {
             for of in &of_groups {
                 products.cross.extend(of.column(column).iter());
@@ -125,6 +125,7 @@ impl Products {
         let column = self.p * self.groups;
         if self.cross.capacity() < self.cross.len() + more * column {
             self.cross.reserve_exact((more + COLUMNS_AHEAD) * column);
+            self.total.reserve_exact((more + COLUMNS_AHEAD) * self.p);
         }
     }
 

@@ -146,7 +146,7 @@ impl Design {
         let Some(first) = motions.members.first().and_then(|&c| products.get(c)) else { return };
         let known = first.columns();
         for &c in &motions.members {
-            products[c].reserve(self.width() - known);
+            products[c].reserve(self.room_beyond(known));
         }
         let mut from = known;
         while from < self.width() {

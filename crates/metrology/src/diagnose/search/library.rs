@@ -15,6 +15,8 @@ use std::collections::BTreeSet;
 
 /// Numbers that the columns of all candidates may take to be kept: 320 MB.
 const MOST_KEPT: usize = 40_000_000;
+/// The same where much else is there: 80 MB.
+const FEW_KEPT: usize = MOST_KEPT / 4;
 /// Features of GP alternatives are kept for no more stations than this: 80 MB.
 const MAX_OBSERVATIONS_KEPT: usize = 1000;
 /// Computes the features of a GP alternative.
@@ -89,6 +91,11 @@ impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
     pub(crate) fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
+        Self::keeping(MOST_KEPT, design, dataset, candidates)
+    }
+
+    /// The same, where columns may take so many numbers to be kept.
+    fn keeping(most_kept: usize, design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
         let motions: Vec<Motion> = joints.chain(bodies).collect();
@@ -96,7 +103,7 @@ impl<'a> Library<'a> {
             .into_par_iter()
             .map(|motion| design.scaled_motions(dataset, candidates, motion))
             .collect();
-        let mut room = MOST_KEPT / (dataset.observations.len() * dataset.rows_per_observation).max(1);
+        let mut room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
         let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
         for (motion, scaled) in scaled.iter().enumerate() {
             for (member, &c) in scaled.members.iter().enumerate() {
@@ -145,15 +152,15 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// The same candidates over another design of the same stations, without GP alternatives; what a search over all data has weighed is
-    /// kept.
+    /// The same candidates over another design of the same stations, without GP alternatives and with few columns kept; what a search over
+    /// all data has weighed is kept.
     #[must_use]
     pub(crate) fn begun_anew(mut self, design: &Design) -> Self {
         let near_pairs = std::mem::take(&mut self.near_pairs);
         let (dataset, candidates) = (self.dataset, self.candidates);
         // Before as much is asked for again.
         drop(self);
-        Self { near_pairs, ..Self::new(design, dataset, candidates) }
+        Self { near_pairs, ..Self::keeping(FEW_KEPT, design, dataset, candidates) }
     }
 
     /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
@@ -207,7 +214,7 @@ impl<'a> Library<'a> {
             ColumnSource::Kept(columns) => columns.len(),
             _ => 0,
         };
-        if self.sources.iter().map(kept).sum::<usize>() > MOST_KEPT / 4 {
+        if self.sources.iter().map(kept).sum::<usize>() > FEW_KEPT {
             let sources = self.sources.iter_mut().filter(|source| kept(source) > 0);
             sources.for_each(|source| *source = ColumnSource::Computed);
         }
