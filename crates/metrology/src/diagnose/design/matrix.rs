@@ -50,6 +50,42 @@ pub(crate) struct Design {
     gram: Vec<DMatrix<f64>>,
 }
 
+/// Observations in the order of groups.
+struct Grouped {
+    order: Vec<usize>,
+    /// Rows of each group.
+    groups: Vec<Range<usize>>,
+    /// Numbers measured in each group.
+    counts: Vec<usize>,
+}
+
+impl Grouped {
+    fn new(dataset: &Dataset, group_of: &[usize]) -> Self {
+        let d = dataset.rows_per_observation;
+        let mut order: Vec<usize> = (0..dataset.observations.len()).collect();
+        order.sort_by_key(|&i| (group_of.get(i).copied().unwrap_or(0), i));
+        let mut groups: Vec<Range<usize>> = Vec::new();
+        let mut counts: Vec<usize> = Vec::new();
+        let mut last = None;
+        for (position, &i) in order.iter().enumerate() {
+            let rows = position * d..(position + 1) * d;
+            let measured = dataset.observations[i].rows(d);
+            match (groups.last_mut(), counts.last_mut()) {
+                (Some(group), Some(count)) if last == Some(group_of[i]) => {
+                    group.end = rows.end;
+                    *count += measured;
+                }
+                _ => {
+                    last = Some(group_of[i]);
+                    groups.push(rows);
+                    counts.push(measured);
+                }
+            }
+        }
+        Self { order, groups, counts }
+    }
+}
+
 impl Design {
     /// The design of `residuals` (metres and radians, base axes) at the observations of the dataset, all in one group.
     #[must_use]
@@ -72,28 +108,8 @@ impl Design {
         whitening: Whitening,
         group_of: &[usize],
     ) -> Self {
-        let mut order: Vec<usize> = (0..dataset.observations.len()).collect();
-        order.sort_by_key(|&i| (group_of.get(i).copied().unwrap_or(0), i));
+        let Grouped { order, groups, counts } = Grouped::new(dataset, group_of);
         let d = dataset.rows_per_observation;
-        let mut groups: Vec<Range<usize>> = Vec::new();
-        let mut counts: Vec<usize> = Vec::new();
-        let mut last = None;
-        for (position, &i) in order.iter().enumerate() {
-            let rows = position * d..(position + 1) * d;
-            let measured = dataset.observations[i].rows(d);
-            if last == Some(group_of[i]) {
-                if let Some(count) = counts.last_mut() {
-                    *count += measured;
-                }
-                if let Some(group) = groups.last_mut() {
-                    group.end = rows.end;
-                }
-            } else {
-                last = Some(group_of[i]);
-                counts.push(measured);
-                groups.push(rows);
-            }
-        }
         let mut design = Self {
             visits: Visits::new(dataset, &whitening, &order),
             whitening,
