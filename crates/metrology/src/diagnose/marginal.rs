@@ -232,7 +232,8 @@ fn ln_gamma(x: f64) -> f64 {
 pub(super) fn log_add(a: f64, b: f64) -> f64 {
     let (high, low) = if a > b { (a, b) } else { (b, a) };
     // What is so far below is less than rounding wherever the larger is not itself nearly 0.
-    if low - high < -NOTHING_NATS { high } else { high + (low - high).exp().ln_1p() }
+    let is_nothing = low == f64::NEG_INFINITY || low - high < -NOTHING_NATS;
+    if is_nothing { high } else { high + (low - high).exp().ln_1p() }
 }
 
 /// ln of the sum of exponentials.
@@ -301,5 +302,17 @@ mod tests {
             NoisePrior::new(Some(&repeats), Some(3e-5)).known,
             Some(KnownNoise { sigma_m: 9e-5, freedom: 60.0 })
         );
+    }
+
+    /// Of nothing, of one term, of two that are the same, and of one so far below that it is less than rounding.
+    #[test]
+    fn sums_of_exponentials_are_those_of_the_terms() {
+        let none = f64::NEG_INFINITY;
+        assert_eq!(log_sum([]), none);
+        assert_eq!(log_sum([none, none]), none);
+        assert_eq!(log_sum([none, -3.0, none]), -3.0);
+        assert!((log_sum([5.0, 5.0]) - (5.0 + std::f64::consts::LN_2)).abs() < 1e-15);
+        assert_eq!(log_sum([1.0, -50.0]), 1.0);
+        assert!((log_sum([1.0, -20.0]) - 1.0 - (-21.0_f64).exp()).abs() < 1e-15);
     }
 }
