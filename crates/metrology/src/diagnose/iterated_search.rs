@@ -71,7 +71,7 @@ pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
     plain.with_library(problem)
 }
 
-/// A search's result while another runs: products take hundreds of megabytes in a large set, those of one search at a time.
+/// A search's result while another runs: candidates' columns take hundreds of megabytes in a large set, those of one search at a time.
 struct WithoutLibrary<'a> {
     linear: &'a Linearised,
     model: Model,

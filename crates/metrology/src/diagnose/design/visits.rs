@@ -245,7 +245,7 @@ mod tests {
         // Three groups, none of which cuts a visit.
         let group_of: Vec<usize> = (0..n).map(|i| (i / 3) % 3).collect();
         let plain = Whitening::independent(vec![1.0; n], 0.2);
-        let bare = Design::new(&dataset, &residuals, 1, plain, &vec![0; n]);
+        let bare = Design::of_all(&dataset, &residuals, 1, plain);
         let design = Design::new(&dataset, &residuals, 1, whitening.clone(), &group_of);
         let mut covariance = DMatrix::zeros(3 * n, 3 * n);
         for visit in &dataset.visits {
@@ -273,7 +273,7 @@ mod tests {
         let n = dataset.observations.len();
         let residuals: Vec<Twist> =
             (0..n).map(|i| Twist([1e-4 * (i % 7) as f64, 2e-4, -1e-4, 0.0, 0.0, 0.0])).collect();
-        let design = Design::new(&dataset, &residuals, 1, whitening, &vec![0; n]);
+        let design = Design::of_all(&dataset, &residuals, 1, whitening);
         let left = design.residuals(&vec![0.0; design.width() - 1]);
         for (left, put_in) in left.iter().zip(&residuals) {
             assert!(left.iter().zip(put_in).all(|(a, b)| (a - b).abs() < 1e-15), "{left:?} {put_in:?}");

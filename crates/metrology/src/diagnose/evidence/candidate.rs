@@ -184,7 +184,7 @@ impl NuisanceModel {
     ) -> SignalAtNoPrice {
         if candidate.own.nrows() > 2 {
             let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
-            if let Some(explained) = explained_by_elimination(own, with_y) {
+            if let Some(explained) = explained_by_elimination(own, &with_y) {
                 return SignalAtNoPrice { explained, directions: None };
             }
         }
@@ -280,28 +280,15 @@ impl NuisanceModel {
     }
 }
 
-/// y' A^-1 y for the lower triangle of a symmetric A by its Cholesky factor (Golub and Van Loan 2013, ch. 4.2); `None` where a
-/// pivot is rounding.
-fn explained_by_elimination(mut own: DMatrix<f64>, mut with_y: DVector<f64>) -> Option<f64> {
-    let p = own.nrows();
-    let mut explained = 0.0;
-    let diagonal: Vec<f64> = own.diagonal().iter().copied().collect();
-    for k in 0..p {
-        let pivot = own[(k, k)];
-        if pivot <= LEAST_PIVOT * diagonal[k] || pivot.is_nan() {
-            return None;
-        }
-        let along = with_y[k] / pivot;
-        explained += along * with_y[k];
-        for r in k + 1..p {
-            let share = own[(r, k)] / pivot;
-            with_y[r] -= along * own[(r, k)];
-            for c in k + 1..=r {
-                own[(r, c)] -= share * own[(c, k)];
-            }
-        }
+/// y' A^-1 y of a symmetric A; `None` where a pivot of its Cholesky factor is rounding.
+fn explained_by_elimination(own: DMatrix<f64>, with_y: &DVector<f64>) -> Option<f64> {
+    let diagonal = own.diagonal();
+    let lower = own.cholesky()?.unpack_dirty();
+    let is_rounding = |k: usize| lower[(k, k)].powi(2) <= LEAST_PIVOT * diagonal[k];
+    if (0..diagonal.len()).any(is_rounding) {
+        return None;
     }
-    Some(explained)
+    lower.solve_lower_triangular(with_y).map(|half| half.norm_squared())
 }
 
 #[cfg(test)]
@@ -317,13 +304,13 @@ mod tests {
             let mut own = columns.tr_mul(&columns);
             let with_y = DVector::from_fn(p, |a, _| 1.0 - 0.3 * a as f64);
             let exact = with_y.dot(&(own.clone().try_inverse().unwrap() * &with_y));
-            let explained = explained_by_elimination(own.clone(), with_y.clone()).unwrap();
+            let explained = explained_by_elimination(own.clone(), &with_y).unwrap();
             assert!((explained - exact).abs() < 1e-9 * exact, "{p}: {explained} {exact}");
             let last = own.column(0) + own.column(1);
             own.set_column(p - 1, &last);
             let row = own.row(0) + own.row(1);
             own.set_row(p - 1, &row);
-            assert!(explained_by_elimination(own, with_y).is_none(), "{p}");
+            assert!(explained_by_elimination(own, &with_y).is_none(), "{p}");
         }
     }
 }

@@ -1,7 +1,6 @@
 //! A candidate along its own directions, where its parameters part: what each takes of the data, and what its freedom costs.
 
-use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, DimDiff, DimSub, U1};
+use nalgebra::{DMatrix, DVector};
 use std::ops::Deref;
 
 /// A candidate along one eigenvector of its products with itself.
@@ -61,31 +60,9 @@ impl PrincipalDirections {
             let only = PrincipalDirection { eigenvalue: own[(0, 0)], with_y: with_y[0] };
             return Self::Few([only, PrincipalDirection::MISSING]);
         }
-        match own.nrows() {
-            // A motion's shifts, and a body's six: without memory asked for by the solver.
-            3 => Self::of_fixed::<3>(&own, with_y),
-            6 => Self::of_fixed::<6>(&own, with_y),
-            _ => {
-                let eigen = own.symmetric_eigen();
-                let turned = eigen.eigenvectors.transpose() * with_y;
-                Self::many(eigen.eigenvalues.as_slice(), turned.as_slice())
-            }
-        }
-    }
-
-    /// The same where the number of parameters is a constant.
-    fn of_fixed<const P: usize>(own: &DMatrix<f64>, with_y: &DVector<f64>) -> Self
-    where
-        Const<P>: DimSub<U1>,
-        DefaultAllocator: Allocator<DimDiff<Const<P>, U1>>,
-    {
-        let eigen = own.fixed_view::<P, P>(0, 0).into_owned().symmetric_eigen();
-        let turned = eigen.eigenvectors.transpose() * with_y.fixed_rows::<P>(0);
-        Self::many(eigen.eigenvalues.as_slice(), turned.as_slice())
-    }
-
-    fn many(eigenvalues: &[f64], with_y: &[f64]) -> Self {
-        let pairs = eigenvalues.iter().zip(with_y);
+        let eigen = own.symmetric_eigen();
+        let turned = eigen.eigenvectors.transpose() * with_y;
+        let pairs = eigen.eigenvalues.iter().zip(turned.iter());
         Self::Many(pairs.map(|(&eigenvalue, &with_y)| PrincipalDirection { eigenvalue, with_y }).collect())
     }
 

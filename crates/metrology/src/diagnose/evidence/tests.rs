@@ -74,7 +74,7 @@ impl Problem {
     fn nuisance(&self, noise: NoisePrior) -> (Design, NuisanceModel) {
         let n = self.dataset.observations.len();
         let whitening = Whitening::independent(vec![1.0; n], 0.2);
-        let design = Design::new(&self.dataset, &self.residuals, 1, whitening, &vec![0; n]);
+        let design = Design::of_all(&self.dataset, &self.residuals, 1, whitening);
         let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
         (design, nuisance)
     }

@@ -214,7 +214,7 @@ mod tests {
             })
             .collect();
         let whitening = Whitening::independent(vec![1.0; 150], 0.2);
-        let mut design = Design::new(&dataset, &residuals, 1, whitening, &[0; 150]);
+        let mut design = Design::of_all(&dataset, &residuals, 1, whitening);
         let noise = NoisePrior::new(None, Some(3e-5));
         let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
         let mut library = Library::new(&design, &dataset, &lines);

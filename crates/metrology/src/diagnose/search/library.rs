@@ -310,7 +310,7 @@ mod tests {
     fn an_alternative_that_the_data_cannot_show_is_left_out() {
         let dataset = evenly_spread(12);
         let whitening = Whitening::independent(vec![1.0; 12], 0.2);
-        let design = Design::new(&dataset, &[Twist([1e-4; 6]); 12], 1, whitening, &[0; 12]);
+        let design = Design::of_all(&dataset, &[Twist([1e-4; 6]); 12], 1, whitening);
         let mut library = Library::new(&design, &dataset, &[]);
         let list = gp_alternative::gp_alternatives(dataset.joints());
         let bumps = |of: &mut dyn Iterator<Item = GpAlternative>| {

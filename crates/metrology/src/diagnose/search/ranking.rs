@@ -2,7 +2,6 @@
 
 use super::chosen::NULL_PRIOR;
 use super::library::{Library, TrackedCandidate};
-use crate::diagnose::effects::CauseKey;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, Screened, ScreeningPoint};
 use crate::diagnose::marginal::{log_sum, normal_cdf};
 use rayon::prelude::*;
@@ -10,8 +9,6 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Candidates that are looked at after their upper bounds.
 const LONG_LIST: usize = 320;
-/// So many of them at once.
-const SOME: usize = 32;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
 /// A GP alternative this far behind is not looked at again.
@@ -243,46 +240,25 @@ impl Library<'_> {
         let best = |mut scores: Vec<(usize, f64)>| {
             scores.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
             scores.truncate(LONG_LIST);
-            scores
+            scores.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
         };
         let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
-        let cause = |i: usize| self.candidates[tracked[i].candidate].cause_key();
         let bounds = screened.iter().enumerate().map(|(i, s)| (i, s.upper_bound() + log_prior(i)));
-        let mut firsts: BTreeMap<usize, EvidencePeak> = BTreeMap::new();
-        let mut scores: Vec<(usize, f64)> = Vec::new();
-        // The highest bounds first: what `most` others pass, and one of its own effect and joint, is not looked at.
-        let mut passed_by_most = f64::NEG_INFINITY;
-        let mut best_of_cause: BTreeMap<CauseKey, f64> = BTreeMap::new();
-        for some in best(bounds.collect()).chunks(SOME) {
-            let may_be_among = |(i, bound): &&(usize, f64)| {
-                let own = best_of_cause.get(&cause(*i)).copied().unwrap_or(f64::NEG_INFINITY);
-                *bound >= passed_by_most || *bound >= own
-            };
-            let some: Vec<(usize, EvidencePeak)> = some
-                .iter()
-                .filter(may_be_among)
-                .map(|(i, _)| *i)
-                .collect::<Vec<_>>()
-                .into_par_iter()
-                .map(|i| (i, nuisance.screening_evidence(&screened[i], screening_grid)))
-                .collect();
-            for (i, first) in some {
-                let score = first.log_evidence + log_prior(i);
-                let own = best_of_cause.entry(cause(i)).or_insert(score);
-                *own = own.max(score);
-                scores.push((i, score));
-                firsts.insert(i, first);
-            }
-            scores = best(scores);
-            passed_by_most = scores.get(most - 1).map_or(f64::NEG_INFINITY, |(_, score)| *score);
-        }
+        let long = best(bounds.collect());
+        let firsts: BTreeMap<usize, EvidencePeak> = long
+            .par_iter()
+            .map(|&i| (i, nuisance.screening_evidence(&screened[i], screening_grid)))
+            .collect();
+        let seen = best(firsts.iter().map(|(&i, first)| (i, first.log_evidence + log_prior(i))).collect());
         // Thousands of gear lines must not push out the one variant of an effect that explains as much.
         let mut kinds = BTreeSet::new();
-        scores
-            .into_iter()
+        seen.into_iter()
             .enumerate()
-            .filter(|(rank, (i, _))| kinds.insert(cause(*i)) || *rank < most)
-            .map(|(_, (index, _))| ShortListed { index, first: firsts[&index] })
+            .filter(|(rank, i)| {
+                let this = &self.candidates[tracked[*i].candidate];
+                kinds.insert(this.cause_key()) || *rank < most
+            })
+            .map(|(_, index)| ShortListed { index, first: firsts[&index] })
             .collect()
     }
 
