@@ -80,26 +80,6 @@ fn what_is_planted_in_an_arm_of_four_joints_is_named() {
 }
 
 #[test]
-fn what_is_planted_in_a_scara_is_named() {
-    assert_named("scara", Effect::JointOffset { joint: 2 }, Some(2), RAD, 3);
-    assert_named("scara", Effect::Backlash { joint: 3, holding_n_m: f64::INFINITY }, Some(3), MM, 4);
-}
-
-#[test]
-fn what_is_planted_in_an_arm_of_five_joints_is_named() {
-    let step = Effect::BaseStep { t0_min: 40.0, direction: [0.5, -0.6, 0.3, 0.2, -0.3, 0.4] };
-    assert_named("five_axes", step, None, ("mm", None), 5);
-    assert_named("five_axes", Effect::JointCompliance { joint: 2 }, Some(2), ("rad/(N.m)", Some(1.0)), 6);
-}
-
-#[test]
-fn what_is_planted_in_an_arm_of_seven_joints_is_named() {
-    assert_named("seven_axes", Effect::JointOffset { joint: 4 }, Some(4), RAD, 7);
-    let link = Effect::LinkGeometry { joint: 3, direction: [0.6, -0.3, 0.5, 0.3, 0.2, -0.4] };
-    assert_named("seven_axes", link, Some(3), ("mm", None), 8);
-}
-
-#[test]
 fn what_is_planted_at_a_joint_that_slides_is_named_in_mm_with_what_looks_the_same() {
     let arm = arm("sliding_arm");
     let set = planted(&arm, Effect::JointOffset { joint: 3 }, 60, 9);
@@ -162,17 +142,6 @@ fn a_model_of_an_arm_with_a_joint_that_slides_holds_on_other_poses() {
 }
 
 #[test]
-fn a_tool_that_is_not_the_one_given_is_a_fault_of_the_file() {
-    let arm = arm("seven_axes");
-    let set = planted(&arm, Effect::JointOffset { joint: 4 }, 60, 12);
-    let fitted = diagnose(&read(&set), &arm, &TOLD).tool_mm.unwrap();
-    let away_m = Vector3::from(fitted.map(m_from_mm)) + Vector3::new(0.0, 0.02, 0.0);
-    let found = diagnose(&read(&set), &arm, &DiagnosisOptions { tool_m: Some(away_m), ..TOLD });
-    assert_eq!(found.verdict, Verdict::DataFault, "{}", summary(&found));
-    assert!(found.reason.contains("mm from the one given"), "{}", found.reason);
-}
-
-#[test]
 fn a_file_of_other_joints_than_the_arms_is_told() {
     let set = planted(&arm("scara"), Effect::JointOffset { joint: 2 }, 60, 13);
     let five = arm("five_axes");
@@ -226,45 +195,6 @@ fn where_programs_are_written_other_arms_are_refused_by_name() {
 }
 
 #[test]
-fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() {
-    let folder = tempfile::tempdir().unwrap();
-    // As exported for that robot.
-    let exported = fs::read_to_string("fixtures/robodk/irc5/Cube45.mod").unwrap();
-    let path = folder.path().join("Cube45.mod");
-    fs::write(&path, exported.replace("ABB IRB 140-6/0.8", "ABB CRB 15000-5/0.95")).unwrap();
-    let cube = path.to_str().unwrap();
-    let table = ["--deformation", "fixtures/docs/mine.csv", "--growth", "exp:40"];
-    for arguments in [
-        &[&["compensate", cube, "-o", "never_written.mod"][..], &table].concat(),
-        &vec!["simulate", cube],
-        &vec!["diff", cube, cube],
-        &vec!["closed-loop", cube, "--inject", "joint_offset:2"],
-    ] {
-        let process_output = driftpost().args(arguments).args(["--robot", "crb15000-5"]).output().unwrap();
-        let text = String::from_utf8_lossy(&process_output.stderr).into_owned();
-        assert_eq!(process_output.status.code(), Some(2), "{arguments:?}: {text}");
-        assert!(
-            text.contains("robot::structure") && text.contains("axes 4, 5 and 6 do not meet in one point"),
-            "{arguments:?}: {text}"
-        );
-    }
-    let set = folder.path().join("set");
-    let named = ["--robot", "crb15000-5"];
-    let made = ["--effects", "gear_mesh:3:20", "--n", "60", "--rho", "4", "--seed", "5"];
-    driftpost().arg("synth").arg(&set).args(named).args(made).assert().success();
-    let measured = set.join("set_0000/measurements.csv");
-    let process_output =
-        driftpost().arg("diagnose").arg(measured).args(named).args(["--json", "-"]).output().unwrap();
-    let json: serde_json::Value = serde_json::from_slice(&process_output.stdout).unwrap();
-    assert_eq!(json["verdict"], "explained");
-    let cause = &json["causes"][0];
-    assert_eq!(
-        (&cause["effect"], &cause["joint"], &cause["n"]),
-        (&"gear_mesh".into(), &3.into(), &20.into())
-    );
-}
-
-#[test]
 fn poses_of_an_arm_that_slides_are_planned_in_mm_and_within_its_ranges() {
     let scara = arm("scara");
     let options = PlanOptions {
@@ -292,41 +222,125 @@ fn poses_of_an_arm_that_slides_are_planned_in_mm_and_within_its_ranges() {
     assert!(high - low > 100.0, "the spindle is moved over {low} to {high} mm");
 }
 
-#[test]
-fn accuracy_and_changes_of_an_arm_of_seven_joints_are_told() {
-    let arm = arm("seven_axes");
-    let folder = tempfile::tempdir().unwrap();
-    let [before, after] = ["before.csv", "after.csv"].map(|name| folder.path().join(name));
-    let set = planted(&arm, Effect::JointOffset { joint: 4 }, 40, 14);
-    fs::write(&before, &set.csv).unwrap();
-    // The same poses, every point 0.3 mm further along the instrument's x at half of them by joint 2's side: a base that stands
-    // elsewhere would move all alike.
-    let mut lines: Vec<String> = set.csv.lines().map(str::to_owned).collect();
-    let columns: Vec<String> = lines[0].split(',').map(str::to_owned).collect();
-    let column = |name: &str| columns.iter().position(|c| c == name).unwrap();
-    let (q2, x) = (column("q2_deg"), column("x_mm"));
-    for line in lines.iter_mut().skip(1) {
-        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
-        if cells[q2].parse::<f64>().unwrap() > 0.0 {
-            cells[x] = format!("{:.4}", cells[x].parse::<f64>().unwrap() + 0.3);
-        }
-        *line = cells.join(",");
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn what_is_planted_in_an_arm_of_five_joints_is_named() {
+        let step = Effect::BaseStep { t0_min: 40.0, direction: [0.5, -0.6, 0.3, 0.2, -0.3, 0.4] };
+        assert_named("five_axes", step, None, ("mm", None), 5);
+        assert_named("five_axes", Effect::JointCompliance { joint: 2 }, Some(2), ("rad/(N.m)", Some(1.0)), 6);
     }
-    fs::write(&after, lines.join("\n")).unwrap();
-    let robot = ["--robot", "fixtures/robots/seven_axes.toml"];
-    let same = driftpost().arg("compare-measurements").args([&before, &before]).args(robot).output().unwrap();
-    assert_eq!(same.status.code(), Some(0), "{}", String::from_utf8_lossy(&same.stderr));
-    let changed = driftpost()
-        .arg("compare-measurements")
-        .args([&before, &after])
-        .args(robot)
-        .args(["--sigma-mm", "0.02"])
-        .output()
-        .unwrap();
-    assert_eq!(changed.status.code(), Some(1), "{}", String::from_utf8_lossy(&changed.stdout));
-    let accuracy =
-        driftpost().arg("accuracy").arg(&before).args(robot).args(["--json", "-"]).output().unwrap();
-    let reported: serde_json::Value = serde_json::from_slice(&accuracy.stdout).unwrap();
-    let joints = reported["poses"][0]["q_deg"].as_array().map(Vec::len);
-    assert_eq!(joints, Some(7), "{reported}");
+
+    #[test]
+    #[ignore = "long"]
+    fn gofa_is_diagnosed_by_its_name_and_its_programs_are_refused_with_the_reason() {
+        let folder = tempfile::tempdir().unwrap();
+        // As exported for that robot.
+        let exported = fs::read_to_string("fixtures/robodk/irc5/Cube45.mod").unwrap();
+        let path = folder.path().join("Cube45.mod");
+        fs::write(&path, exported.replace("ABB IRB 140-6/0.8", "ABB CRB 15000-5/0.95")).unwrap();
+        let cube = path.to_str().unwrap();
+        let table = ["--deformation", "fixtures/docs/mine.csv", "--growth", "exp:40"];
+        for arguments in [
+            &[&["compensate", cube, "-o", "never_written.mod"][..], &table].concat(),
+            &vec!["simulate", cube],
+            &vec!["diff", cube, cube],
+            &vec!["closed-loop", cube, "--inject", "joint_offset:2"],
+        ] {
+            let process_output =
+                driftpost().args(arguments).args(["--robot", "crb15000-5"]).output().unwrap();
+            let text = String::from_utf8_lossy(&process_output.stderr).into_owned();
+            assert_eq!(process_output.status.code(), Some(2), "{arguments:?}: {text}");
+            assert!(
+                text.contains("robot::structure")
+                    && text.contains("axes 4, 5 and 6 do not meet in one point"),
+                "{arguments:?}: {text}"
+            );
+        }
+        let set = folder.path().join("set");
+        let named = ["--robot", "crb15000-5"];
+        let made = ["--effects", "gear_mesh:3:20", "--n", "60", "--rho", "4", "--seed", "5"];
+        driftpost().arg("synth").arg(&set).args(named).args(made).assert().success();
+        let measured = set.join("set_0000/measurements.csv");
+        let process_output =
+            driftpost().arg("diagnose").arg(measured).args(named).args(["--json", "-"]).output().unwrap();
+        let json: serde_json::Value = serde_json::from_slice(&process_output.stdout).unwrap();
+        assert_eq!(json["verdict"], "explained");
+        let cause = &json["causes"][0];
+        assert_eq!(
+            (&cause["effect"], &cause["joint"], &cause["n"]),
+            (&"gear_mesh".into(), &3.into(), &20.into())
+        );
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn what_is_planted_in_a_scara_is_named() {
+        assert_named("scara", Effect::JointOffset { joint: 2 }, Some(2), RAD, 3);
+        assert_named("scara", Effect::Backlash { joint: 3, holding_n_m: f64::INFINITY }, Some(3), MM, 4);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn what_is_planted_in_an_arm_of_seven_joints_is_named() {
+        assert_named("seven_axes", Effect::JointOffset { joint: 4 }, Some(4), RAD, 7);
+        let link = Effect::LinkGeometry { joint: 3, direction: [0.6, -0.3, 0.5, 0.3, 0.2, -0.4] };
+        assert_named("seven_axes", link, Some(3), ("mm", None), 8);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_tool_that_is_not_the_one_given_is_a_fault_of_the_file() {
+        let arm = arm("seven_axes");
+        let set = planted(&arm, Effect::JointOffset { joint: 4 }, 60, 12);
+        let fitted = diagnose(&read(&set), &arm, &TOLD).tool_mm.unwrap();
+        let away_m = Vector3::from(fitted.map(m_from_mm)) + Vector3::new(0.0, 0.02, 0.0);
+        let found = diagnose(&read(&set), &arm, &DiagnosisOptions { tool_m: Some(away_m), ..TOLD });
+        assert_eq!(found.verdict, Verdict::DataFault, "{}", summary(&found));
+        assert!(found.reason.contains("mm from the one given"), "{}", found.reason);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn accuracy_and_changes_of_an_arm_of_seven_joints_are_told() {
+        let arm = arm("seven_axes");
+        let folder = tempfile::tempdir().unwrap();
+        let [before, after] = ["before.csv", "after.csv"].map(|name| folder.path().join(name));
+        let set = planted(&arm, Effect::JointOffset { joint: 4 }, 40, 14);
+        fs::write(&before, &set.csv).unwrap();
+        // The same poses, every point 0.3 mm further along the instrument's x at half of them by joint 2's side: a base that stands
+        // elsewhere would move all alike.
+        let mut lines: Vec<String> = set.csv.lines().map(str::to_owned).collect();
+        let columns: Vec<String> = lines[0].split(',').map(str::to_owned).collect();
+        let column = |name: &str| columns.iter().position(|c| c == name).unwrap();
+        let (q2, x) = (column("q2_deg"), column("x_mm"));
+        for line in lines.iter_mut().skip(1) {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if cells[q2].parse::<f64>().unwrap() > 0.0 {
+                cells[x] = format!("{:.4}", cells[x].parse::<f64>().unwrap() + 0.3);
+            }
+            *line = cells.join(",");
+        }
+        fs::write(&after, lines.join("\n")).unwrap();
+        let robot = ["--robot", "fixtures/robots/seven_axes.toml"];
+        let same =
+            driftpost().arg("compare-measurements").args([&before, &before]).args(robot).output().unwrap();
+        assert_eq!(same.status.code(), Some(0), "{}", String::from_utf8_lossy(&same.stderr));
+        let changed = driftpost()
+            .arg("compare-measurements")
+            .args([&before, &after])
+            .args(robot)
+            .args(["--sigma-mm", "0.02"])
+            .output()
+            .unwrap();
+        assert_eq!(changed.status.code(), Some(1), "{}", String::from_utf8_lossy(&changed.stdout));
+        let accuracy =
+            driftpost().arg("accuracy").arg(&before).args(robot).args(["--json", "-"]).output().unwrap();
+        let reported: serde_json::Value = serde_json::from_slice(&accuracy.stdout).unwrap();
+        let joints = reported["poses"][0]["q_deg"].as_array().map(Vec::len);
+        assert_eq!(joints, Some(7), "{reported}");
+    }
 }

@@ -59,21 +59,6 @@ fn changed(change: impl Fn(&mut Vec<Vec<String>>, &dyn Fn(&str) -> usize)) -> St
     lines.collect()
 }
 
-/// A row with an empty cell is answered as if it were not in the file, which says so; it took the whole column with it.
-#[test]
-fn an_empty_cell_costs_its_row_and_not_its_column() {
-    let without = diagnose(&changed(|rows, _| drop(rows.pop())), &[]);
-    for (column, cell) in [("t_min", ""), ("payload_kg", "NaN"), ("temp_j3_c", "nan"), ("dir2", "")] {
-        let text = changed(|rows, at| cell.clone_into(&mut rows.last_mut().unwrap()[at(column)]));
-        let line = text.lines().count();
-        let mut answer = diagnose(&text, &[]);
-        let warning = format!("{column} is empty or no number in 1 row: line {line}");
-        assert!(answer.messages.contains(&warning), "{}", answer.messages);
-        answer.json["warnings"] = without.json["warnings"].clone();
-        assert_eq!(answer.json, without.json, "{column}");
-    }
-}
-
 /// What is wrong: kind, column and lines.
 fn fault(text: &str, arguments: &[&str]) -> (String, String, Vec<u64>) {
     let answer = diagnose(text, arguments);
@@ -113,15 +98,6 @@ fn joints_that_are_not_read_anew_are_named_with_their_rows() {
     }
 }
 
-#[test]
-fn a_joint_that_is_never_read_anew_is_named() {
-    for joint in ["q6_deg", "q4_deg"] {
-        let (kind, column, found) = fault(&frozen(&[joint], 0, usize::MAX), &[]);
-        assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", joint));
-        assert_eq!(found.len(), SOUND.1.len());
-    }
-}
-
 /// Rounded to steps that nobody writes, some of them counted from an angle that is no multiple of the step.
 #[test]
 fn joints_rounded_to_any_step_are_told_with_it() {
@@ -142,29 +118,62 @@ fn joints_rounded_to_any_step_are_told_with_it() {
     }
 }
 
-/// Held against two fifths of the noise that is in it, no model of a set is one.
-#[test]
-fn a_model_that_leaves_more_than_the_stated_noise_is_none() {
-    let text = changed(|_, _| ());
-    let own_mm = diagnose(&text, &[]).json["noise"]["model_sigma_mm"].as_f64().unwrap();
-    let [held, less] =
-        [own_mm, 0.4 * own_mm].map(|sigma_mm| diagnose(&text, &["--sigma-mm", &format!("{sigma_mm:.5}")]));
-    assert!(held.code == 0 && held.model.is_some(), "{}", held.messages);
-    assert!(less.code == 2 && less.model.is_none(), "{}", less.messages);
-    let why = less.json["no_model"].as_str().unwrap();
-    assert!(why.contains("noise as stated leaves") && less.messages.contains(why), "{why}");
-}
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
 
-/// A joint that turns by six in a thousand too far: a hundred times a gear's usual error, so that something else is wrong.
-#[test]
-fn a_term_of_any_effect_far_beyond_its_usual_size_is_no_model() {
-    let text = changed(|rows, at| {
-        for row in rows.iter_mut() {
-            let cell = &mut row[at("q1_deg")];
-            *cell = format!("{:.6}", cell.parse::<f64>().unwrap() / 1.006);
+    /// A row with an empty cell is answered as if it were not in the file, which says so; it took the whole column with it.
+    #[test]
+    #[ignore = "long"]
+    fn an_empty_cell_costs_its_row_and_not_its_column() {
+        let without = diagnose(&changed(|rows, _| drop(rows.pop())), &[]);
+        for (column, cell) in [("t_min", ""), ("payload_kg", "NaN"), ("temp_j3_c", "nan"), ("dir2", "")] {
+            let text = changed(|rows, at| cell.clone_into(&mut rows.last_mut().unwrap()[at(column)]));
+            let line = text.lines().count();
+            let mut answer = diagnose(&text, &[]);
+            let warning = format!("{column} is empty or no number in 1 row: line {line}");
+            assert!(answer.messages.contains(&warning), "{}", answer.messages);
+            answer.json["warnings"] = without.json["warnings"].clone();
+            assert_eq!(answer.json, without.json, "{column}");
         }
-    });
-    let answer = diagnose(&text, &["--sigma-mm", "0.03"]);
-    assert!(answer.code == 2 && answer.model.is_none(), "{} {}", answer.json["reason"], answer.messages);
-    assert!(answer.messages.contains("times its usual size"), "{}", answer.messages);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_joint_that_is_never_read_anew_is_named() {
+        for joint in ["q6_deg", "q4_deg"] {
+            let (kind, column, found) = fault(&frozen(&[joint], 0, usize::MAX), &[]);
+            assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", joint));
+            assert_eq!(found.len(), SOUND.1.len());
+        }
+    }
+
+    /// Held against two fifths of the noise that is in it, no model of a set is one.
+    #[test]
+    #[ignore = "long"]
+    fn a_model_that_leaves_more_than_the_stated_noise_is_none() {
+        let text = changed(|_, _| ());
+        let own_mm = diagnose(&text, &[]).json["noise"]["model_sigma_mm"].as_f64().unwrap();
+        let [held, less] = [own_mm, 0.4 * own_mm]
+            .map(|sigma_mm| diagnose(&text, &["--sigma-mm", &format!("{sigma_mm:.5}")]));
+        assert!(held.code == 0 && held.model.is_some(), "{}", held.messages);
+        assert!(less.code == 2 && less.model.is_none(), "{}", less.messages);
+        let why = less.json["no_model"].as_str().unwrap();
+        assert!(why.contains("noise as stated leaves") && less.messages.contains(why), "{why}");
+    }
+
+    /// A joint that turns by six in a thousand too far: a hundred times a gear's usual error, so that something else is wrong.
+    #[test]
+    #[ignore = "long"]
+    fn a_term_of_any_effect_far_beyond_its_usual_size_is_no_model() {
+        let text = changed(|rows, at| {
+            for row in rows.iter_mut() {
+                let cell = &mut row[at("q1_deg")];
+                *cell = format!("{:.6}", cell.parse::<f64>().unwrap() / 1.006);
+            }
+        });
+        let answer = diagnose(&text, &["--sigma-mm", "0.03"]);
+        assert!(answer.code == 2 && answer.model.is_none(), "{} {}", answer.json["reason"], answer.messages);
+        assert!(answer.messages.contains("times its usual size"), "{}", answer.messages);
+    }
 }

@@ -59,42 +59,52 @@ fn stamps_that_turn_from_minutes_to_seconds_are_named_with_their_rows() {
     assert_ne!(diagnose(as_text(&names, &rows).as_bytes(), &[]).verdict(), "data_fault");
 }
 
-/// Rounding follows no gear, though some dozens of its lines follow it as closely as one likes.
-#[test]
-fn one_column_of_few_decimals_is_named_among_others_of_many() {
-    for name in ["q1_deg", "q2_deg", "q3_deg"] {
-        let rounded = |cell: &str| format!("{:.1}", cell.parse::<f64>().unwrap());
-        let (kind, column, _) = fault(&rewritten(|column| column == name, rounded));
-        assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", name));
-    }
-}
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
 
-#[test]
-fn a_zero_that_jumps_by_degrees_is_a_step_and_nothing_else() {
-    let (names, rows) = cells();
-    let at = |name: &str| names.iter().position(|n| n == name).unwrap();
-    let jumped = |name: &str, by_deg: f64| {
-        let mut rows = rows.clone();
-        // Each row a pose of its own: what is written of the joints is what changes here, not where the arm stands.
-        rows.iter_mut().enumerate().for_each(|(k, row)| row[at("pose_id")] = k.to_string());
-        for row in &mut rows[30..] {
-            row[at(name)] = format!("{:.6}", row[at(name)].parse::<f64>().unwrap() + by_deg);
+    /// Rounding follows no gear, though some dozens of its lines follow it as closely as one likes.
+    #[test]
+    #[ignore = "long"]
+    fn one_column_of_few_decimals_is_named_among_others_of_many() {
+        for name in ["q1_deg", "q2_deg", "q3_deg"] {
+            let rounded = |cell: &str| format!("{:.1}", cell.parse::<f64>().unwrap());
+            let (kind, column, _) = fault(&rewritten(|column| column == name, rounded));
+            assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", name));
         }
-        as_text(&names, &rows)
-    };
-    for (name, by_deg) in [("q2_deg", 0.5), ("q3_deg", 1.0), ("q3_deg", 2.0)] {
-        let answer = diagnose(jumped(name, by_deg).as_bytes(), &["--sigma-mm", "0.02"]);
-        let causes = answer.json.as_ref().unwrap()["causes"].as_array().unwrap();
-        let certain: Vec<&str> = causes
-            .iter()
-            .filter(|cause| cause["posterior"].as_f64().unwrap() > 0.5)
-            .map(|cause| cause["effect"].as_str().unwrap())
-            .collect();
-        assert_eq!(certain, ["joint_step", "joint_compliance"], "{name} {by_deg}: {}", answer.text);
-        let size_deg = causes[0]["size"].as_f64().unwrap().to_degrees();
-        assert!((size_deg - by_deg).abs() < 0.02 * by_deg, "{name}: {size_deg}, not {by_deg}");
     }
-    let (kind, column, found) = fault(&jumped("q6_deg", 90.0));
-    assert_eq!((kind.as_str(), column.as_str()), ("joint_columns", "q6_deg"));
-    assert!(found.iter().all(|line| lines(30, rows.len()).contains(line)) && found.len() > 25, "{found:?}");
+
+    #[test]
+    #[ignore = "long"]
+    fn a_zero_that_jumps_by_degrees_is_a_step_and_nothing_else() {
+        let (names, rows) = cells();
+        let at = |name: &str| names.iter().position(|n| n == name).unwrap();
+        let jumped = |name: &str, by_deg: f64| {
+            let mut rows = rows.clone();
+            // Each row a pose of its own: what is written of the joints is what changes here, not where the arm stands.
+            rows.iter_mut().enumerate().for_each(|(k, row)| row[at("pose_id")] = k.to_string());
+            for row in &mut rows[30..] {
+                row[at(name)] = format!("{:.6}", row[at(name)].parse::<f64>().unwrap() + by_deg);
+            }
+            as_text(&names, &rows)
+        };
+        for (name, by_deg) in [("q2_deg", 0.5), ("q3_deg", 1.0), ("q3_deg", 2.0)] {
+            let answer = diagnose(jumped(name, by_deg).as_bytes(), &["--sigma-mm", "0.02"]);
+            let causes = answer.json.as_ref().unwrap()["causes"].as_array().unwrap();
+            let certain: Vec<&str> = causes
+                .iter()
+                .filter(|cause| cause["posterior"].as_f64().unwrap() > 0.5)
+                .map(|cause| cause["effect"].as_str().unwrap())
+                .collect();
+            assert_eq!(certain, ["joint_step", "joint_compliance"], "{name} {by_deg}: {}", answer.text);
+            let size_deg = causes[0]["size"].as_f64().unwrap().to_degrees();
+            assert!((size_deg - by_deg).abs() < 0.02 * by_deg, "{name}: {size_deg}, not {by_deg}");
+        }
+        let (kind, column, found) = fault(&jumped("q6_deg", 90.0));
+        assert_eq!((kind.as_str(), column.as_str()), ("joint_columns", "q6_deg"));
+        assert!(
+            found.iter().all(|line| lines(30, rows.len()).contains(line)) && found.len() > 25,
+            "{found:?}"
+        );
+    }
 }

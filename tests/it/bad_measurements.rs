@@ -8,18 +8,6 @@ use std::fs;
 use tempfile::TempDir;
 
 #[test]
-fn the_sound_file_is_answered_however_its_text_is_written() {
-    let plain = diagnose(SOUND.as_bytes(), &[]);
-    assert_eq!((plain.code, plain.causes()[0]), (0, "joint_compliance"), "{}", plain.text);
-    let windows = [b"\xef\xbb\xbf".as_slice(), SOUND.replace('\n', "\r\n").as_bytes()].concat();
-    assert_eq!(diagnose(&windows, &[]).json, plain.json, "a byte order mark and CR LF");
-    let blank = SOUND.replace('\n', "\n\n") + "\n# end\n";
-    assert_eq!(diagnose(blank.as_bytes(), &[]).causes(), plain.causes(), "empty lines and a comment");
-    let shouted = SOUND.lines().next().unwrap().to_uppercase() + &SOUND[SOUND.find('\n').unwrap()..];
-    assert_eq!(diagnose(shouted.as_bytes(), &[]).json, plain.json, "capitals in the header");
-}
-
-#[test]
 fn what_cannot_be_read_is_refused_by_line_and_column() {
     let header = SOUND.lines().next().unwrap();
     let cut = &SOUND[..SOUND.len() * 2 / 3];
@@ -51,31 +39,6 @@ fn what_cannot_be_read_is_refused_by_line_and_column() {
         let answer = diagnose(SOUND.as_bytes(), &["--sigma-mm", sigma]);
         assert!(answer.code == 2 && answer.json.is_none(), "{sigma}: {}", answer.text);
         assert!(answer.text.contains("--sigma-mm"), "{sigma}: {}", answer.text);
-    }
-}
-
-#[test]
-fn wrong_units_are_a_fault_of_the_file() {
-    let point = |name: &str| name.ends_with("_mm");
-    let joint = |name: &str| name.ends_with("_deg");
-    let cases = [
-        ("metres", rewritten(point, times(1e-3))),
-        ("inches", rewritten(point, times(1.0 / 25.4))),
-        ("radians", rewritten(joint, times(std::f64::consts::PI / 180.0))),
-        ("joint 2 turned round", rewritten(|name| name == "q2_deg", times(-1.0))),
-        ("a mirrored instrument", rewritten(|name| name == "z_mm", times(-1.0))),
-    ];
-    for (what, text) in cases {
-        let answer = diagnose(text.as_bytes(), &[]);
-        assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{what}: {}", answer.text);
-    }
-    for (unit, text) in [
-        ("feet", rewritten(point, times(1.0 / 304.8))),
-        ("gon", rewritten(|name| joint(name) && name.starts_with('q'), times(400.0 / 360.0))),
-    ] {
-        let answer = diagnose(text.as_bytes(), &[]);
-        let reason = answer.json.as_ref().unwrap()["reason"].as_str().unwrap();
-        assert!(answer.verdict() == "data_fault" && reason.contains(&format!("in {unit},")), "{reason}");
     }
 }
 
@@ -117,67 +80,6 @@ fn changed(
     text
 }
 
-#[test]
-fn faults_of_some_rows_or_of_one_column_are_named_with_both() {
-    let rows: Vec<Vec<&str>> = SOUND.lines().skip(1).map(|line| line.split(',').collect()).collect();
-    let names: Vec<&str> = SOUND.lines().next().unwrap().split(',').collect();
-    let at = |name: &str| names.iter().position(|n| *n == name).unwrap();
-    let point = |name: &str| ["x_mm", "y_mm", "z_mm"].contains(&name);
-    let times =
-        |factor: f64| move |_: usize, cell: &str| format!("{:.6}", cell.parse::<f64>().unwrap() * factor);
-    let n = rows.len();
-    let all = |from: usize| (from as u64 + 2..n as u64 + 2).collect::<Vec<u64>>();
-    let some = |kind: &str, column: &str| (kind.to_owned(), column.to_owned());
-
-    let (kind, column, lines) = fault(&changed(n / 2..n, point, times(1e-3)));
-    assert_eq!((some(&kind, &column), lines), (some("position_units", "x_mm, y_mm, z_mm"), all(n / 2)));
-
-    let (kind, column, _) =
-        fault(&changed(0..n, |name| name == "q3_deg", times(std::f64::consts::PI / 180.0)));
-    assert_eq!(some(&kind, &column), some("column_units", "q3_deg"));
-
-    let (kind, column, _) = fault(&changed(0..n, |name| name == "x_mm", times(1.0 / 25.4)));
-    assert_eq!(some(&kind, &column), some("column_units", "x_mm"));
-
-    // The point of the row before, from a row on.
-    let from = n / 2;
-    let late = |name: &str| {
-        let column = at(name);
-        let rows = &rows;
-        move |k: usize| rows[k - 1][column].to_owned()
-    };
-    let mut text = SOUND.lines().next().unwrap().to_owned() + "\n";
-    let shifted = ["x_mm", "y_mm", "z_mm"].map(|name| (at(name), late(name)));
-    for (k, row) in rows.iter().enumerate() {
-        let mut cells: Vec<String> = row.iter().map(|cell| (*cell).to_owned()).collect();
-        if k >= from {
-            for (column, late) in &shifted {
-                cells[*column] = late(k);
-            }
-        }
-        text += &(cells.join(",") + "\n");
-    }
-    let (kind, column, lines) = fault(&text);
-    assert_eq!(some(&kind, &column), some("rows_shifted", "x_mm, y_mm, z_mm"));
-    assert!(lines.iter().all(|line| *line >= from as u64 + 2), "{lines:?}");
-
-    // Five rows with one point.
-    let still: Vec<String> =
-        ["x_mm", "y_mm", "z_mm"].iter().map(|name| rows[9][at(name)].to_owned()).collect();
-    let text = changed(10..14, point, |_, _| String::new());
-    let mut lines_of: Vec<Vec<String>> =
-        text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
-    for row in lines_of.iter_mut().skip(11).take(4) {
-        for (name, value) in ["x_mm", "y_mm", "z_mm"].iter().zip(&still) {
-            row[at(name)].clone_from(value);
-        }
-    }
-    let text: String = lines_of.iter().map(|row| row.join(",") + "\n").collect();
-    let (kind, column, lines) = fault(&text);
-    assert_eq!(some(&kind, &column), some("frozen_point", "x_mm, y_mm, z_mm"));
-    assert_eq!(lines, [11, 12, 13, 14, 15]);
-}
-
 /// The sound file with `column` of each pose off by an even spread of `width_mm` to both sides, the same at every visit, so that
 /// repeats do not show it.
 fn scattered(column: impl Fn(&str) -> bool, width_mm: f64) -> String {
@@ -200,20 +102,6 @@ fn scattered(column: impl Fn(&str) -> bool, width_mm: f64) -> String {
         };
         header + "\n" + &text.lines().skip(1).zip(&pose).map(row).collect::<String>()
     })
-}
-
-#[test]
-fn scatter_of_over_five_times_the_noise_is_a_fault_with_its_rows_and_column() {
-    // An even spread of 1 mm to both sides is 1 / sqrt 3 = 0.58 mm; in one of three columns 0.33 mm of a coordinate.
-    let stated = ["--sigma-mm", "0.05"];
-    let (kind, column, lines) = fault_with(&scattered(|name| name == "y_mm", 1.0), &stated);
-    assert_eq!((kind.as_str(), column.as_str()), ("noise_beyond_stated", "y_mm"));
-    assert!(lines.len() > 30 && lines.iter().all(|line| (2..=61).contains(line)), "{lines:?}");
-    let point = |name: &str| ["x_mm", "y_mm", "z_mm"].contains(&name);
-    let (kind, column, _) = fault_with(&scattered(point, 1.0), &stated);
-    assert_eq!((kind.as_str(), column.as_str()), ("noise_beyond_stated", "x_mm, y_mm, z_mm"));
-    let less = diagnose(scattered(point, 0.3).as_bytes(), &stated);
-    assert_eq!(less.verdict(), "unexplained_scatter", "3.5 times: {}", less.text);
 }
 
 /// Thirty rows of joints to a tenth of a degree: half a millimetre of scatter, which is not the points' fault.
@@ -316,60 +204,187 @@ fn one_joint_that_is_rounded_is_named_alone() {
     assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q3_deg"));
 }
 
-#[test]
-fn an_instrument_that_was_moved_is_registered_in_both_places() {
-    let rows = SOUND.lines().count() - 1;
-    let plain = diagnose(SOUND.as_bytes(), &[]);
-    // Turned by a right angle about z, and 400 mm along it: x takes -y, y takes x.
-    let mut lines = SOUND.lines();
-    let header = lines.next().unwrap();
-    let at = |name: &str| header.split(',').position(|n| n == name).unwrap();
-    let [x, y, z] = ["x_mm", "y_mm", "z_mm"].map(at);
-    let mut text = format!("{header}\n");
-    for (k, line) in lines.enumerate() {
-        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
-        if k >= rows / 2 {
-            let [was_x, was_y, was_z] = [x, y, z].map(|c| cells[c].parse::<f64>().unwrap());
-            cells[x] = format!("{:.4}", -was_y);
-            cells[y] = format!("{was_x:.4}");
-            cells[z] = format!("{:.4}", was_z + 400.0);
-        }
-        text += &(cells.join(",") + "\n");
-    }
-    let moved = diagnose(text.as_bytes(), &[]);
-    let warning = moved.json.as_ref().unwrap()["warnings"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .find(|w| w["code"] == "measure::instrument-moved");
-    let message = warning.unwrap()["message"].as_str().unwrap();
-    assert!(message.contains(&format!("from line {} on", rows / 2 + 2)), "{message}");
-    let cause = |answer: &Answer| {
-        let json = answer.json.as_ref().unwrap();
-        let first = &json["causes"][0];
-        (first["effect"].clone(), first["joint"].clone(), json["noise"]["model_sigma_mm"].as_f64().unwrap())
-    };
-    let [(effect, joint, sigma_mm), (effect_now, joint_now, sigma_now_mm)] = [&plain, &moved].map(cause);
-    assert_eq!((effect_now, joint_now), (effect, joint), "{}", moved.text);
-    // Six more parameters of the second stand, and coordinates of four decimals.
-    assert!((sigma_now_mm / sigma_mm - 1.0).abs() < 0.05, "{sigma_mm} {sigma_now_mm}");
-}
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
 
-#[test]
-fn many_rows_are_thinned_and_said_to_be() {
-    let mut text = SOUND.lines().next().unwrap().to_owned() + "\n";
-    let rows: Vec<&str> = SOUND.lines().skip(1).collect();
-    for k in 0..21_000 {
-        let (_, rest) = rows[k % rows.len()].split_once(',').unwrap();
-        let (_, rest) = rest.split_once(',').unwrap();
-        let (_, rest) = rest.split_once(',').unwrap();
-        text += &format!("{k},{k},{},{rest}\n", 0.01 * k as f64);
+    #[test]
+    #[ignore = "long"]
+    fn the_sound_file_is_answered_however_its_text_is_written() {
+        let plain = diagnose(SOUND.as_bytes(), &[]);
+        assert_eq!((plain.code, plain.causes()[0]), (0, "joint_compliance"), "{}", plain.text);
+        let windows = [b"\xef\xbb\xbf".as_slice(), SOUND.replace('\n', "\r\n").as_bytes()].concat();
+        assert_eq!(diagnose(&windows, &[]).json, plain.json, "a byte order mark and CR LF");
+        let blank = SOUND.replace('\n', "\n\n") + "\n# end\n";
+        assert_eq!(diagnose(blank.as_bytes(), &[]).causes(), plain.causes(), "empty lines and a comment");
+        let shouted = SOUND.lines().next().unwrap().to_uppercase() + &SOUND[SOUND.find('\n').unwrap()..];
+        assert_eq!(diagnose(shouted.as_bytes(), &[]).json, plain.json, "capitals in the header");
     }
-    // Mirrored: found before any physics. The poses come round again and again: a step through the rows that is a multiple
-    // of their number would see but a few of them, which anything fits.
-    let swapped = text.replacen("x_mm,y_mm", "y_mm,x_mm", 1);
-    let answer = diagnose(swapped.as_bytes(), &[]);
-    assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{}", answer.text);
-    assert_eq!(answer.causes(), ["swapped_axes"]);
-    assert!(answer.text.contains("warning[measure::many-rows]"), "{}", answer.text);
+
+    #[test]
+    #[ignore = "long"]
+    fn wrong_units_are_a_fault_of_the_file() {
+        let point = |name: &str| name.ends_with("_mm");
+        let joint = |name: &str| name.ends_with("_deg");
+        let cases = [
+            ("metres", rewritten(point, times(1e-3))),
+            ("inches", rewritten(point, times(1.0 / 25.4))),
+            ("radians", rewritten(joint, times(std::f64::consts::PI / 180.0))),
+            ("joint 2 turned round", rewritten(|name| name == "q2_deg", times(-1.0))),
+            ("a mirrored instrument", rewritten(|name| name == "z_mm", times(-1.0))),
+        ];
+        for (what, text) in cases {
+            let answer = diagnose(text.as_bytes(), &[]);
+            assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{what}: {}", answer.text);
+        }
+        for (unit, text) in [
+            ("feet", rewritten(point, times(1.0 / 304.8))),
+            ("gon", rewritten(|name| joint(name) && name.starts_with('q'), times(400.0 / 360.0))),
+        ] {
+            let answer = diagnose(text.as_bytes(), &[]);
+            let reason = answer.json.as_ref().unwrap()["reason"].as_str().unwrap();
+            assert!(answer.verdict() == "data_fault" && reason.contains(&format!("in {unit},")), "{reason}");
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn many_rows_are_thinned_and_said_to_be() {
+        let mut text = SOUND.lines().next().unwrap().to_owned() + "\n";
+        let rows: Vec<&str> = SOUND.lines().skip(1).collect();
+        for k in 0..21_000 {
+            let (_, rest) = rows[k % rows.len()].split_once(',').unwrap();
+            let (_, rest) = rest.split_once(',').unwrap();
+            let (_, rest) = rest.split_once(',').unwrap();
+            text += &format!("{k},{k},{},{rest}\n", 0.01 * k as f64);
+        }
+        // Mirrored: found before any physics. The poses come round again and again: a step through the rows that is a multiple
+        // of their number would see but a few of them, which anything fits.
+        let swapped = text.replacen("x_mm,y_mm", "y_mm,x_mm", 1);
+        let answer = diagnose(swapped.as_bytes(), &[]);
+        assert_eq!((answer.code, answer.verdict()), (0, "data_fault"), "{}", answer.text);
+        assert_eq!(answer.causes(), ["swapped_axes"]);
+        assert!(answer.text.contains("warning[measure::many-rows]"), "{}", answer.text);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn faults_of_some_rows_or_of_one_column_are_named_with_both() {
+        let rows: Vec<Vec<&str>> = SOUND.lines().skip(1).map(|line| line.split(',').collect()).collect();
+        let names: Vec<&str> = SOUND.lines().next().unwrap().split(',').collect();
+        let at = |name: &str| names.iter().position(|n| *n == name).unwrap();
+        let point = |name: &str| ["x_mm", "y_mm", "z_mm"].contains(&name);
+        let times =
+            |factor: f64| move |_: usize, cell: &str| format!("{:.6}", cell.parse::<f64>().unwrap() * factor);
+        let n = rows.len();
+        let all = |from: usize| (from as u64 + 2..n as u64 + 2).collect::<Vec<u64>>();
+        let some = |kind: &str, column: &str| (kind.to_owned(), column.to_owned());
+
+        let (kind, column, lines) = fault(&changed(n / 2..n, point, times(1e-3)));
+        assert_eq!((some(&kind, &column), lines), (some("position_units", "x_mm, y_mm, z_mm"), all(n / 2)));
+
+        let (kind, column, _) =
+            fault(&changed(0..n, |name| name == "q3_deg", times(std::f64::consts::PI / 180.0)));
+        assert_eq!(some(&kind, &column), some("column_units", "q3_deg"));
+
+        let (kind, column, _) = fault(&changed(0..n, |name| name == "x_mm", times(1.0 / 25.4)));
+        assert_eq!(some(&kind, &column), some("column_units", "x_mm"));
+
+        // The point of the row before, from a row on.
+        let from = n / 2;
+        let late = |name: &str| {
+            let column = at(name);
+            let rows = &rows;
+            move |k: usize| rows[k - 1][column].to_owned()
+        };
+        let mut text = SOUND.lines().next().unwrap().to_owned() + "\n";
+        let shifted = ["x_mm", "y_mm", "z_mm"].map(|name| (at(name), late(name)));
+        for (k, row) in rows.iter().enumerate() {
+            let mut cells: Vec<String> = row.iter().map(|cell| (*cell).to_owned()).collect();
+            if k >= from {
+                for (column, late) in &shifted {
+                    cells[*column] = late(k);
+                }
+            }
+            text += &(cells.join(",") + "\n");
+        }
+        let (kind, column, lines) = fault(&text);
+        assert_eq!(some(&kind, &column), some("rows_shifted", "x_mm, y_mm, z_mm"));
+        assert!(lines.iter().all(|line| *line >= from as u64 + 2), "{lines:?}");
+
+        // Five rows with one point.
+        let still: Vec<String> =
+            ["x_mm", "y_mm", "z_mm"].iter().map(|name| rows[9][at(name)].to_owned()).collect();
+        let text = changed(10..14, point, |_, _| String::new());
+        let mut lines_of: Vec<Vec<String>> =
+            text.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+        for row in lines_of.iter_mut().skip(11).take(4) {
+            for (name, value) in ["x_mm", "y_mm", "z_mm"].iter().zip(&still) {
+                row[at(name)].clone_from(value);
+            }
+        }
+        let text: String = lines_of.iter().map(|row| row.join(",") + "\n").collect();
+        let (kind, column, lines) = fault(&text);
+        assert_eq!(some(&kind, &column), some("frozen_point", "x_mm, y_mm, z_mm"));
+        assert_eq!(lines, [11, 12, 13, 14, 15]);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn scatter_of_over_five_times_the_noise_is_a_fault_with_its_rows_and_column() {
+        // An even spread of 1 mm to both sides is 1 / sqrt 3 = 0.58 mm; in one of three columns 0.33 mm of a coordinate.
+        let stated = ["--sigma-mm", "0.05"];
+        let (kind, column, lines) = fault_with(&scattered(|name| name == "y_mm", 1.0), &stated);
+        assert_eq!((kind.as_str(), column.as_str()), ("noise_beyond_stated", "y_mm"));
+        assert!(lines.len() > 30 && lines.iter().all(|line| (2..=61).contains(line)), "{lines:?}");
+        let point = |name: &str| ["x_mm", "y_mm", "z_mm"].contains(&name);
+        let (kind, column, _) = fault_with(&scattered(point, 1.0), &stated);
+        assert_eq!((kind.as_str(), column.as_str()), ("noise_beyond_stated", "x_mm, y_mm, z_mm"));
+        let less = diagnose(scattered(point, 0.3).as_bytes(), &stated);
+        assert_eq!(less.verdict(), "unexplained_scatter", "3.5 times: {}", less.text);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn an_instrument_that_was_moved_is_registered_in_both_places() {
+        let rows = SOUND.lines().count() - 1;
+        let plain = diagnose(SOUND.as_bytes(), &[]);
+        // Turned by a right angle about z, and 400 mm along it: x takes -y, y takes x.
+        let mut lines = SOUND.lines();
+        let header = lines.next().unwrap();
+        let at = |name: &str| header.split(',').position(|n| n == name).unwrap();
+        let [x, y, z] = ["x_mm", "y_mm", "z_mm"].map(at);
+        let mut text = format!("{header}\n");
+        for (k, line) in lines.enumerate() {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if k >= rows / 2 {
+                let [was_x, was_y, was_z] = [x, y, z].map(|c| cells[c].parse::<f64>().unwrap());
+                cells[x] = format!("{:.4}", -was_y);
+                cells[y] = format!("{was_x:.4}");
+                cells[z] = format!("{:.4}", was_z + 400.0);
+            }
+            text += &(cells.join(",") + "\n");
+        }
+        let moved = diagnose(text.as_bytes(), &[]);
+        let warning = moved.json.as_ref().unwrap()["warnings"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .find(|w| w["code"] == "measure::instrument-moved");
+        let message = warning.unwrap()["message"].as_str().unwrap();
+        assert!(message.contains(&format!("from line {} on", rows / 2 + 2)), "{message}");
+        let cause = |answer: &Answer| {
+            let json = answer.json.as_ref().unwrap();
+            let first = &json["causes"][0];
+            (
+                first["effect"].clone(),
+                first["joint"].clone(),
+                json["noise"]["model_sigma_mm"].as_f64().unwrap(),
+            )
+        };
+        let [(effect, joint, sigma_mm), (effect_now, joint_now, sigma_now_mm)] = [&plain, &moved].map(cause);
+        assert_eq!((effect_now, joint_now), (effect, joint), "{}", moved.text);
+        // Six more parameters of the second stand, and coordinates of four decimals.
+        assert!((sigma_now_mm / sigma_mm - 1.0).abs() < 0.05, "{sigma_mm} {sigma_now_mm}");
+    }
 }

@@ -85,34 +85,40 @@ fn a_target_beside_axis_1_is_solved_while_its_branch_holds_and_refused_after() {
     assert_eq!(solved, 51);
 }
 
-#[test]
-fn where_that_branch_has_ended_no_joints_near_it_reach_the_target() {
-    let setup = Setup::new();
-    let mut seed = 88_172_645_463_325_252_u64;
-    let mut random = || {
-        seed ^= seed << 13;
-        seed ^= seed >> 7;
-        seed ^= seed << 17;
-        (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    };
-    // At minute 50 the same search finds the joints that are there.
-    for (minute, expected) in [(50.0, true), (60.0, false), (80.0, false)] {
-        let arm = setup.arm(minute);
-        let (mut near, mut elsewhere) = (0, 0);
-        for _ in 0..1500 {
-            let start = std::array::from_fn(|i| {
-                // Joints 2 and 3 alone say how far the wrist centre is from axis 1.
-                let within_rad = if i == 1 || i == 2 { 0.003 } else { FRAC_PI_2 };
-                setup.start[i] + within_rad * random()
-            });
-            if let Some((q_rad, _)) = newton(&arm, &setup.goal, start) {
-                let is_near = furthest_rad(&q_rad, &setup.start) < FRAC_PI_2;
-                *(if is_near { &mut near } else { &mut elsewhere }) += 1;
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn where_that_branch_has_ended_no_joints_near_it_reach_the_target() {
+        let setup = Setup::new();
+        let mut seed = 88_172_645_463_325_252_u64;
+        let mut random = || {
+            seed ^= seed << 13;
+            seed ^= seed >> 7;
+            seed ^= seed << 17;
+            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        // At minute 50 the same search finds the joints that are there.
+        for (minute, expected) in [(50.0, true), (60.0, false), (80.0, false)] {
+            let arm = setup.arm(minute);
+            let (mut near, mut elsewhere) = (0, 0);
+            for _ in 0..1500 {
+                let start = std::array::from_fn(|i| {
+                    // Joints 2 and 3 alone say how far the wrist centre is from axis 1.
+                    let within_rad = if i == 1 || i == 2 { 0.003 } else { FRAC_PI_2 };
+                    setup.start[i] + within_rad * random()
+                });
+                if let Some((q_rad, _)) = newton(&arm, &setup.goal, start) {
+                    let is_near = furthest_rad(&q_rad, &setup.start) < FRAC_PI_2;
+                    *(if is_near { &mut near } else { &mut elsewhere }) += 1;
+                }
             }
+            println!("minute {minute}: {near} of 1500 starts lead to joints near, {elsewhere} elsewhere");
+            assert_eq!(near > 0, expected, "minute {minute}");
+            assert_eq!(solve(&arm, &setup.goal, &setup.start).is_ok(), expected, "minute {minute}");
+            assert!(elsewhere > 0, "minute {minute}: the search finds nothing at all");
         }
-        println!("minute {minute}: {near} of 1500 starts lead to joints near, {elsewhere} elsewhere");
-        assert_eq!(near > 0, expected, "minute {minute}");
-        assert_eq!(solve(&arm, &setup.goal, &setup.start).is_ok(), expected, "minute {minute}");
-        assert!(elsewhere > 0, "minute {minute}: the search finds nothing at all");
     }
 }

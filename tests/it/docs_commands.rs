@@ -48,53 +48,6 @@ fn pages() -> Vec<PathBuf> {
     pages
 }
 
-#[cfg(unix)]
-#[test]
-fn every_command_of_the_documentation_runs_as_pasted() {
-    use std::os::unix::fs::{PermissionsExt, symlink};
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let bench = tempfile::tempdir().unwrap();
-    // `driftpost` as installed, and `cargo run --release --` as the same; what cargo tests is tested already.
-    let tools = bench.path().join("bin");
-    fs::create_dir(&tools).unwrap();
-    let binary = env!("CARGO_BIN_EXE_driftpost");
-    symlink(binary, tools.join("driftpost")).unwrap();
-    let cargo = format!("#!/bin/sh\n[ \"$1\" = run ] || exit 0\nshift 3\nexec {binary} \"$@\"\n");
-    fs::write(tools.join("cargo"), cargo).unwrap();
-    fs::set_permissions(tools.join("cargo"), fs::Permissions::from_mode(0o755)).unwrap();
-    let path = format!("{}:{}", tools.display(), std::env::var("PATH").unwrap());
-    let run = |page: &Path, folder: &Path, command: &str| {
-        let mut shell = Command::new("sh");
-        let output = shell.args(["-c", command]).current_dir(folder).env("PATH", &path).output().unwrap();
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert!(matches!(output.status.code(), Some(0 | 1)), "{}: {command}\n{message}", page.display());
-    };
-    let run = &run;
-    // Pages know nothing of each other: each has a folder of its own. Commands against a double have one of their own, and wait for the
-    // client's pace between two requests: they do so beside what follows them.
-    let pages = pages();
-    let run: usize = std::thread::scope(|scope| {
-        let run_page = |page: &PathBuf| {
-            let folder = bench.path().join(page.file_stem().unwrap());
-            copy(&root.join("fixtures/docs"), &folder);
-            symlink(root.join("fixtures"), folder.join("fixtures")).unwrap();
-            let commands = commands(page);
-            let count = commands.len();
-            for command in commands {
-                if command.starts_with("driftpost link double") {
-                    let (page, folder) = (page.clone(), folder.clone());
-                    scope.spawn(move || run(&page, &folder, &command));
-                } else {
-                    run(page, &folder, &command);
-                }
-            }
-            count
-        };
-        pages.par_iter().map(run_page).sum()
-    });
-    assert!(run >= 25, "{run} commands");
-}
-
 /// A page that names a command must name one that there is.
 #[test]
 fn every_command_that_is_named_is_there() {
@@ -116,5 +69,58 @@ fn every_command_that_is_named_is_there() {
             let is_old = ["changed", "rehearse"].contains(&name.as_str());
             assert!(is_command || !is_old, "{}: driftpost {name}", page.display());
         }
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    #[ignore = "long"]
+    fn every_command_of_the_documentation_runs_as_pasted() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let bench = tempfile::tempdir().unwrap();
+        // `driftpost` as installed, and `cargo run --release --` as the same; what cargo tests is tested already.
+        let tools = bench.path().join("bin");
+        fs::create_dir(&tools).unwrap();
+        let binary = env!("CARGO_BIN_EXE_driftpost");
+        symlink(binary, tools.join("driftpost")).unwrap();
+        let cargo = format!("#!/bin/sh\n[ \"$1\" = run ] || exit 0\nshift 3\nexec {binary} \"$@\"\n");
+        fs::write(tools.join("cargo"), cargo).unwrap();
+        fs::set_permissions(tools.join("cargo"), fs::Permissions::from_mode(0o755)).unwrap();
+        let path = format!("{}:{}", tools.display(), std::env::var("PATH").unwrap());
+        let run = |page: &Path, folder: &Path, command: &str| {
+            let mut shell = Command::new("sh");
+            let output = shell.args(["-c", command]).current_dir(folder).env("PATH", &path).output().unwrap();
+            let message = String::from_utf8_lossy(&output.stderr);
+            assert!(matches!(output.status.code(), Some(0 | 1)), "{}: {command}\n{message}", page.display());
+        };
+        let run = &run;
+        // Pages know nothing of each other: each has a folder of its own. Commands against a double have one of their own, and wait for the
+        // client's pace between two requests: they do so beside what follows them.
+        let pages = pages();
+        let run: usize = std::thread::scope(|scope| {
+            let run_page = |page: &PathBuf| {
+                let folder = bench.path().join(page.file_stem().unwrap());
+                copy(&root.join("fixtures/docs"), &folder);
+                symlink(root.join("fixtures"), folder.join("fixtures")).unwrap();
+                let commands = commands(page);
+                let count = commands.len();
+                for command in commands {
+                    if command.starts_with("driftpost link double") {
+                        let (page, folder) = (page.clone(), folder.clone());
+                        scope.spawn(move || run(&page, &folder, &command));
+                    } else {
+                        run(page, &folder, &command);
+                    }
+                }
+                count
+            };
+            pages.par_iter().map(run_page).sum()
+        });
+        assert!(run >= 25, "{run} commands");
     }
 }

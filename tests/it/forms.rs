@@ -87,41 +87,48 @@ fn holds(dir: &Path, of_drift: &[&str], clock: &[&str], at: &str, most_mm: f64) 
     }
 }
 
-/// Tables by time and by temperature with each clock that reads them. A schedule's tolerance is 0.005 mm.
-#[test]
-fn each_form_with_each_clock_declares_what_it_calls_and_holds() {
-    let dir = tempfile::tempdir().unwrap();
-    let file = |name: &str, text: &str| {
-        let path = dir.path().join(name);
-        std::fs::write(&path, text).unwrap();
-        path.to_string_lossy().into_owned()
-    };
-    let by_time = file("t.csv", &table("t_min", [0, 60, 180]));
-    let by_temperature = file("c.csv", &table("temp_c", [20, 26, 40]));
-    let minutes = "0,10,45,100,170,300";
-    holds(dir.path(), &["--deformation", &by_time], &["--tau-cool", "46"], minutes, 0.006);
-    holds(dir.path(), &["--deformation", &by_time], &["--clock", "elapsed"], minutes, 0.006);
-    for clock in ["signal:aiTemperature", "pers:nTemperature"] {
-        holds(dir.path(), &["--deformation", &by_temperature], &["--clock", clock], "20,24,31,40", 0.006);
-    }
-    // Table 2 of the paper, which is there without a file.
-    for (growth, clock) in [("exp:46", "warmth"), ("two-stage:46", "elapsed"), ("none", "elapsed")] {
-        holds(dir.path(), &["--growth", growth], &["--clock", clock], minutes, 0.006);
-    }
-}
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
 
-/// Models of one effect: what drifts by no law of warm-up, and what is off in the wrist alone.
-#[test]
-fn each_form_holds_models_of_one_effect() {
-    let dir = tempfile::tempdir().unwrap();
-    for effect in [
-        "effect = \"tool_drift\"\ndx_mm = 0.05\ndy_mm = 0.0\ndz_mm = -0.03\ngrowth = \"linear\"\nfrom_min = 0.0\nto_min = 240.0\n",
-        "effect = \"thermal_joint_drift\"\njoint = 2\ndrift_deg = 0.01\nconstant_deg = 0.002\ngrowth = \"linear\"\nfrom_min = 20.0\nto_min = 200.0\n",
-        "effect = \"joint_offset\"\njoint = 4\noffset_deg = 0.03\n",
-        "effect = \"joint_offset\"\njoint = 5\noffset_deg = 0.03\n",
-    ] {
-        let model = dir.path().join("m.toml");
-        std::fs::write(&model, format!("{HEAD}\n[[effect]]\n{effect}")).unwrap();
-        holds(dir.path(), &["--model", &model.to_string_lossy()], &[], "0,50,120,239,300", 0.006);
+    /// Tables by time and by temperature with each clock that reads them. A schedule's tolerance is 0.005 mm.
+    #[test]
+    #[ignore = "long"]
+    fn each_form_with_each_clock_declares_what_it_calls_and_holds() {
+        let dir = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| {
+            let path = dir.path().join(name);
+            std::fs::write(&path, text).unwrap();
+            path.to_string_lossy().into_owned()
+        };
+        let by_time = file("t.csv", &table("t_min", [0, 60, 180]));
+        let by_temperature = file("c.csv", &table("temp_c", [20, 26, 40]));
+        let minutes = "0,10,45,100,170,300";
+        holds(dir.path(), &["--deformation", &by_time], &["--tau-cool", "46"], minutes, 0.006);
+        holds(dir.path(), &["--deformation", &by_time], &["--clock", "elapsed"], minutes, 0.006);
+        for clock in ["signal:aiTemperature", "pers:nTemperature"] {
+            holds(dir.path(), &["--deformation", &by_temperature], &["--clock", clock], "20,24,31,40", 0.006);
+        }
+        // Table 2 of the paper, which is there without a file.
+        for (growth, clock) in [("exp:46", "warmth"), ("two-stage:46", "elapsed"), ("none", "elapsed")] {
+            holds(dir.path(), &["--growth", growth], &["--clock", clock], minutes, 0.006);
+        }
+    }
+
+    /// Models of one effect: what drifts by no law of warm-up, and what is off in the wrist alone.
+    #[test]
+    #[ignore = "long"]
+    fn each_form_holds_models_of_one_effect() {
+        let dir = tempfile::tempdir().unwrap();
+        for effect in [
+            "effect = \"tool_drift\"\ndx_mm = 0.05\ndy_mm = 0.0\ndz_mm = -0.03\ngrowth = \"linear\"\nfrom_min = 0.0\nto_min = 240.0\n",
+            "effect = \"thermal_joint_drift\"\njoint = 2\ndrift_deg = 0.01\nconstant_deg = 0.002\ngrowth = \"linear\"\nfrom_min = 20.0\nto_min = 200.0\n",
+            "effect = \"joint_offset\"\njoint = 4\noffset_deg = 0.03\n",
+            "effect = \"joint_offset\"\njoint = 5\noffset_deg = 0.03\n",
+        ] {
+            let model = dir.path().join("m.toml");
+            std::fs::write(&model, format!("{HEAD}\n[[effect]]\n{effect}")).unwrap();
+            holds(dir.path(), &["--model", &model.to_string_lossy()], &[], "0,50,120,239,300", 0.006);
+        }
     }
 }

@@ -44,8 +44,17 @@ macro_rules! survive {
     ($($name:ident $bytes:literal: $($unit:literal),+;)+) => {
         $(#[test]
         fn $name() {
-            $(survives($unit, $bytes);)+
+            $(survives($unit, $bytes / 10);)+
         })+
+
+        /// The same at ten times the size, which takes seconds: `cargo test --test it -- --ignored long::`.
+        mod long {
+            $(#[test]
+            #[ignore = "long"]
+            fn $name() {
+                $(super::survives($unit, $bytes);)+
+            })+
+        }
     };
 }
 

@@ -196,99 +196,6 @@ impl Shop {
     }
 }
 
-#[test]
-fn a_corrected_module_is_pushed_loaded_and_set() {
-    on_each_robotware(|personality| {
-        let shop = Shop::new(personality);
-        let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
-        assert!(
-            code == 1 && out.contains("new in HOME") && out.contains("dry run: nothing was written"),
-            "{out}"
-        );
-        assert!(shop.double.with(|c| c.files.is_empty()));
-        let (code, out, _) = shop.run(&["push", "MODULE", "HOST", "--yes"]);
-        assert!(code == 0 && out.contains("read back, the same"), "{out}");
-        assert_eq!(
-            shop.double.with(|c| c.files["Cube45.mod"].clone()),
-            std::fs::read(shop.module()).unwrap()
-        );
-        let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
-        assert!(code == 0 && out.contains("is in HOME already"), "{out}");
-        // Nobody is there to be asked again.
-        let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load"]);
-        assert!(code == 2 && message.contains("nothing was loaded"), "{message}");
-        shop.double.with(|c| c.execution = "running");
-        let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
-        assert!(code == 2 && message.contains("link::running"), "{message}");
-        shop.double.with(|c| c.execution = "stopped");
-        let (code, out, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
-        assert!(
-            code == 0 && out.contains("loaded into T_ROB1") && message.contains("`tcStartAt 64.7`"),
-            "{out}{message}"
-        );
-        assert_eq!(shop.double.with(|c| c.value("MOD_Cube45", "tcMinute")).as_deref(), Some("0"));
-        let (code, out, _) = shop.run(&["set", "HOST", "tcMode", "20"]);
-        assert!(code == 0 && out.contains("tcMode 20 (was -1; read back)"), "{out}");
-        let (code, out, _) = shop.run(&["get", "HOST", "tcMode", "tcState{2}"]);
-        assert_eq!(
-            (code, out.as_str()),
-            (0, "T_ROB1/MOD_Cube45 tcMode 20\nT_ROB1/MOD_Cube45 tcState{2} 0\n")
-        );
-        let json = |arguments: &[&str]| {
-            let (code, out, message) = shop.run(&[arguments, &["--json", "-"]].concat());
-            assert_eq!(code, 0, "{message}");
-            serde_json::from_str::<serde_json::Value>(&out).unwrap()
-        };
-        let set = json(&["set", "HOST", "tcMode", "-1"]);
-        assert_eq!((&set["before"], &set["value"]), (&"20".into(), &"-1".into()), "{set}");
-        let got = json(&["get", "HOST", "tcMode"]);
-        assert_eq!(
-            (&got["data"][0]["name"], &got["data"][0]["value"]),
-            (&"tcMode".into(), &"-1".into()),
-            "{got}"
-        );
-    });
-}
-
-#[test]
-fn what_is_not_ours_stays_as_it_is() {
-    let shop = Shop::new(Personality::Rw7);
-    for arguments in [
-        &["set", "HOST", "baseCount", "1"][..],
-        &["get", "HOST", "baseText"],
-        &["set", "HOST", "tcModeSeen", "1"],
-    ] {
-        let (code, _, message) = shop.run(arguments);
-        assert!(
-            code == 2 && (message.contains("link::not-ours") || message.contains("link::value")),
-            "{message}"
-        );
-    }
-    shop.double.with(|c| {
-        c.modules.retain(|m| m.name != "MOD_Cube45");
-        c.load(&String::from_utf8_lossy(&PROGRAMS[0]), "ProgMod");
-    });
-    let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
-    assert!(code == 2 && message.contains("link::not-ours"), "{message}");
-    assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
-}
-
-#[test]
-fn a_program_is_watched_line_by_line_and_by_subscription() {
-    on_each_robotware(|personality| {
-        let shop = Shop::new(personality);
-        let (code, out, _) = shop.run(&["watch", "HOST", "--count", "2", "--interval-s", "0.1"]);
-        assert_eq!((code, out.lines().count()), (0, 2), "{out}");
-        assert!(out.starts_with("T_ROB1/MOD_Cube45: tcMode -1, tcBucket -1, tcMinute 64.7"), "{out}");
-        let (code, out, _) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe", "--json"]);
-        let line: serde_json::Value = serde_json::from_str(out.trim()).unwrap();
-        assert_eq!((code, line["values"]["tcMinute"].as_f64()), (0, Some(64.7)));
-        shop.double.with(|c| c.offers_subscriptions = false);
-        let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
-        assert!(code == 0 && message.contains("note: no subscription"), "{message}");
-    });
-}
-
 /// The data that stand in a page.
 fn data_of(page: &Path) -> serde_json::Value {
     let text = std::fs::read_to_string(page).unwrap();
@@ -296,32 +203,6 @@ fn data_of(page: &Path) -> serde_json::Value {
     let (data, rest) = rest.split_once("</script>").unwrap();
     assert!(rest.trim_end().ends_with("</html>"), "a page is there whole");
     serde_json::from_str(data).unwrap()
-}
-
-/// The page holds the same records as the lines; what fails on the way is a warning of it, and at its end it says so.
-#[test]
-fn a_watch_writes_a_page_of_its_records() {
-    on_each_robotware(|personality| {
-        let shop = Shop::new(personality);
-        let page = shop.folder.path().join("watch.html");
-        let name = page.display().to_string();
-        let watch = ["watch", "HOST", "--count", "3", "--interval-s", "0.1", "--json", "--report", &name];
-        let (code, out, _) = shop.run(&watch);
-        let lines: Vec<serde_json::Value> =
-            out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-        let written = data_of(&page);
-        assert_eq!((code, lines.len(), written["command"].as_str()), (0, 3, Some("link watch")));
-        assert_eq!(written["data"]["records"].as_array().unwrap(), &lines);
-        assert_eq!(written["data"]["ended"], "The watch has ended.");
-        assert_eq!(written["data"]["warnings"], serde_json::json!([]));
-
-        // A page that cannot be written is told before anybody logs in.
-        let before = shop.double.requests().len();
-        let folder = shop.folder.path().display().to_string();
-        let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--report", &folder]);
-        assert!(code == 2 && message.contains("output::unwritable"), "{message}");
-        assert_eq!(shop.double.requests().len(), before);
-    });
 }
 
 /// The table as it is in the program that is shipped: every request that it can send is one that the double lets pass.
@@ -380,50 +261,183 @@ fn the_binarys_table_of_requests_holds_none_that_could_move_the_robot() {
     }
 }
 
-/// Ctrl-C while the operator is asked, and while the program is watched: nothing held, logged out, 130 as a shell says it.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_command_gives_back_and_logs_out() {
-    on_each_robotware(|personality| {
-        let shop = Shop::new(personality);
-        let mut commands = vec![vec!["watch", "HOST"], vec!["watch", "HOST", "--subscribe"]];
-        if personality != Personality::Rw8 {
-            commands.push(vec!["set", "HOST", "tcMode", "20"]);
-        }
-        for arguments in commands {
-            shop.double.with(|c| (c.mode, c.operator) = ("MANR", Operator::Silent));
-            let root = shop.double.root();
-            let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_driftpost"))
-                .arg("link")
-                .args(arguments.iter().map(|a| a.replace("HOST", &root)))
-                .env("DRIFTPOST_LINK_KNOWN", shop.folder.path().join("known"))
-                .stdin(std::process::Stdio::null())
-                .stdout(std::process::Stdio::null())
-                .stderr(std::process::Stdio::null())
-                .spawn()
-                .unwrap();
-            // In the middle: a value is being watched, or the operator asked.
-            let is_at_work =
-                |r: &String| r.contains("tcMinute") && r.ends_with(" 200") || r.contains("rmmp/poll");
-            let before = shop.double.requests().len();
-            let until = Instant::now() + Duration::from_secs(20);
-            while !shop.double.requests()[before..].iter().any(is_at_work) {
-                assert!(Instant::now() < until, "{arguments:?}: {:?}", shop.double.requests());
-                std::thread::sleep(Duration::from_millis(5));
-            }
-            let sent =
-                std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-            assert!(sent.success());
-            let status = child.wait().unwrap();
-            assert!(matches!(status.code(), Some(0 | 130)), "{arguments:?}: {status}");
-            assert_eq!(
-                (shop.double.hits(), shop.double.sessions()),
-                (Vec::new(), 0),
-                "{arguments:?}: {:?}",
-                shop.double.requests()
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_corrected_module_is_pushed_loaded_and_set() {
+        on_each_robotware(|personality| {
+            let shop = Shop::new(personality);
+            let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+            assert!(
+                code == 1 && out.contains("new in HOME") && out.contains("dry run: nothing was written"),
+                "{out}"
             );
-            let (holder, mode) = shop.double.with(|c| (c.holder.clone(), c.value("MOD_Cube45", "tcMode")));
-            assert_eq!((holder, mode.as_deref()), (Holder::Nobody, Some("-1")));
+            assert!(shop.double.with(|c| c.files.is_empty()));
+            let (code, out, _) = shop.run(&["push", "MODULE", "HOST", "--yes"]);
+            assert!(code == 0 && out.contains("read back, the same"), "{out}");
+            assert_eq!(
+                shop.double.with(|c| c.files["Cube45.mod"].clone()),
+                std::fs::read(shop.module()).unwrap()
+            );
+            let (code, out, _) = shop.run(&["push", "MODULE", "HOST"]);
+            assert!(code == 0 && out.contains("is in HOME already"), "{out}");
+            // Nobody is there to be asked again.
+            let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load"]);
+            assert!(code == 2 && message.contains("nothing was loaded"), "{message}");
+            shop.double.with(|c| c.execution = "running");
+            let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+            assert!(code == 2 && message.contains("link::running"), "{message}");
+            shop.double.with(|c| c.execution = "stopped");
+            let (code, out, message) =
+                shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+            assert!(
+                code == 0 && out.contains("loaded into T_ROB1") && message.contains("`tcStartAt 64.7`"),
+                "{out}{message}"
+            );
+            assert_eq!(shop.double.with(|c| c.value("MOD_Cube45", "tcMinute")).as_deref(), Some("0"));
+            let (code, out, _) = shop.run(&["set", "HOST", "tcMode", "20"]);
+            assert!(code == 0 && out.contains("tcMode 20 (was -1; read back)"), "{out}");
+            let (code, out, _) = shop.run(&["get", "HOST", "tcMode", "tcState{2}"]);
+            assert_eq!(
+                (code, out.as_str()),
+                (0, "T_ROB1/MOD_Cube45 tcMode 20\nT_ROB1/MOD_Cube45 tcState{2} 0\n")
+            );
+            let json = |arguments: &[&str]| {
+                let (code, out, message) = shop.run(&[arguments, &["--json", "-"]].concat());
+                assert_eq!(code, 0, "{message}");
+                serde_json::from_str::<serde_json::Value>(&out).unwrap()
+            };
+            let set = json(&["set", "HOST", "tcMode", "-1"]);
+            assert_eq!((&set["before"], &set["value"]), (&"20".into(), &"-1".into()), "{set}");
+            let got = json(&["get", "HOST", "tcMode"]);
+            assert_eq!(
+                (&got["data"][0]["name"], &got["data"][0]["value"]),
+                (&"tcMode".into(), &"-1".into()),
+                "{got}"
+            );
+        });
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn what_is_not_ours_stays_as_it_is() {
+        let shop = Shop::new(Personality::Rw7);
+        for arguments in [
+            &["set", "HOST", "baseCount", "1"][..],
+            &["get", "HOST", "baseText"],
+            &["set", "HOST", "tcModeSeen", "1"],
+        ] {
+            let (code, _, message) = shop.run(arguments);
+            assert!(
+                code == 2 && (message.contains("link::not-ours") || message.contains("link::value")),
+                "{message}"
+            );
         }
-    });
+        shop.double.with(|c| {
+            c.modules.retain(|m| m.name != "MOD_Cube45");
+            c.load(&String::from_utf8_lossy(&PROGRAMS[0]), "ProgMod");
+        });
+        let (code, _, message) = shop.run(&["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"]);
+        assert!(code == 2 && message.contains("link::not-ours"), "{message}");
+        assert!(!shop.double.requests().iter().any(|r| r.contains("loadmod")));
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_program_is_watched_line_by_line_and_by_subscription() {
+        on_each_robotware(|personality| {
+            let shop = Shop::new(personality);
+            let (code, out, _) = shop.run(&["watch", "HOST", "--count", "2", "--interval-s", "0.1"]);
+            assert_eq!((code, out.lines().count()), (0, 2), "{out}");
+            assert!(out.starts_with("T_ROB1/MOD_Cube45: tcMode -1, tcBucket -1, tcMinute 64.7"), "{out}");
+            let (code, out, _) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe", "--json"]);
+            let line: serde_json::Value = serde_json::from_str(out.trim()).unwrap();
+            assert_eq!((code, line["values"]["tcMinute"].as_f64()), (0, Some(64.7)));
+            shop.double.with(|c| c.offers_subscriptions = false);
+            let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--subscribe"]);
+            assert!(code == 0 && message.contains("note: no subscription"), "{message}");
+        });
+    }
+
+    /// The page holds the same records as the lines; what fails on the way is a warning of it, and at its end it says so.
+    #[test]
+    #[ignore = "long"]
+    fn a_watch_writes_a_page_of_its_records() {
+        on_each_robotware(|personality| {
+            let shop = Shop::new(personality);
+            let page = shop.folder.path().join("watch.html");
+            let name = page.display().to_string();
+            let watch = ["watch", "HOST", "--count", "3", "--interval-s", "0.1", "--json", "--report", &name];
+            let (code, out, _) = shop.run(&watch);
+            let lines: Vec<serde_json::Value> =
+                out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+            let written = data_of(&page);
+            assert_eq!((code, lines.len(), written["command"].as_str()), (0, 3, Some("link watch")));
+            assert_eq!(written["data"]["records"].as_array().unwrap(), &lines);
+            assert_eq!(written["data"]["ended"], "The watch has ended.");
+            assert_eq!(written["data"]["warnings"], serde_json::json!([]));
+
+            // A page that cannot be written is told before anybody logs in.
+            let before = shop.double.requests().len();
+            let folder = shop.folder.path().display().to_string();
+            let (code, _, message) = shop.run(&["watch", "HOST", "--count", "1", "--report", &folder]);
+            assert!(code == 2 && message.contains("output::unwritable"), "{message}");
+            assert_eq!(shop.double.requests().len(), before);
+        });
+    }
+
+    /// Ctrl-C while the operator is asked, and while the program is watched: nothing held, logged out, 130 as a shell says it.
+    #[cfg(unix)]
+    #[test]
+    #[ignore = "long"]
+    fn an_interrupted_command_gives_back_and_logs_out() {
+        on_each_robotware(|personality| {
+            let shop = Shop::new(personality);
+            let mut commands = vec![vec!["watch", "HOST"], vec!["watch", "HOST", "--subscribe"]];
+            if personality != Personality::Rw8 {
+                commands.push(vec!["set", "HOST", "tcMode", "20"]);
+            }
+            for arguments in commands {
+                shop.double.with(|c| (c.mode, c.operator) = ("MANR", Operator::Silent));
+                let root = shop.double.root();
+                let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_driftpost"))
+                    .arg("link")
+                    .args(arguments.iter().map(|a| a.replace("HOST", &root)))
+                    .env("DRIFTPOST_LINK_KNOWN", shop.folder.path().join("known"))
+                    .stdin(std::process::Stdio::null())
+                    .stdout(std::process::Stdio::null())
+                    .stderr(std::process::Stdio::null())
+                    .spawn()
+                    .unwrap();
+                // In the middle: a value is being watched, or the operator asked.
+                let is_at_work =
+                    |r: &String| r.contains("tcMinute") && r.ends_with(" 200") || r.contains("rmmp/poll");
+                let before = shop.double.requests().len();
+                let until = Instant::now() + Duration::from_secs(20);
+                while !shop.double.requests()[before..].iter().any(is_at_work) {
+                    assert!(Instant::now() < until, "{arguments:?}: {:?}", shop.double.requests());
+                    std::thread::sleep(Duration::from_millis(5));
+                }
+                let sent = std::process::Command::new("kill")
+                    .args(["-INT", &child.id().to_string()])
+                    .status()
+                    .unwrap();
+                assert!(sent.success());
+                let status = child.wait().unwrap();
+                assert!(matches!(status.code(), Some(0 | 130)), "{arguments:?}: {status}");
+                assert_eq!(
+                    (shop.double.hits(), shop.double.sessions()),
+                    (Vec::new(), 0),
+                    "{arguments:?}: {:?}",
+                    shop.double.requests()
+                );
+                let (holder, mode) =
+                    shop.double.with(|c| (c.holder.clone(), c.value("MOD_Cube45", "tcMode")));
+                assert_eq!((holder, mode.as_deref()), (Holder::Nobody, Some("-1")));
+            }
+        });
+    }
 }

@@ -56,17 +56,6 @@ fn cut_anywhere_the_language_stays_lossless() {
     }
 }
 
-#[test]
-fn one_byte_changed_anywhere_the_language_stays_lossless() {
-    for at in 0..LANGUAGE.len() {
-        for byte in *b"\";\n(]!%x\xFF" {
-            let mut source = LANGUAGE.to_vec();
-            source[at] = byte;
-            check(&source).unwrap_or_else(|e| panic!("{byte:#x} at {at}: {e}"));
-        }
-    }
-}
-
 fn token() -> impl Strategy<Value = &'static [u8]> {
     prop::sample::select(vec![
         &b"MODULE "[..],
@@ -172,5 +161,22 @@ proptest! {
     fn any_words_come_back(head in 0..3usize, words in prop::collection::vec(token(), 0..80)) {
         let heads = [&b""[..], b"MODULE m\n", b"MODULE m\nPROC p()\n"];
         check(&[heads[head], &words.concat()].concat()).map_err(TestCaseError::fail)?;
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn one_byte_changed_anywhere_the_language_stays_lossless() {
+        for at in 0..LANGUAGE.len() {
+            for byte in *b"\";\n(]!%x\xFF" {
+                let mut source = LANGUAGE.to_vec();
+                source[at] = byte;
+                check(&source).unwrap_or_else(|e| panic!("{byte:#x} at {at}: {e}"));
+            }
+        }
     }
 }

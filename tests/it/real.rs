@@ -44,11 +44,6 @@ fn fanuc_r2000ic() {
     report_is_as_expected("r2000ic");
 }
 
-#[test]
-fn ur10() {
-    report_is_as_expected("ur10");
-}
-
 /// A model found in the measurements of one folder and validated on those of another: base and tool fitted again.
 fn carried_over(from: &Path, to: &Path, robot: &Path) -> Value {
     let dir = tempfile::tempdir().unwrap();
@@ -68,20 +63,6 @@ fn carried_over(from: &Path, to: &Path, robot: &Path) -> Value {
 fn rms_mm(part: &Value) -> (f64, f64, u64) {
     let rms = |of: &Value| of["rms_mm"].as_f64().unwrap();
     (rms(part), rms(&part["nominal"]), part["n"].as_u64().unwrap())
-}
-
-/// 139 rows of one season; the same arm four months later in other configurations, most with joint 4 outside of what was seen.
-#[test]
-fn a_model_is_never_worse_than_nominal_where_it_was_not_learned() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/measurements");
-    let robot = folder.join("ur10/robot.toml");
-    let found = carried_over(&folder.join("ur10_a"), &folder.join("ur10"), &robot);
-    let (inside, inside_nominal, n) = rms_mm(&found["inside"]);
-    let (outside, outside_nominal, m) = rms_mm(&found["outside"]);
-    assert_eq!((n + m, found["n"].as_u64().unwrap()), (80, 80));
-    assert!(n > 20 && m > 20, "{n} {m}");
-    assert!(outside < 0.5 * outside_nominal, "{outside} of {outside_nominal}");
-    assert!(inside < 0.4 * inside_nominal, "{inside} of {inside_nominal}");
 }
 
 /// The whole sets: docs/FIELD_RESULTS.md has the figures.
@@ -114,4 +95,30 @@ fn four_fifths_of_an_arms_rows_make_a_model_for_the_last() {
     let found = carried_over(&part("seen", false), &part("unseen", true), &folder.join("robot.toml"));
     let (rms, nominal, n) = rms_mm(&found);
     assert!(n > 130 && rms < 0.083 && nominal > 0.6, "{rms} of {nominal} mm, {n} poses");
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn ur10() {
+        report_is_as_expected("ur10");
+    }
+
+    /// 139 rows of one season; the same arm four months later in other configurations, most with joint 4 outside of what was seen.
+    #[test]
+    #[ignore = "long"]
+    fn a_model_is_never_worse_than_nominal_where_it_was_not_learned() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fixtures/measurements");
+        let robot = folder.join("ur10/robot.toml");
+        let found = carried_over(&folder.join("ur10_a"), &folder.join("ur10"), &robot);
+        let (inside, inside_nominal, n) = rms_mm(&found["inside"]);
+        let (outside, outside_nominal, m) = rms_mm(&found["outside"]);
+        assert_eq!((n + m, found["n"].as_u64().unwrap()), (80, 80));
+        assert!(n > 20 && m > 20, "{n} {m}");
+        assert!(outside < 0.5 * outside_nominal, "{outside} of {outside_nominal}");
+        assert!(inside < 0.4 * inside_nominal, "{inside} of {inside_nominal}");
+    }
 }

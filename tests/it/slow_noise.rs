@@ -48,61 +48,6 @@ fn diagnose(csv: &str, arguments: &[&str]) -> Value {
     serde_json::from_slice(&fs::read(json).unwrap()).unwrap()
 }
 
-/// White noise of the size that is stated and a wave of two to three periods as large: twice the variance stated, half of it slow.
-/// The statement holds for the one half, so the other is none of it. Noise of the size stated that is slow as a whole is noise.
-#[test]
-fn what_is_slow_on_top_of_the_noise_stated_is_structure() {
-    let stated = ["--sigma-mm", "0.02"];
-    for seed in [1, 2, 3] {
-        let white = rows(Vec::new(), 0.0, seed);
-        assert_eq!(diagnose(&white, &stated)["verdict"], "nothing_above_noise");
-        let wave = |part: f64, axis: usize| {
-            2.0_f64.sqrt() * SIGMA_MM * (TAU * ((2.0 + 0.5 * axis as f64) * part + 0.1 * axis as f64)).sin()
-        };
-        let answer = diagnose(&shifted(&white, wave), &stated);
-        assert_eq!(
-            (&answer["verdict"], &answer["where"]["time"]),
-            (&Value::from("unexplained_structure"), &Value::from("drift")),
-            "{}",
-            answer["reason"]
-        );
-        let slow = rows(Vec::new(), 0.8, seed);
-        assert_eq!(diagnose(&slow, &stated)["verdict"], "nothing_above_noise");
-    }
-}
-
-/// A gear off centre, twice the noise, in noise that is slow and of which nobody says how much it is: the gear is named, and what
-/// wanders beside it takes nothing from it.
-#[test]
-fn a_cause_in_slow_noise_that_nobody_stated_is_named() {
-    for seed in [1, 2, 3] {
-        let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7, harmonics: Harmonics::NONE };
-        let answer = diagnose(&rows(vec![(gear, 2.0)], 0.85, seed), &[]);
-        let causes: Vec<(&str, u64)> = answer["causes"]
-            .as_array()
-            .unwrap()
-            .iter()
-            .map(|cause| (cause["effect"].as_str().unwrap(), cause["joint"].as_u64().unwrap_or(0)))
-            .collect();
-        assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
-        assert_eq!(causes, [("gear_eccentricity", 3)]);
-    }
-}
-
-/// Noise that is slow over three hundred rows has shorter waves than fourteen half periods: what was left of them were steps of the
-/// base to and fro.
-#[test]
-fn a_cause_in_many_rows_of_slow_noise_is_named() {
-    for seed in [1, 2, 3] {
-        let coupling = Effect::JointCoupling { joint: 5, joint_b: 6 };
-        let recipe = Recipe { slowness: 0.94, ..crate::recipe::planted(vec![(coupling, 1.5)], 300) };
-        let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.02"]);
-        let causes = answer["causes"].as_array().unwrap();
-        assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
-        assert_eq!((&causes[0]["effect"], causes.len()), (&Value::from("joint_coupling"), 1));
-    }
-}
-
 /// The columns that are not of `names`.
 fn without(csv: &str, names: &[&str]) -> String {
     let header: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
@@ -115,61 +60,9 @@ fn without(csv: &str, names: &[&str]) -> String {
     csv.lines().map(row).collect()
 }
 
-/// Poses in any order: what neighbouring rows share is of their moment, times or none.
-#[test]
-fn slow_noise_without_times_hides_no_cause() {
-    for seed in [1, 2, 3] {
-        let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7, harmonics: Harmonics::NONE };
-        let csv = without(&rows(vec![(gear, 2.0)], 0.85, seed), &["t_min", "temp_"]);
-        let answer = diagnose(&csv, &[]);
-        assert_eq!(answer["verdict"], "explained", "{}", answer["reason"]);
-        assert_eq!(answer["causes"][0]["effect"], "gear_eccentricity");
-    }
-}
-
-/// Errors of all frames, several times the noise, in slow noise of which nobody says how much it is: it is no structure that vetoes them.
-#[test]
-fn geometry_in_slow_noise_that_nobody_stated_is_geometry() {
-    for seed in [1, 2, 3] {
-        let recipe = Recipe { slowness: 0.85, geometry: 0.4, ..crate::recipe::planted(Vec::new(), 100) };
-        let answer = diagnose(&rows_of(recipe, seed), &[]);
-        assert_eq!(answer["verdict"], "geometry", "{}", answer["reason"]);
-    }
-}
-
-/// A shift to and fro eleven times, as large as the noise, in noise of the size stated: no noise, and told as what it is.
-#[test]
-fn what_goes_to_and_fro_over_time_is_structure() {
-    for seed in [1, 2, 3] {
-        let wave = |part: f64, axis: usize| 1.4 * SIGMA_MM * (TAU * 11.0 * part + axis as f64).sin();
-        let answer = diagnose(&shifted(&rows(Vec::new(), 0.0, seed), wave), &["--sigma-mm", "0.02"]);
-        let reason = answer["reason"].as_str().unwrap();
-        assert_eq!(answer["verdict"], "unexplained_structure", "{reason}");
-        assert!(reason.contains("to and fro"), "{reason}");
-    }
-}
-
 fn foreign(name: &str) -> String {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/fixtures/measuring/slow_and_warm");
     fs::read_to_string(format!("{folder}/{name}")).unwrap()
-}
-
-/// Noise that is slow to a share that noise may have, and nobody says how much there is: nothing to correct, and no structure; a wander
-/// of four times what is quick is.
-#[test]
-fn slow_noise_that_nobody_stated_is_no_structure() {
-    for seed in [1, 2, 3] {
-        let slow = diagnose(&rows(Vec::new(), 0.8, seed), &[]);
-        assert_eq!(slow["verdict"], "nothing_above_noise", "{}", slow["reason"]);
-        assert!(
-            slow["reason"].as_str().unwrap().contains("neither stated nor repeated"),
-            "{}",
-            slow["reason"]
-        );
-        let wander = |part: f64, axis: usize| 5.0 * SIGMA_MM * (TAU * (2.3 * part + 0.2 * axis as f64)).sin();
-        let wanders = diagnose(&shifted(&rows(Vec::new(), 0.0, seed), wander), &[]);
-        assert_eq!(wanders["verdict"], "unexplained_structure", "{}", wanders["reason"]);
-    }
 }
 
 /// Readings one after the other share what is slow of their noise, so they show less than what is rightly stated: what they leave is noise.
@@ -183,37 +76,6 @@ fn repeats_one_after_the_other_do_not_show_slow_noise() {
     // A third of it stated is not enough for what is there.
     let answer = diagnose(&csv, &["--robot", "irb6700", "--sigma-mm", "0.008"]);
     assert!(answer["verdict"].as_str().unwrap().starts_with("unexplained_"), "{}", answer["reason"]);
-}
-
-/// Two waves of 1.4 times the noise, and nobody says how much noise there is: no larger than what is slow of noise may be, and structure
-/// nonetheless, for noise is rough from row to row and a function of time is smooth.
-#[test]
-fn a_smooth_function_of_time_is_no_slow_noise() {
-    for seed in [1, 2, 3] {
-        let recipe = crate::recipe::planted(Vec::new(), 150);
-        let course = |part: f64, axis: usize| {
-            let waves = [4.0, 6.5].map(|periods| (TAU * (periods * part + 0.3 * axis as f64)).sin());
-            1.4 * SIGMA_MM * (waves[0] + waves[1])
-        };
-        let answer = diagnose(&shifted(&rows_of(recipe, seed), course), &[]);
-        assert_eq!(
-            (&answer["verdict"], &answer["where"]["time"]),
-            (&Value::from("unexplained_structure"), &Value::from("drift")),
-            "{}",
-            answer["reason"]
-        );
-    }
-}
-
-/// Noise of which each row keeps seven tenths of the row's before, stated a fifth too small: what is quick of it is as large as
-/// stated, and still it is one noise, not a function of time on top of another.
-#[test]
-fn slow_noise_that_is_stated_too_small_is_no_structure() {
-    for seed in [1, 2, 3, 4] {
-        let recipe = Recipe { slowness: 0.7, ..crate::recipe::planted(Vec::new(), 150) };
-        let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.0163"]);
-        assert_eq!(answer["verdict"], "nothing_above_noise", "{}", answer["reason"]);
-    }
 }
 
 /// A gear line of twice the noise, in slow noise: the bare data show nothing slow beside it, and steps of the base to and fro came in its
@@ -248,5 +110,160 @@ fn temperature_alone_explains_nothing_without_times() {
     assert_ne!(found["verdict"], "explained", "{}", found["reason"]);
     for cause in found["causes"].as_array().unwrap() {
         assert!(cause["posterior"].as_f64().unwrap() <= 0.5, "the base drifts: {cause}");
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// White noise of the size that is stated and a wave of two to three periods as large: twice the variance stated, half of it slow.
+    /// The statement holds for the one half, so the other is none of it. Noise of the size stated that is slow as a whole is noise.
+    #[test]
+    #[ignore = "long"]
+    fn what_is_slow_on_top_of_the_noise_stated_is_structure() {
+        let stated = ["--sigma-mm", "0.02"];
+        for seed in [1, 2, 3] {
+            let white = rows(Vec::new(), 0.0, seed);
+            assert_eq!(diagnose(&white, &stated)["verdict"], "nothing_above_noise");
+            let wave = |part: f64, axis: usize| {
+                2.0_f64.sqrt()
+                    * SIGMA_MM
+                    * (TAU * ((2.0 + 0.5 * axis as f64) * part + 0.1 * axis as f64)).sin()
+            };
+            let answer = diagnose(&shifted(&white, wave), &stated);
+            assert_eq!(
+                (&answer["verdict"], &answer["where"]["time"]),
+                (&Value::from("unexplained_structure"), &Value::from("drift")),
+                "{}",
+                answer["reason"]
+            );
+            let slow = rows(Vec::new(), 0.8, seed);
+            assert_eq!(diagnose(&slow, &stated)["verdict"], "nothing_above_noise");
+        }
+    }
+
+    /// A gear off centre, twice the noise, in noise that is slow and of which nobody says how much it is: the gear is named, and what
+    /// wanders beside it takes nothing from it.
+    #[test]
+    #[ignore = "long"]
+    fn a_cause_in_slow_noise_that_nobody_stated_is_named() {
+        for seed in [1, 2, 3] {
+            let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7, harmonics: Harmonics::NONE };
+            let answer = diagnose(&rows(vec![(gear, 2.0)], 0.85, seed), &[]);
+            let causes: Vec<(&str, u64)> = answer["causes"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|cause| (cause["effect"].as_str().unwrap(), cause["joint"].as_u64().unwrap_or(0)))
+                .collect();
+            assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
+            assert_eq!(causes, [("gear_eccentricity", 3)]);
+        }
+    }
+
+    /// Noise that is slow over three hundred rows has shorter waves than fourteen half periods: what was left of them were steps of the
+    /// base to and fro.
+    #[test]
+    #[ignore = "long"]
+    fn a_cause_in_many_rows_of_slow_noise_is_named() {
+        for seed in [1, 2, 3] {
+            let coupling = Effect::JointCoupling { joint: 5, joint_b: 6 };
+            let recipe = Recipe { slowness: 0.94, ..crate::recipe::planted(vec![(coupling, 1.5)], 300) };
+            let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.02"]);
+            let causes = answer["causes"].as_array().unwrap();
+            assert_eq!(answer["verdict"], "explained", "{} {causes:?}", answer["reason"]);
+            assert_eq!((&causes[0]["effect"], causes.len()), (&Value::from("joint_coupling"), 1));
+        }
+    }
+
+    /// Poses in any order: what neighbouring rows share is of their moment, times or none.
+    #[test]
+    #[ignore = "long"]
+    fn slow_noise_without_times_hides_no_cause() {
+        for seed in [1, 2, 3] {
+            let gear = Effect::GearEccentricity { joint: 3, phase_rad: 0.7, harmonics: Harmonics::NONE };
+            let csv = without(&rows(vec![(gear, 2.0)], 0.85, seed), &["t_min", "temp_"]);
+            let answer = diagnose(&csv, &[]);
+            assert_eq!(answer["verdict"], "explained", "{}", answer["reason"]);
+            assert_eq!(answer["causes"][0]["effect"], "gear_eccentricity");
+        }
+    }
+
+    /// Errors of all frames, several times the noise, in slow noise of which nobody says how much it is: it is no structure that vetoes them.
+    #[test]
+    #[ignore = "long"]
+    fn geometry_in_slow_noise_that_nobody_stated_is_geometry() {
+        for seed in [1, 2, 3] {
+            let recipe = Recipe { slowness: 0.85, geometry: 0.4, ..crate::recipe::planted(Vec::new(), 100) };
+            let answer = diagnose(&rows_of(recipe, seed), &[]);
+            assert_eq!(answer["verdict"], "geometry", "{}", answer["reason"]);
+        }
+    }
+
+    /// A shift to and fro eleven times, as large as the noise, in noise of the size stated: no noise, and told as what it is.
+    #[test]
+    #[ignore = "long"]
+    fn what_goes_to_and_fro_over_time_is_structure() {
+        for seed in [1, 2, 3] {
+            let wave = |part: f64, axis: usize| 1.4 * SIGMA_MM * (TAU * 11.0 * part + axis as f64).sin();
+            let answer = diagnose(&shifted(&rows(Vec::new(), 0.0, seed), wave), &["--sigma-mm", "0.02"]);
+            let reason = answer["reason"].as_str().unwrap();
+            assert_eq!(answer["verdict"], "unexplained_structure", "{reason}");
+            assert!(reason.contains("to and fro"), "{reason}");
+        }
+    }
+
+    /// Noise that is slow to a share that noise may have, and nobody says how much there is: nothing to correct, and no structure; a wander
+    /// of four times what is quick is.
+    #[test]
+    #[ignore = "long"]
+    fn slow_noise_that_nobody_stated_is_no_structure() {
+        for seed in [1, 2, 3] {
+            let slow = diagnose(&rows(Vec::new(), 0.8, seed), &[]);
+            assert_eq!(slow["verdict"], "nothing_above_noise", "{}", slow["reason"]);
+            assert!(
+                slow["reason"].as_str().unwrap().contains("neither stated nor repeated"),
+                "{}",
+                slow["reason"]
+            );
+            let wander =
+                |part: f64, axis: usize| 5.0 * SIGMA_MM * (TAU * (2.3 * part + 0.2 * axis as f64)).sin();
+            let wanders = diagnose(&shifted(&rows(Vec::new(), 0.0, seed), wander), &[]);
+            assert_eq!(wanders["verdict"], "unexplained_structure", "{}", wanders["reason"]);
+        }
+    }
+
+    /// Two waves of 1.4 times the noise, and nobody says how much noise there is: no larger than what is slow of noise may be, and structure
+    /// nonetheless, for noise is rough from row to row and a function of time is smooth.
+    #[test]
+    #[ignore = "long"]
+    fn a_smooth_function_of_time_is_no_slow_noise() {
+        for seed in [1, 2, 3] {
+            let recipe = crate::recipe::planted(Vec::new(), 150);
+            let course = |part: f64, axis: usize| {
+                let waves = [4.0, 6.5].map(|periods| (TAU * (periods * part + 0.3 * axis as f64)).sin());
+                1.4 * SIGMA_MM * (waves[0] + waves[1])
+            };
+            let answer = diagnose(&shifted(&rows_of(recipe, seed), course), &[]);
+            assert_eq!(
+                (&answer["verdict"], &answer["where"]["time"]),
+                (&Value::from("unexplained_structure"), &Value::from("drift")),
+                "{}",
+                answer["reason"]
+            );
+        }
+    }
+
+    /// Noise of which each row keeps seven tenths of the row's before, stated a fifth too small: what is quick of it is as large as
+    /// stated, and still it is one noise, not a function of time on top of another.
+    #[test]
+    #[ignore = "long"]
+    fn slow_noise_that_is_stated_too_small_is_no_structure() {
+        for seed in [1, 2, 3, 4] {
+            let recipe = Recipe { slowness: 0.7, ..crate::recipe::planted(Vec::new(), 150) };
+            let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.0163"]);
+            assert_eq!(answer["verdict"], "nothing_above_noise", "{}", answer["reason"]);
+        }
     }
 }

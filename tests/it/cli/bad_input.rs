@@ -78,46 +78,6 @@ fn the_whole_difference_goes_to_standard_output_where_it_is_asked_for() {
     }
 }
 
-#[cfg(target_os = "linux")]
-#[test]
-fn devices_pipes_and_links_are_answered_at_once() {
-    let bench = Bench::default();
-    let refused = |arguments: &[&str], sentence: &str| {
-        let start = std::time::Instant::now();
-        let output = driftpost(arguments);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?} {}", err(&output));
-        assert!(err(&output).contains(sentence), "{arguments:?}: {}", err(&output));
-        assert!(start.elapsed().as_secs() < 20, "{arguments:?}");
-    };
-    for device in ["/dev/zero", "/dev/urandom"] {
-        refused(&["compensate", device], "is a device, not a program");
-        refused(&["compensate", CUBE, "--robot", device], "is a device, not a robot file");
-        refused(&["diagnose", device], "is a device, not a measurement file");
-        refused(&["simulate", CUBE, "--scenario", device], "is a device, not a scenario");
-    }
-    let pipe = bench.path("pipe.mod");
-    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
-    refused(&["compensate", pipe.to_str().unwrap()], "nothing is written to the pipe");
-    let folder = bench.path("").display().to_string();
-    refused(&["compensate", &folder], "pipe.mod is no file");
-    std::fs::remove_file(&pipe).unwrap();
-    let link = bench.path("link.mod");
-    std::os::unix::fs::symlink("nowhere.mod", &link).unwrap();
-    refused(&["compensate", link.to_str().unwrap()], "is a link to nowhere.mod, which does not exist");
-    refused(&["compensate", &folder], "is a link to nowhere.mod, which does not exist");
-    // A stream that does not end: more than any program is refused, not gathered for ever.
-    let mut endless = Command::new("yes").stdout(Stdio::piped()).spawn().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_driftpost"))
-        .args(["compensate", "-"])
-        .stdin(endless.stdout.take().unwrap())
-        .output()
-        .unwrap();
-    endless.kill().unwrap();
-    endless.wait().unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(err(&output).contains("is larger than 1 GB"), "{}", err(&output));
-}
-
 #[test]
 fn numbers_beyond_all_measure_are_answered_with_a_short_sentence() {
     let bench = Bench::default();
@@ -209,5 +169,51 @@ fn a_target_that_no_branch_in_range_reaches_as_written_is_no_fault_of_the_progra
             );
             assert!(matches!(output.status.code(), Some(0..=2)), "{form}: {}", err(&output));
         }
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    #[ignore = "long"]
+    fn devices_pipes_and_links_are_answered_at_once() {
+        let bench = Bench::default();
+        let refused = |arguments: &[&str], sentence: &str| {
+            let start = std::time::Instant::now();
+            let output = driftpost(arguments);
+            assert_eq!(output.status.code(), Some(2), "{arguments:?} {}", err(&output));
+            assert!(err(&output).contains(sentence), "{arguments:?}: {}", err(&output));
+            assert!(start.elapsed().as_secs() < 20, "{arguments:?}");
+        };
+        for device in ["/dev/zero", "/dev/urandom"] {
+            refused(&["compensate", device], "is a device, not a program");
+            refused(&["compensate", CUBE, "--robot", device], "is a device, not a robot file");
+            refused(&["diagnose", device], "is a device, not a measurement file");
+            refused(&["simulate", CUBE, "--scenario", device], "is a device, not a scenario");
+        }
+        let pipe = bench.path("pipe.mod");
+        assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+        refused(&["compensate", pipe.to_str().unwrap()], "nothing is written to the pipe");
+        let folder = bench.path("").display().to_string();
+        refused(&["compensate", &folder], "pipe.mod is no file");
+        std::fs::remove_file(&pipe).unwrap();
+        let link = bench.path("link.mod");
+        std::os::unix::fs::symlink("nowhere.mod", &link).unwrap();
+        refused(&["compensate", link.to_str().unwrap()], "is a link to nowhere.mod, which does not exist");
+        refused(&["compensate", &folder], "is a link to nowhere.mod, which does not exist");
+        // A stream that does not end: more than any program is refused, not gathered for ever.
+        let mut endless = Command::new("yes").stdout(Stdio::piped()).spawn().unwrap();
+        let output = Command::new(env!("CARGO_BIN_EXE_driftpost"))
+            .args(["compensate", "-"])
+            .stdin(endless.stdout.take().unwrap())
+            .output()
+            .unwrap();
+        endless.kill().unwrap();
+        endless.wait().unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        assert!(err(&output).contains("is larger than 1 GB"), "{}", err(&output));
     }
 }

@@ -154,32 +154,6 @@ fn a_whole_program_is_restored_by_its_folder() {
 }
 
 #[test]
-fn a_page_is_made_of_what_any_command_wrote() {
-    let bench = Bench::default();
-    let measured = "fixtures/docs/measured.csv";
-    let model = "fixtures/docs/identified.toml";
-    let touches = "fixtures/docs/touches.csv";
-    let (emitted, original) = (bench.file("emitted.mod", ""), bench.file("original.mod", ""));
-    driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]);
-    let results: [&[&str]; 6] = [
-        &["inspect", CUBE],
-        &["diff", CUBE, CUBE],
-        &["plan", "--robot", "irb140", "--n", "30"],
-        &["validate", measured, "--robot", "irb140", "--model", model],
-        &["state", touches, "--robot", "irb140"],
-        &["restore", &emitted, "-o", &original],
-    ];
-    for result in results {
-        let (json, page) = (bench.file("result.json", ""), bench.file("page.html", ""));
-        let ran = driftpost(&[result, &["--json", &json]].concat());
-        let output = driftpost(&["report", &json, "-o", &page]);
-        assert_eq!(output.status.code(), Some(0), "{}{}", err(&ran), err(&output));
-        let page = std::fs::read_to_string(page).unwrap();
-        assert!(page.contains(&format!("\"command\":\"{}\"", result[0])), "{result:?}");
-    }
-}
-
-#[test]
 fn measurements_of_another_robot_validate_no_model() {
     let model = ["--model", "fixtures/docs/identified.toml"];
     let measured = "fixtures/docs/measured.csv";
@@ -188,4 +162,36 @@ fn measurements_of_another_robot_validate_no_model() {
     let other = driftpost(&[&["validate", measured, "--robot", "irb120"], &model[..]].concat());
     assert_eq!(other.status.code(), Some(1), "{}", err(&other));
     assert!(out(&other).contains("NOT this robot's measurements"), "{}", out(&other));
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_page_is_made_of_what_any_command_wrote() {
+        let bench = Bench::default();
+        let measured = "fixtures/docs/measured.csv";
+        let model = "fixtures/docs/identified.toml";
+        let touches = "fixtures/docs/touches.csv";
+        let (emitted, original) = (bench.file("emitted.mod", ""), bench.file("original.mod", ""));
+        driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]);
+        let results: [&[&str]; 6] = [
+            &["inspect", CUBE],
+            &["diff", CUBE, CUBE],
+            &["plan", "--robot", "irb140", "--n", "30"],
+            &["validate", measured, "--robot", "irb140", "--model", model],
+            &["state", touches, "--robot", "irb140"],
+            &["restore", &emitted, "-o", &original],
+        ];
+        for result in results {
+            let (json, page) = (bench.file("result.json", ""), bench.file("page.html", ""));
+            let ran = driftpost(&[result, &["--json", &json]].concat());
+            let output = driftpost(&["report", &json, "-o", &page]);
+            assert_eq!(output.status.code(), Some(0), "{}{}", err(&ran), err(&output));
+            let page = std::fs::read_to_string(page).unwrap();
+            assert!(page.contains(&format!("\"command\":\"{}\"", result[0])), "{result:?}");
+        }
+    }
 }

@@ -226,63 +226,6 @@ fn a_copy_that_was_changed_is_overwritten_only_by_force() {
     assert!(bench.text("foreign/Idle.sys").contains("theirs"));
 }
 
-#[test]
-fn a_sheet_that_has_been_filled_in_is_overwritten_only_by_force() {
-    let bench = Bench::default();
-    let sheet = bench.path("sheet.csv").display().to_string();
-    let plan = |more: &[&str]| driftpost(&[&["plan", "--n", "20", "--template-out", &sheet], more].concat());
-    assert_eq!(plan(&[]).status.code(), Some(0));
-    let blank = bench.text("sheet.csv");
-    assert_eq!(plan(&["--seed", "5"]).status.code(), Some(0), "a blank sheet is one of many");
-    assert_eq!(plan(&[]).status.code(), Some(0));
-
-    // One row is measured, with the separators of the program or of a spreadsheet that has saved the sheet.
-    let measured = blank.replacen(",,,\n", ",612.25,-3.5,418.75\n", 1);
-    let touches = "fixed_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\nA,1,0,0,0,0,30,0\n".to_owned();
-    let renamed = measured.replacen("x_mm,y_mm,z_mm", "X [mm],Y [mm],Z [mm]", 1);
-    for filled in [measured.clone(), measured.replace(',', ";"), renamed, touches] {
-        bench.file("sheet.csv", &filled);
-        let refused = plan(&[]);
-        assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
-        assert!(err(&refused).contains("error[output::changed]"), "{}", err(&refused));
-        assert_eq!(bench.text("sheet.csv"), filled);
-    }
-    assert_eq!(plan(&["--force"]).status.code(), Some(0));
-    assert_eq!(bench.text("sheet.csv"), blank);
-}
-
-/// A robot whose length was corrected by hand, a model, a module that measures: written anew as often as asked, and not over a change.
-#[test]
-fn what_was_corrected_by_hand_is_overwritten_only_by_force() {
-    let bench = Bench::default();
-    let touches = format!("{}/fixtures/first_day/touches.csv", env!("CARGO_MANIFEST_DIR"));
-    let [robot, model, module] =
-        ["robot.toml", "model.toml", "Measure.mod"].map(|name| bench.path(name).display().to_string());
-    for (name, args) in [
-        ("robot.toml", vec!["robot", "--robot", "irb4600", "-o", &robot]),
-        ("model.toml", vec!["fit", &touches, "--tool", "0,0,100", "--model-out", &model]),
-        ("Measure.mod", vec!["plan", "--n", "20", "--rapid-out", &module]),
-    ] {
-        let run = |more: &[&str]| driftpost(&[&args[..], more].concat());
-        for _ in 0..2 {
-            let made = run(&[]);
-            assert_eq!(made.status.code(), Some(0), "{}", err(&made));
-        }
-        let written = bench.text(name);
-        let corrected = written.replacen("0", "1", 1);
-        bench.file(name, &corrected);
-        let refused = run(&[]);
-        assert_eq!(refused.status.code(), Some(2), "{name}: {}", err(&refused));
-        assert!(err(&refused).contains("error[output::changed]"), "{}", err(&refused));
-        assert_eq!(bench.text(name), corrected);
-        assert_eq!(run(&["--force"]).status.code(), Some(0));
-        assert_eq!(bench.text(name), written);
-    }
-    bench.file("Measure.mod", "MODULE Mine\n  PROC main()\n  ENDPROC\nENDMODULE\n");
-    let refused = driftpost(&["plan", "--n", "20", "--rapid-out", &module]);
-    assert!(err(&refused).contains("no module that measures"), "{}", err(&refused));
-}
-
 /// Somebody else's program is as worthy as an input: the place of a single result is no licence to overwrite it.
 #[test]
 fn a_program_of_somebody_else_is_not_overwritten() {
@@ -301,5 +244,71 @@ fn a_program_of_somebody_else_is_not_overwritten() {
     for there in [String::new(), "notes".to_owned(), std::fs::read_to_string(CUBE).unwrap()] {
         std::fs::write(&place, there).unwrap();
         assert_eq!((run(&[]).status.code(), run(&[]).status.code()), (Some(0), Some(0)));
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_sheet_that_has_been_filled_in_is_overwritten_only_by_force() {
+        let bench = Bench::default();
+        let sheet = bench.path("sheet.csv").display().to_string();
+        let plan =
+            |more: &[&str]| driftpost(&[&["plan", "--n", "20", "--template-out", &sheet], more].concat());
+        assert_eq!(plan(&[]).status.code(), Some(0));
+        let blank = bench.text("sheet.csv");
+        assert_eq!(plan(&["--seed", "5"]).status.code(), Some(0), "a blank sheet is one of many");
+        assert_eq!(plan(&[]).status.code(), Some(0));
+
+        // One row is measured, with the separators of the program or of a spreadsheet that has saved the sheet.
+        let measured = blank.replacen(",,,\n", ",612.25,-3.5,418.75\n", 1);
+        let touches =
+            "fixed_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\nA,1,0,0,0,0,30,0\n".to_owned();
+        let renamed = measured.replacen("x_mm,y_mm,z_mm", "X [mm],Y [mm],Z [mm]", 1);
+        for filled in [measured.clone(), measured.replace(',', ";"), renamed, touches] {
+            bench.file("sheet.csv", &filled);
+            let refused = plan(&[]);
+            assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
+            assert!(err(&refused).contains("error[output::changed]"), "{}", err(&refused));
+            assert_eq!(bench.text("sheet.csv"), filled);
+        }
+        assert_eq!(plan(&["--force"]).status.code(), Some(0));
+        assert_eq!(bench.text("sheet.csv"), blank);
+    }
+
+    /// A robot whose length was corrected by hand, a model, a module that measures: written anew as often as asked, and not over a change.
+    #[test]
+    #[ignore = "long"]
+    fn what_was_corrected_by_hand_is_overwritten_only_by_force() {
+        let bench = Bench::default();
+        let touches = format!("{}/fixtures/first_day/touches.csv", env!("CARGO_MANIFEST_DIR"));
+        let [robot, model, module] =
+            ["robot.toml", "model.toml", "Measure.mod"].map(|name| bench.path(name).display().to_string());
+        for (name, args) in [
+            ("robot.toml", vec!["robot", "--robot", "irb4600", "-o", &robot]),
+            ("model.toml", vec!["fit", &touches, "--tool", "0,0,100", "--model-out", &model]),
+            ("Measure.mod", vec!["plan", "--n", "20", "--rapid-out", &module]),
+        ] {
+            let run = |more: &[&str]| driftpost(&[&args[..], more].concat());
+            for _ in 0..2 {
+                let made = run(&[]);
+                assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+            }
+            let written = bench.text(name);
+            let corrected = written.replacen("0", "1", 1);
+            bench.file(name, &corrected);
+            let refused = run(&[]);
+            assert_eq!(refused.status.code(), Some(2), "{name}: {}", err(&refused));
+            assert!(err(&refused).contains("error[output::changed]"), "{}", err(&refused));
+            assert_eq!(bench.text(name), corrected);
+            assert_eq!(run(&["--force"]).status.code(), Some(0));
+            assert_eq!(bench.text(name), written);
+        }
+        bench.file("Measure.mod", "MODULE Mine\n  PROC main()\n  ENDPROC\nENDMODULE\n");
+        let refused = driftpost(&["plan", "--n", "20", "--rapid-out", &module]);
+        assert!(err(&refused).contains("no module that measures"), "{}", err(&refused));
     }
 }

@@ -144,13 +144,6 @@ fn the_original_comes_back_byte_for_byte() {
 }
 
 #[test]
-fn fixtures_keep_all_else_and_come_back() {
-    let mut programs = folders::modules_below(&folders::fixtures());
-    programs.retain(|path| !path.components().any(|part| part.as_os_str() == "expected"));
-    assert!(check_files(&programs) > 20);
-}
-
-#[test]
 #[ignore = "needs a folder of RAPID programs in DRIFTPOST_CORPUS"]
 fn real_programs_keep_all_else_and_come_back() {
     assert!(check_files(&folders::files_below(&folders::corpus())) > 0);
@@ -494,4 +487,17 @@ fn what_is_not_ours_or_was_edited_beyond_is_said() {
 #[test]
 fn the_same_input_gives_the_same_bytes() {
     assert_eq!(lone(NAMED), lone(NAMED));
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn fixtures_keep_all_else_and_come_back() {
+        let mut programs = folders::modules_below(&folders::fixtures());
+        programs.retain(|path| !path.components().any(|part| part.as_os_str() == "expected"));
+        assert!(check_files(&programs) > 20);
+    }
 }

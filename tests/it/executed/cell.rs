@@ -86,78 +86,6 @@ fn played(files: &(Files, Files), entry: Option<&str>, steps: &[&str]) -> Report
 }
 
 #[test]
-fn eight_hours_of_polling_are_no_work() {
-    let steps = [
-        "signal diPart 1",
-        "call tcColdStart",
-        "run 180",
-        "signal diPart 0",
-        "run 480",
-        "signal diPart 1",
-        "run 60",
-    ];
-    for form in FORMS {
-        let report = played(&made(form), None, &steps);
-        for p in &report.passes {
-            assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{form:?}");
-            assert!(mm_from_m(p.after.max_m) <= within_mm(form), "{form:?} at {}: {:?}", p.at_min, p.after);
-        }
-        // After the night the arm has cooled: x1 and x2 of 180 minutes, 480 minutes of standing leave 0.0003 of the drift.
-        let first = report.passes.iter().find(|p| p.at_min > 660.0).unwrap();
-        assert!(mm_from_m(first.before.max_m) < 2e-3, "{:?}", first.before);
-        let last = report.passes.last().unwrap();
-        assert!(mm_from_m(last.before.max_m) > 0.05, "{:?}", last.before);
-    }
-}
-
-#[test]
-fn lunch_and_night_are_pauses_in_every_form() {
-    let steps = [
-        "signal diPart 1",
-        "call tcColdStart",
-        "run 120",
-        "stand 45",
-        "run 30",
-        "power_off 840",
-        "run 30",
-        "pp_to_main",
-        "run 5",
-    ];
-    for form in FORMS {
-        let report = played(&made(form), None, &steps);
-        assert!(
-            report.passes.iter().all(|p| mm_from_m(p.after.max_m) <= within_mm(form)),
-            "{form:?}: {:?}",
-            report.worst
-        );
-        assert!(report.messages.iter().all(|m| m.source != "TPWrite"), "{form:?}: {:?}", report.messages);
-    }
-}
-
-#[test]
-fn a_trap_goes_away_and_comes_back_to_where_the_arm_stood() {
-    let steps = ["call tcColdStart", "set tcMode -1", "run 40", "pass", "stand 1", "pass"];
-    for form in FORMS {
-        let files = made(form);
-        let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
-        // Where the warm arm stood is a reading, and holds the drift already.
-        assert!(text.contains("    MoveL pBack,v100,fine,tGrip;"), "{form:?}: {text}");
-        let report = played(&files, Some("rServed"), &steps);
-        for p in &report.passes {
-            assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{form:?}");
-            // Five moves a part, and the two of the trap.
-            assert_eq!(p.n, 2 * 5 + 2, "{form:?}");
-            assert!(
-                mm_from_m(p.corrected.max_m) <= within_mm(form),
-                "{form:?} at {}: {:?}",
-                p.at_min,
-                p.worst
-            );
-        }
-    }
-}
-
-#[test]
 fn a_grip_is_stepped_through_backwards_as_in_the_original() {
     for form in FORMS {
         let (program, original) = made(form);
@@ -190,21 +118,107 @@ fn a_grip_is_stepped_through_backwards_as_in_the_original() {
     }
 }
 
-#[test]
-fn a_minute_that_the_operator_knows_is_a_start_too() {
-    for form in FORMS {
-        let report = played(&made(form), None, &["signal diPart 1", "call tcColdStart", "run 60"]);
-        let known = report.passes.last().unwrap().program_min.unwrap();
-        let files = made(form);
-        let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
-        let with = text.replacen(
-            "  PROC rServed()",
-            "  PROC rKnown()\n    tcStartAt 60;\n  ENDPROC\n\n  PROC rServed()",
-            1,
-        );
-        let files = (vec![("Cell.mod".to_owned(), with.into_bytes())], files.1);
-        let report = played(&files, None, &["signal diPart 1", "call rKnown", "pass"]);
-        let started = report.passes.last().unwrap().program_min.unwrap();
-        assert!((started - known).abs() < 1.5, "{form:?}: {started} {known}");
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn eight_hours_of_polling_are_no_work() {
+        let steps = [
+            "signal diPart 1",
+            "call tcColdStart",
+            "run 180",
+            "signal diPart 0",
+            "run 480",
+            "signal diPart 1",
+            "run 60",
+        ];
+        for form in FORMS {
+            let report = played(&made(form), None, &steps);
+            for p in &report.passes {
+                assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{form:?}");
+                assert!(
+                    mm_from_m(p.after.max_m) <= within_mm(form),
+                    "{form:?} at {}: {:?}",
+                    p.at_min,
+                    p.after
+                );
+            }
+            // After the night the arm has cooled: x1 and x2 of 180 minutes, 480 minutes of standing leave 0.0003 of the drift.
+            let first = report.passes.iter().find(|p| p.at_min > 660.0).unwrap();
+            assert!(mm_from_m(first.before.max_m) < 2e-3, "{:?}", first.before);
+            let last = report.passes.last().unwrap();
+            assert!(mm_from_m(last.before.max_m) > 0.05, "{:?}", last.before);
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn lunch_and_night_are_pauses_in_every_form() {
+        let steps = [
+            "signal diPart 1",
+            "call tcColdStart",
+            "run 120",
+            "stand 45",
+            "run 30",
+            "power_off 840",
+            "run 30",
+            "pp_to_main",
+            "run 5",
+        ];
+        for form in FORMS {
+            let report = played(&made(form), None, &steps);
+            assert!(
+                report.passes.iter().all(|p| mm_from_m(p.after.max_m) <= within_mm(form)),
+                "{form:?}: {:?}",
+                report.worst
+            );
+            assert!(report.messages.iter().all(|m| m.source != "TPWrite"), "{form:?}: {:?}", report.messages);
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_trap_goes_away_and_comes_back_to_where_the_arm_stood() {
+        let steps = ["call tcColdStart", "set tcMode -1", "run 40", "pass", "stand 1", "pass"];
+        for form in FORMS {
+            let files = made(form);
+            let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
+            // Where the warm arm stood is a reading, and holds the drift already.
+            assert!(text.contains("    MoveL pBack,v100,fine,tGrip;"), "{form:?}: {text}");
+            let report = played(&files, Some("rServed"), &steps);
+            for p in &report.passes {
+                assert_eq!((&p.failure, &p.mismatch, p.unreached), (&None, &None, 0), "{form:?}");
+                // Five moves a part, and the two of the trap.
+                assert_eq!(p.n, 2 * 5 + 2, "{form:?}");
+                assert!(
+                    mm_from_m(p.corrected.max_m) <= within_mm(form),
+                    "{form:?} at {}: {:?}",
+                    p.at_min,
+                    p.worst
+                );
+            }
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_minute_that_the_operator_knows_is_a_start_too() {
+        for form in FORMS {
+            let report = played(&made(form), None, &["signal diPart 1", "call tcColdStart", "run 60"]);
+            let known = report.passes.last().unwrap().program_min.unwrap();
+            let files = made(form);
+            let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
+            let with = text.replacen(
+                "  PROC rServed()",
+                "  PROC rKnown()\n    tcStartAt 60;\n  ENDPROC\n\n  PROC rServed()",
+                1,
+            );
+            let files = (vec![("Cell.mod".to_owned(), with.into_bytes())], files.1);
+            let report = played(&files, None, &["signal diPart 1", "call rKnown", "pass"]);
+            let started = report.passes.last().unwrap().program_min.unwrap();
+            assert!((started - known).abs() < 1.5, "{form:?}: {started} {known}");
+        }
     }
 }

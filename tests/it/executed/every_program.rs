@@ -91,19 +91,6 @@ fn programs() -> Vec<(String, Files)> {
 }
 
 #[test]
-fn every_program_of_the_fixtures_is_where_it_should_be_in_every_form() {
-    for (name, original) in programs() {
-        for clock in [warmth(), Clock::Elapsed] {
-            let [schedule, ramp] = [FormChoice::Schedule, FormChoice::Ramp]
-                .map(|form| reached(&name, form, &original, &clock, &MINUTES).expect(&name));
-            let moves =
-                |reached: &[(usize, ErrorStatistics)]| reached.iter().map(|(n, _)| *n).collect::<Vec<_>>();
-            assert_eq!(moves(&schedule), moves(&ramp), "{name}");
-        }
-    }
-}
-
-#[test]
 fn what_cannot_run_ends_where_the_original_does() {
     let original = read(&modules_below(&fixtures().join("golden/kept_reasons/source")));
     let paper = Deformation::paper();
@@ -164,5 +151,25 @@ fn twenty_thousand_moves_in_pages_are_where_they_should_be() {
     let original = read(&modules_below(&folder));
     for form in [FormChoice::Schedule, FormChoice::Ramp] {
         assert!(reached("mill20000", form, &original, &warmth(), &MINUTES).is_some());
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn every_program_of_the_fixtures_is_where_it_should_be_in_every_form() {
+        for (name, original) in programs() {
+            for clock in [warmth(), Clock::Elapsed] {
+                let [schedule, ramp] = [FormChoice::Schedule, FormChoice::Ramp]
+                    .map(|form| reached(&name, form, &original, &clock, &MINUTES).expect(&name));
+                let moves = |reached: &[(usize, ErrorStatistics)]| {
+                    reached.iter().map(|(n, _)| *n).collect::<Vec<_>>()
+                };
+                assert_eq!(moves(&schedule), moves(&ramp), "{name}");
+            }
+        }
     }
 }

@@ -37,21 +37,6 @@ fn worst(report: &Report) -> (f64, f64) {
 }
 
 #[test]
-fn cube45_stands_on_its_targets_at_every_quarter_minute() {
-    let paper = Deformation::paper();
-    for clock in [warmth(), Clock::Elapsed] {
-        let files = ramp("robodk/irc5/Cube45.mod", &paper, &clock);
-        let report = at_minutes(&files, &paper, &quarter_minutes(600));
-        assert!(report.passes.iter().all(|p| p.n == 46 && p.failure.is_none()));
-        let (mm, deg) = worst(&report);
-        assert!(mm <= 2e-4 && deg <= 5e-5, "{clock:?}: {mm} mm, {deg} deg");
-        // The reference paper's table, nothing compensated: 0.193 mm in the end.
-        let before = mm_from_m(report.passes.last().unwrap().before.max_m);
-        assert!((before - 0.193).abs() < 5e-4, "{before}");
-    }
-}
-
-#[test]
 fn from_one_second_to_the_next_the_target_moves_by_what_the_arm_drifts() {
     let (program, _) = ramp("robodk/irc5/Cube45.mod", &Deformation::paper(), &warmth());
     let asks = "MODULE Asks\n  VAR robtarget tgt;\n  PROC ask()\n    tgt:=tcAt([[1,2,3],[1,0,0,0],[0,0,0,0],\
@@ -143,32 +128,6 @@ fn three_times_the_table_is_met_by_a_second_correction() {
 }
 
 #[test]
-fn a_scheduled_table_of_two_laws_takes_as_many_functions() {
-    // Joint 2's frame rises with one lag of 20 minutes, joint 5's turns with one of 90.
-    let lag = |t: f64, tau: f64| 1.0 - (-t / tau).exp();
-    let mut text = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
-    for k in 0..=60 {
-        let t = 10.0 * f64::from(k);
-        text += &format!(
-            "{t},2,0,0,{},0,0,0\n{t},5,0,0,0,{},0,{}\n",
-            0.1 * lag(t, 20.0),
-            0.02 * lag(t, 90.0),
-            0.01 * lag(t, 90.0)
-        );
-    }
-    let table = Deformation::from_csv(text.as_bytes(), None).unwrap();
-    let clock = Clock::Warmth { growth: None, tau_cool_min: Some(40.0), gap_min: 5.0 };
-    let files = ramp("robodk/irc5/Cube45.mod", &table, &clock);
-    let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
-    assert!(text.contains("FUNC robtarget tcAt(robtarget tcP,pose tcC1,pose tcC2)"), "{text}");
-    let report = at_minutes(&files, &table, &quarter_minutes(620));
-    let (mm, deg) = worst(&report);
-    assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
-    let before = report.passes.iter().map(|p| mm_from_m(p.before.max_m)).fold(0.0, f64::max);
-    assert!(before > 0.1, "{before}");
-}
-
-#[test]
 fn originals_come_back_to_the_byte_and_touched_up_ones_as_they_are() {
     for name in
         ["robodk/irc5/Cube45.mod", "robodk/irc5/RichProg.mod", "robodk/s4c/RichProg.prg", "simulate/cell.mod"]
@@ -207,29 +166,6 @@ fn milling(targets: usize) -> Files {
 }
 
 #[test]
-fn neighbours_without_a_name_share_a_correction_and_stand_on_their_targets() {
-    let paper = Deformation::paper();
-    let original = milling(1000);
-    let made = made_as(FormChoice::Ramp, &original, &paper, &warmth()).unwrap().0;
-    let text = String::from_utf8_lossy(&made[0].1);
-    assert_eq!(text.matches("MoveL tcAt([[").count(), 1000);
-    let corrections = text.matches("LOCAL CONST pose tc").count();
-    assert!((50..300).contains(&corrections), "{corrections}");
-    let core = made_as(FormChoice::Ramp, &milling(1), &paper, &warmth()).unwrap().0[0].1.len();
-    let grown = (made[0].1.len() - core) as f64 / original[0].1.len() as f64;
-    assert!(grown < 1.3, "{grown}");
-
-    let files = (made, original);
-    let minutes: Vec<f64> = (0..=60).map(|k| 10.0 * f64::from(k)).collect();
-    let report = at_minutes(&files, &paper, &minutes);
-    assert!(report.passes.iter().all(|p| p.n == 1000 && p.failure.is_none()));
-    let (mm, deg) = worst(&report);
-    assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
-    let restored = restore(&files.0[0].1).unwrap();
-    assert_eq!(restored.bytes, files.1[0].1);
-}
-
-#[test]
 fn targets_with_names_keep_corrections_of_their_own() {
     let target = |x: f64| format!("[[{x},60,350],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
     let text = format!(
@@ -242,4 +178,76 @@ fn targets_with_names_keep_corrections_of_their_own() {
     let made = made_as(FormChoice::Ramp, &original, &Deformation::paper(), &warmth()).unwrap().0;
     let text = String::from_utf8_lossy(&made[0].1);
     assert!(text.contains("MoveJ tcAt(pA,tcPA),") && text.contains("MoveL tcAt(pB,tcPB),"), "{text}");
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn cube45_stands_on_its_targets_at_every_quarter_minute() {
+        let paper = Deformation::paper();
+        for clock in [warmth(), Clock::Elapsed] {
+            let files = ramp("robodk/irc5/Cube45.mod", &paper, &clock);
+            let report = at_minutes(&files, &paper, &quarter_minutes(600));
+            assert!(report.passes.iter().all(|p| p.n == 46 && p.failure.is_none()));
+            let (mm, deg) = worst(&report);
+            assert!(mm <= 2e-4 && deg <= 5e-5, "{clock:?}: {mm} mm, {deg} deg");
+            // The reference paper's table, nothing compensated: 0.193 mm in the end.
+            let before = mm_from_m(report.passes.last().unwrap().before.max_m);
+            assert!((before - 0.193).abs() < 5e-4, "{before}");
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_scheduled_table_of_two_laws_takes_as_many_functions() {
+        // Joint 2's frame rises with one lag of 20 minutes, joint 5's turns with one of 90.
+        let lag = |t: f64, tau: f64| 1.0 - (-t / tau).exp();
+        let mut text = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
+        for k in 0..=60 {
+            let t = 10.0 * f64::from(k);
+            text += &format!(
+                "{t},2,0,0,{},0,0,0\n{t},5,0,0,0,{},0,{}\n",
+                0.1 * lag(t, 20.0),
+                0.02 * lag(t, 90.0),
+                0.01 * lag(t, 90.0)
+            );
+        }
+        let table = Deformation::from_csv(text.as_bytes(), None).unwrap();
+        let clock = Clock::Warmth { growth: None, tau_cool_min: Some(40.0), gap_min: 5.0 };
+        let files = ramp("robodk/irc5/Cube45.mod", &table, &clock);
+        let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
+        assert!(text.contains("FUNC robtarget tcAt(robtarget tcP,pose tcC1,pose tcC2)"), "{text}");
+        let report = at_minutes(&files, &table, &quarter_minutes(620));
+        let (mm, deg) = worst(&report);
+        assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
+        let before = report.passes.iter().map(|p| mm_from_m(p.before.max_m)).fold(0.0, f64::max);
+        assert!(before > 0.1, "{before}");
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn neighbours_without_a_name_share_a_correction_and_stand_on_their_targets() {
+        let paper = Deformation::paper();
+        let original = milling(1000);
+        let made = made_as(FormChoice::Ramp, &original, &paper, &warmth()).unwrap().0;
+        let text = String::from_utf8_lossy(&made[0].1);
+        assert_eq!(text.matches("MoveL tcAt([[").count(), 1000);
+        let corrections = text.matches("LOCAL CONST pose tc").count();
+        assert!((50..300).contains(&corrections), "{corrections}");
+        let core = made_as(FormChoice::Ramp, &milling(1), &paper, &warmth()).unwrap().0[0].1.len();
+        let grown = (made[0].1.len() - core) as f64 / original[0].1.len() as f64;
+        assert!(grown < 1.3, "{grown}");
+
+        let files = (made, original);
+        let minutes: Vec<f64> = (0..=60).map(|k| 10.0 * f64::from(k)).collect();
+        let report = at_minutes(&files, &paper, &minutes);
+        assert!(report.passes.iter().all(|p| p.n == 1000 && p.failure.is_none()));
+        let (mm, deg) = worst(&report);
+        assert!(mm <= 5e-4 && deg <= 1e-4, "{mm} mm, {deg} deg");
+        let restored = restore(&files.0[0].1).unwrap();
+        assert_eq!(restored.bytes, files.1[0].1);
+    }
 }

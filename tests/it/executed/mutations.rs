@@ -44,45 +44,51 @@ fn changed(text: &str, anchor: &str, from: &str, to: &str) -> String {
     format!("{}{to}{}", &text[..at], &text[at + from.len()..])
 }
 
-#[test]
-fn one_changed_character_is_caught() {
-    let original = fixture("robodk/irc5/Cube45.mod");
-    let program = compensated(&original, &Deformation::paper(), &warmth()).unwrap();
-    let text = text(&program);
-    assert!(!caught(&text, &original), "the program itself is right");
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
 
-    // One digit of one target: a hundredth of a millimetre in the element of one bucket.
-    let declaration = text.find("CONST robtarget").unwrap();
-    let elements: Vec<usize> =
-        text[declaration..].match_indices("[[").map(|(i, _)| declaration + i).collect();
-    let at = elements[9] + 2;
-    let end = at + text[at..].find(',').unwrap();
-    let x: f64 = text[at..end].parse().unwrap();
-    let digit = format!("{}{:.5}{}", &text[..at], x + 0.01, &text[end..]);
+    #[test]
+    #[ignore = "long"]
+    fn one_changed_character_is_caught() {
+        let original = fixture("robodk/irc5/Cube45.mod");
+        let program = compensated(&original, &Deformation::paper(), &warmth()).unwrap();
+        let text = text(&program);
+        assert!(!caught(&text, &original), "the program itself is right");
 
-    // One bucket edge: a minute that belongs to no bucket any more.
-    let case = text.rfind("CASE ").unwrap();
-    let edge = format!("{}9{}", &text[..case + 5], &text[case + 6..]);
-    // One index: an element for all buckets; one tool: a tenth of a millimetre.
-    let index = changed(&text, "MoveL", "{tcK()}", "{5}");
-    let tool = changed(&text, "rdkTool.tframe", "0.000, 0.000, 0.000", "0.000, 0.100, 0.000");
-    let mut mutants = vec![("digit", digit), ("edge", edge), ("index", index), ("tool", tool)];
-    // One sign in the arithmetic of dates.
-    for (anchor, from, to) in [
-        ("FUNC num tcSecond", "60*tcNumber(tcTime,4,2)+", "60*tcNumber(tcTime,4,2)-"),
-        ("FUNC num tcSecond", "+60*", "-60*"),
-        ("FUNC num tcDayNumber", "153*tcMonth-457", "153*tcMonth+457"),
-        ("FUNC num tcDayNumber", "+365*", "-365*"),
-        ("FUNC num tcDayNumber", "tcMonth:=tcMonth+12", "tcMonth:=tcMonth-12"),
-        ("FUNC num tcDayNumber", "tcYear:=tcYear-1", "tcYear:=tcYear+1"),
-        ("FUNC num tcSpan", "tcDay1-tcDay0", "tcDay1+tcDay0"),
-        ("FUNC num tcSpan", "tcSec1-tcSec0", "tcSec1+tcSec0"),
-        ("FUNC num tcSpan", "+(tcSec1", "-(tcSec1"),
-    ] {
-        mutants.push((from, changed(&text, anchor, from, to)));
-    }
-    for (name, mutant) in &mutants {
-        assert_ne!(*mutant, text, "{name}");
-        assert!(caught(mutant, &original), "{name} is not caught");
+        // One digit of one target: a hundredth of a millimetre in the element of one bucket.
+        let declaration = text.find("CONST robtarget").unwrap();
+        let elements: Vec<usize> =
+            text[declaration..].match_indices("[[").map(|(i, _)| declaration + i).collect();
+        let at = elements[9] + 2;
+        let end = at + text[at..].find(',').unwrap();
+        let x: f64 = text[at..end].parse().unwrap();
+        let digit = format!("{}{:.5}{}", &text[..at], x + 0.01, &text[end..]);
+
+        // One bucket edge: a minute that belongs to no bucket any more.
+        let case = text.rfind("CASE ").unwrap();
+        let edge = format!("{}9{}", &text[..case + 5], &text[case + 6..]);
+        // One index: an element for all buckets; one tool: a tenth of a millimetre.
+        let index = changed(&text, "MoveL", "{tcK()}", "{5}");
+        let tool = changed(&text, "rdkTool.tframe", "0.000, 0.000, 0.000", "0.000, 0.100, 0.000");
+        let mut mutants = vec![("digit", digit), ("edge", edge), ("index", index), ("tool", tool)];
+        // One sign in the arithmetic of dates.
+        for (anchor, from, to) in [
+            ("FUNC num tcSecond", "60*tcNumber(tcTime,4,2)+", "60*tcNumber(tcTime,4,2)-"),
+            ("FUNC num tcSecond", "+60*", "-60*"),
+            ("FUNC num tcDayNumber", "153*tcMonth-457", "153*tcMonth+457"),
+            ("FUNC num tcDayNumber", "+365*", "-365*"),
+            ("FUNC num tcDayNumber", "tcMonth:=tcMonth+12", "tcMonth:=tcMonth-12"),
+            ("FUNC num tcDayNumber", "tcYear:=tcYear-1", "tcYear:=tcYear+1"),
+            ("FUNC num tcSpan", "tcDay1-tcDay0", "tcDay1+tcDay0"),
+            ("FUNC num tcSpan", "tcSec1-tcSec0", "tcSec1+tcSec0"),
+            ("FUNC num tcSpan", "+(tcSec1", "-(tcSec1"),
+        ] {
+            mutants.push((from, changed(&text, anchor, from, to)));
+        }
+        for (name, mutant) in &mutants {
+            assert_ne!(*mutant, text, "{name}");
+            assert!(caught(mutant, &original), "{name} is not caught");
+        }
     }
 }

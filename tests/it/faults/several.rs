@@ -136,36 +136,44 @@ fn half_compensated_is_told_and_restored(
     fs::remove_dir_all(bench.join("originals")).unwrap();
 }
 
-/// Over an earlier result, new modules never stand beside the old clock nor old ones beside the new: until all are there, none is.
-#[test]
-fn modules_of_two_results_never_share_a_clock() {
-    let bench = tempfile::tempdir().unwrap();
-    let out = bench.path().join("out");
-    let coarse = ["-o", "out", "--tolerance-mm", "0.05"];
-    let result = |more: &[&str]| {
-        let output = compensate(bench.path(), more);
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        contents(&out)
-    };
-    program(&bench.path().join("cell"));
-    let (old, new) = (result(&["-o", "out"]), result(&coarse));
-    assert_ne!(old.get(CORE), new.get(CORE));
-    let differing = |there: &BTreeMap<String, Vec<u8>>, than: &BTreeMap<String, Vec<u8>>| {
-        than.iter().filter(|(name, bytes)| *name != CORE && there.get(*name) != Some(*bytes)).count()
-    };
-    let modules = differing(&old, &new);
-    let mut exchanged = BTreeSet::new();
-    for changes in 1.. {
-        assert!(result(&["-o", "out"]) == old);
-        let Some(there) = killed(bench.path(), &coarse, &out, changes) else { break };
-        let (from_old, to_new) = (differing(&there, &old), differing(&there, &new));
-        exchanged.insert(from_old);
-        assert_eq!(from_old + to_new, modules, "each module is that of one of the two results");
-        match there.get(CORE) {
-            None => assert!(result(&coarse) == new, "the next run completes what was half done"),
-            clock if clock == old.get(CORE) => assert_eq!(from_old, 0, "new modules beside the old clock"),
-            clock => assert!(clock == new.get(CORE) && to_new == 0, "old modules beside the new clock"),
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// Over an earlier result, new modules never stand beside the old clock nor old ones beside the new: until all are there, none is.
+    #[test]
+    #[ignore = "long"]
+    fn modules_of_two_results_never_share_a_clock() {
+        let bench = tempfile::tempdir().unwrap();
+        let out = bench.path().join("out");
+        let coarse = ["-o", "out", "--tolerance-mm", "0.05"];
+        let result = |more: &[&str]| {
+            let output = compensate(bench.path(), more);
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            contents(&out)
+        };
+        program(&bench.path().join("cell"));
+        let (old, new) = (result(&["-o", "out"]), result(&coarse));
+        assert_ne!(old.get(CORE), new.get(CORE));
+        let differing = |there: &BTreeMap<String, Vec<u8>>, than: &BTreeMap<String, Vec<u8>>| {
+            than.iter().filter(|(name, bytes)| *name != CORE && there.get(*name) != Some(*bytes)).count()
+        };
+        let modules = differing(&old, &new);
+        let mut exchanged = BTreeSet::new();
+        for changes in 1.. {
+            assert!(result(&["-o", "out"]) == old);
+            let Some(there) = killed(bench.path(), &coarse, &out, changes) else { break };
+            let (from_old, to_new) = (differing(&there, &old), differing(&there, &new));
+            exchanged.insert(from_old);
+            assert_eq!(from_old + to_new, modules, "each module is that of one of the two results");
+            match there.get(CORE) {
+                None => assert!(result(&coarse) == new, "the next run completes what was half done"),
+                clock if clock == old.get(CORE) => {
+                    assert_eq!(from_old, 0, "new modules beside the old clock");
+                }
+                clock => assert!(clock == new.get(CORE) && to_new == 0, "old modules beside the new clock"),
+            }
         }
+        assert!(exchanged.into_iter().eq(0..=modules), "a run is killed between any two modules");
     }
-    assert!(exchanged.into_iter().eq(0..=modules), "a run is killed between any two modules");
 }

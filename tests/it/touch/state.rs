@@ -126,45 +126,6 @@ fn a_false_first_touch_is_told_and_the_cold_place_is_that_of_the_later_ones() {
     }
 }
 
-#[test]
-fn a_first_touch_that_is_good_is_told_false_by_no_stop_that_was_left_out() {
-    for (points, seed) in [(1, 1), (1, 2), (1, 3), (2, 4), (2, 5)] {
-        for stop in ["240:300", "none"] {
-            let json = of_false_first(points, seed, [0.0; 2], stop);
-            assert_eq!(json["false_first"], serde_json::json!([]), "{points} {seed} {stop}");
-        }
-    }
-}
-
-/// Over 30 robots of two points each the truth lies as often within the interval stated for 90 % as it should. The cold place of a point
-/// is the same in all its touches: taken for noise of each it held the truth in two of three.
-#[test]
-fn what_is_stated_of_the_share_holds() {
-    let robot = Robot::built_in("irb140").unwrap();
-    let law = GrowthLaw::TwoStage { tau_min: 46.0 };
-    let (mut inside, mut all) = (0, 0);
-    for seed in 0..30 {
-        let recipe =
-            TouchRecipe { sigma_mm: 0.02, times: 25, table: table(1.1), tau_min: [52.0, 60.0], ..recipe(2) };
-        let text = touches(&robot, &recipe, &mut Rng::new(seed, 3)).unwrap();
-        let read = driftpost::Touches::from_csv(text.as_bytes()).unwrap();
-        let paper = Deformation::from_static(Deformation::paper().settled(), law);
-        let mut job = StateEstimation::new(robot.clone(), &paper);
-        (job.tool_m, job.sigma_m) = (nalgebra::Vector3::new(0.0, 0.0, 0.1), 2e-5);
-        job.tau_cool_min = Some(46.0);
-        let found = job.run(&read).unwrap();
-        for touch in &found.state.touches {
-            let mut truth = Warmth::cold(GrowthLaw::TwoStage { tau_min: 52.0 }, 60.0);
-            truth.advance(touch.t_min, true);
-            let [share, sigma] = touch.smoothed;
-            inside += usize::from((share - 1.1 * truth.share()).abs() < 1.645 * sigma);
-            all += 1;
-        }
-    }
-    let share = inside as f64 / f64::from(all);
-    assert!((0.84..0.99).contains(&share), "{share} of {all}");
-}
-
 /// An arm whose second and third joint drift the other way round: nothing is said of first touches, and that the table is not this arm's.
 #[test]
 fn an_arm_that_drifts_otherwise_than_the_table_is_told() {
@@ -185,4 +146,55 @@ fn an_arm_that_drifts_otherwise_than_the_table_is_told() {
     let touched = json["touches"].as_array().unwrap();
     let refused = touched.iter().filter(|touch| touch["taken"] == false).count();
     assert!(json["refused"] == refused && 20 * refused > 3 * touched.len(), "{refused} of {}", touched.len());
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_first_touch_that_is_good_is_told_false_by_no_stop_that_was_left_out() {
+        for (points, seed) in [(1, 1), (1, 2), (1, 3), (2, 4), (2, 5)] {
+            for stop in ["240:300", "none"] {
+                let json = of_false_first(points, seed, [0.0; 2], stop);
+                assert_eq!(json["false_first"], serde_json::json!([]), "{points} {seed} {stop}");
+            }
+        }
+    }
+
+    /// Over 30 robots of two points each the truth lies as often within the interval stated for 90 % as it should. The cold place of a point
+    /// is the same in all its touches: taken for noise of each it held the truth in two of three.
+    #[test]
+    #[ignore = "long"]
+    fn what_is_stated_of_the_share_holds() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let law = GrowthLaw::TwoStage { tau_min: 46.0 };
+        let (mut inside, mut all) = (0, 0);
+        for seed in 0..30 {
+            let recipe = TouchRecipe {
+                sigma_mm: 0.02,
+                times: 25,
+                table: table(1.1),
+                tau_min: [52.0, 60.0],
+                ..recipe(2)
+            };
+            let text = touches(&robot, &recipe, &mut Rng::new(seed, 3)).unwrap();
+            let read = driftpost::Touches::from_csv(text.as_bytes()).unwrap();
+            let paper = Deformation::from_static(Deformation::paper().settled(), law);
+            let mut job = StateEstimation::new(robot.clone(), &paper);
+            (job.tool_m, job.sigma_m) = (nalgebra::Vector3::new(0.0, 0.0, 0.1), 2e-5);
+            job.tau_cool_min = Some(46.0);
+            let found = job.run(&read).unwrap();
+            for touch in &found.state.touches {
+                let mut truth = Warmth::cold(GrowthLaw::TwoStage { tau_min: 52.0 }, 60.0);
+                truth.advance(touch.t_min, true);
+                let [share, sigma] = touch.smoothed;
+                inside += usize::from((share - 1.1 * truth.share()).abs() < 1.645 * sigma);
+                all += 1;
+            }
+        }
+        let share = inside as f64 / f64::from(all);
+        assert!((0.84..0.99).contains(&share), "{share} of {all}");
+    }
 }

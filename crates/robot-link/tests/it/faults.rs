@@ -8,7 +8,7 @@ use rws_double::{Double, Fault, Holder, Operator, Personality};
 
 const SEQUENCES: u64 = 1000;
 /// Sequences at one time.
-const LINES: u64 = 4;
+const LINES: u64 = 16;
 /// Requests of a sequence that may meet a fault; later ones end it in peace, as a line does that comes back.
 const FAULTY: usize = 24;
 
