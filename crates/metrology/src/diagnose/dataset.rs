@@ -49,6 +49,8 @@ pub(super) struct Dataset {
     pub masses_known: bool,
     /// Largest payload of the data, kg.
     pub largest_payload_kg: f64,
+    /// How much of a mass too many each joint gives under, over the largest of all joints'; as one where nothing is fitted yet.
+    pub payload_share: Joints,
     /// Place of the last row in the file.
     pub last_row: f64,
     /// Rows per station that count: 3 or, with orientation, 6.
@@ -88,6 +90,7 @@ impl Dataset {
         Self {
             slides: robot.kinds().map(JointKind::slides),
             largest_payload_kg: observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
+            payload_share: Joints::all(robot.joints.len(), 1.0),
             last_row: observations.iter().map(|s| s.row).fold(0.0, f64::max),
             fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
             stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),

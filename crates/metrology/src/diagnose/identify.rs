@@ -12,9 +12,10 @@ use super::model::FittedModel;
 use super::no_model::{NoModel, holds, is_usual};
 use super::normal_equations::ModelColumns;
 use super::options::DiagnosisOptions;
+use super::payload_centre::PayloadCentre;
 use super::search::ChosenCause;
 use super::spectrum;
-use super::terms::{agree_on_centre, terms};
+use super::terms::terms;
 use super::time_course::TimeCourse;
 use crate::measure::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{DVector, Isometry3, Vector3};
@@ -26,6 +27,8 @@ use robot_model::robot::{Joints, SerialArm};
 use std::sync::Arc;
 
 const ROUNDS: usize = 3;
+/// Where a payload's centre is a product of parameters.
+const CENTRE_ROUNDS: usize = 12;
 
 /// The model of what was found in `fitted`.
 ///
@@ -108,6 +111,15 @@ struct RefitModel {
     centre_m: Vector3<f64>,
 }
 
+/// The step so far after which least is left.
+struct BestStep {
+    left_m: f64,
+    values: DVector<f64>,
+    centre_m: Vector3<f64>,
+    /// Standard deviations of all columns at unit noise, where they are determined.
+    sigmas: Option<Vec<f64>>,
+}
+
 impl Refit<'_> {
     /// The terms of `start`, by Gauss-Newton from nothing, the causes' sizes held by their precisions `causes`.
     fn solved(&self, start: Identified, causes: &[f64]) -> Result<RefitModel, NoModel> {
@@ -125,7 +137,11 @@ impl Refit<'_> {
         let mut normal = columns.sum(&all, &linear.residuals);
         let mut solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
         let mut identified = start;
-        let mut centre_m = agree_on_centre(columns, &mut solution.values);
+        let centre = PayloadCentre::new(columns);
+        let mut centre_m = centre.agreed_m(&mut solution.values);
+        if centre.is_product() {
+            return self.solved_with_centre(identified, &precisions, &centre, (solution.values, centre_m));
+        }
         for _ in 0..ROUNDS {
             identified.terms = self.terms(&solution.values, None);
             let so_far = Arc::new(identified.clone());
@@ -134,12 +150,55 @@ impl Refit<'_> {
             solution.values.rows_mut(0, columns.registration().end).fill(0.0);
             normal.rhs = columns.rhs(&all, &residuals) + &normal.gram * &solution.values;
             solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
-            centre_m = agree_on_centre(columns, &mut solution.values);
+            centre_m = centre.agreed_m(&mut solution.values);
         }
         let sigmas =
             solution.sigmas().map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
         identified.terms = self.terms(&solution.values, sigmas.as_deref());
         Ok(RefitModel { identified, values: solution.values, centre_m })
+    }
+
+    /// The same where the payload's centre is a product of parameters: from `values` on, each step halved until it leaves less.
+    fn solved_with_centre(
+        &self,
+        mut identified: Identified,
+        precisions: &[f64],
+        centre: &PayloadCentre,
+        (mut values, mut centre_m): (DVector<f64>, Vector3<f64>),
+    ) -> Result<RefitModel, NoModel> {
+        let FittedModel { linear, model, .. } = self.fitted;
+        let all: Vec<usize> = (0..linear.dataset.observations.len()).collect();
+        let mut best: Option<BestStep> = None;
+        for _ in 0..CENTRE_ROUNDS {
+            values.rows_mut(0, self.columns.registration().end).fill(0.0);
+            identified.terms = self.terms(&values, None);
+            let so_far = Arc::new(identified.clone());
+            let residuals = self.residuals_of(&self.stations, &so_far, centre_m)?.residuals;
+            let left_m = rms_m(&residuals, |i| !model.outliers[i]);
+            if let Some(best) = best.as_ref().filter(|best| left_m > best.left_m) {
+                values = 0.5 * (values + &best.values);
+                centre_m = 0.5 * (centre_m + best.centre_m);
+                centre.set(&mut values, &centre_m);
+                continue;
+            }
+            let moved = centre.dataset_at(self.columns.dataset, (&values, &centre_m));
+            let columns = ModelColumns {
+                dataset: moved.as_ref().unwrap_or(self.columns.dataset),
+                causes: self.columns.causes.clone(),
+                lines: self.columns.lines.clone(),
+                ..self.columns
+            };
+            let normal = columns.sum(&all, &residuals);
+            let (solution, next_m) =
+                centre.step(&normal, precisions, (&values, &centre_m)).ok_or(NoModel::NotSolved)?;
+            best = Some(BestStep { left_m, values, centre_m, sigmas: solution.sigmas() });
+            (values, centre_m) = (solution.values, next_m);
+        }
+        let BestStep { values, centre_m, sigmas, .. } = best.ok_or(NoModel::NotSolved)?;
+        let sigmas =
+            sigmas.map(|all| all.iter().map(|sigma| model.peak.sigma_m * sigma).collect::<Vec<f64>>());
+        identified.terms = self.terms(&values, sigmas.as_deref());
+        Ok(RefitModel { identified, values, centre_m })
     }
 
     fn terms(&self, values: &DVector<f64>, sigmas: Option<&[f64]>) -> Vec<Term> {

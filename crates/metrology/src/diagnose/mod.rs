@@ -40,6 +40,7 @@ mod observation;
 mod options;
 mod outcome;
 mod outlier_history;
+mod payload_centre;
 mod play_ahead;
 mod robust_weights;
 mod rounding;

@@ -4,8 +4,9 @@ use super::dataset::Dataset;
 use super::design::Design;
 use super::effects::{Candidate, EffectVariant, along_link, held_above_n_m, soft, usual_compliance};
 use super::normal_equations::{JointLines, LINE_RAD, ModelColumns};
+use super::payload_centre::centre_at;
 use super::search::ChosenCause;
-use nalgebra::{DVector, Vector3};
+use nalgebra::DVector;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Estimate, PayloadScaling, Term, compliance_of_link};
 use robot_model::robot::Axis;
@@ -81,55 +82,6 @@ fn by_link(values: Vec<Estimate>, plain: usize, first: usize, all: usize) -> Vec
         }
     }
     out
-}
-
-/// Where a candidate's three parameters stand that move the payload's centre.
-fn centre_at(candidate: &Candidate, joints: usize) -> Option<std::ops::Range<usize>> {
-    let EffectVariant { joint, refined, .. } = candidate.variant;
-    let n = candidate.prior_sigma.len();
-    let before = match candidate.kind {
-        EffectKind::JointCompliance => 1 + joints - joint?.index() + if refined { 2 } else { 0 },
-        EffectKind::LinkBending => 1 + joints - joint?.index(),
-        EffectKind::BaseTilt => 2 + joints,
-        EffectKind::PayloadMass => n - 3,
-        _ => return None,
-    };
-    (n > before).then(|| n - 3..n)
-}
-
-/// The size, over its prior's, of the give that a payload's centre acts on: of a base both of its springs' mean.
-fn give(candidate: &Candidate, solved: &[f64]) -> f64 {
-    match candidate.kind {
-        EffectKind::BaseTilt => 0.5 * (solved[0] + solved[1]),
-        _ => solved[0],
-    }
-}
-
-/// The payload's centre off the measured point, flange frame, on which all causes agree best; their
-/// parameters are set to it.
-pub(super) fn agree_on_centre(columns: &ModelColumns<'_>, solved: &mut DVector<f64>) -> Vector3<f64> {
-    const FURTHEST_M: f64 = 0.5;
-    let joints = columns.dataset.joints();
-    let at: Vec<_> = columns.causes.iter().zip(columns.of_causes()).collect();
-    let (mut sum, mut weight) = (Vector3::zeros(), 0.0);
-    for (candidate, range) in &at {
-        if let Some(centre) = centre_at(candidate, joints) {
-            let size = give(candidate, &solved.as_slice()[range.clone()]);
-            for (to, k) in sum.iter_mut().zip(centre) {
-                *to += size * solved[range.start + k] * candidate.prior_sigma[k] / candidate.prior_sigma[0];
-            }
-            weight += size * size;
-        }
-    }
-    let off_m = if weight > 0.0 { sum / weight } else { sum };
-    let off_m = off_m.cap_magnitude(FURTHEST_M);
-    for (candidate, range) in &at {
-        let size = give(candidate, &solved.as_slice()[range.clone()]) * candidate.prior_sigma[0];
-        for (k, off) in centre_at(candidate, joints).into_iter().flatten().zip(off_m.iter()) {
-            solved[range.start + k] = size * off / candidate.prior_sigma[k];
-        }
-    }
-    off_m
 }
 
 /// Values of a compliance in the model's order: plain, of links, hardening and softening.
@@ -237,7 +189,7 @@ mod tests {
     use crate::diagnose::effects::testable_effects;
     use crate::diagnose::identify::{PredictedStations, predicted};
     use crate::measure::{Channels, Reading, Registration, Station};
-    use nalgebra::{Isometry3, UnitQuaternion};
+    use nalgebra::{Isometry3, UnitQuaternion, Vector3};
     use robot_model::deform::identified::Identified;
     use robot_model::kinematics::SerialChain;
     use robot_model::robot::{Joints, SerialArm};

@@ -118,7 +118,8 @@ impl Effect for PayloadMass {
         for k in 0..3 {
             let mut all = Twist::default();
             for (j, compliance) in compliance.iter().enumerate() {
-                let turn = hangs * compliance * observation.loads.unit_lever_n[j][k];
+                let turn =
+                    hangs * compliance * dataset.payload_share[j] * observation.loads.unit_lever_n[j][k];
                 for (sum, part) in all.iter_mut().zip(observation.jacobian_column(j)) {
                     *sum += turn * part;
                 }
