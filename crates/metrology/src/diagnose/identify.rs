@@ -27,8 +27,10 @@ use robot_model::robot::{Joints, SerialArm};
 use std::sync::Arc;
 
 const ROUNDS: usize = 3;
-/// Where a payload's centre is a product of parameters.
+/// At most so many where a payload's centre is a product of parameters.
 const CENTRE_ROUNDS: usize = 12;
+/// A step that leaves less by under this share was the last.
+const SETTLED: f64 = 1e-4;
 
 /// The model of what was found in `fitted`.
 ///
@@ -181,6 +183,7 @@ impl Refit<'_> {
                 centre.set(&mut values, &centre_m);
                 continue;
             }
+            let is_settled = best.as_ref().is_some_and(|best| best.left_m - left_m < SETTLED * left_m);
             let moved = centre.dataset_at(self.columns.dataset, (&values, &centre_m));
             let columns = ModelColumns {
                 dataset: moved.as_ref().unwrap_or(self.columns.dataset),
@@ -192,6 +195,9 @@ impl Refit<'_> {
             let (solution, next_m) =
                 centre.step(&normal, precisions, (&values, &centre_m)).ok_or(NoModel::NotSolved)?;
             best = Some(BestStep { left_m, values, centre_m, sigmas: solution.sigmas() });
+            if is_settled {
+                break;
+            }
             (values, centre_m) = (solution.values, next_m);
         }
         let BestStep { values, centre_m, sigmas, .. } = best.ok_or(NoModel::NotSolved)?;

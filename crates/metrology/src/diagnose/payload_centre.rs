@@ -9,6 +9,7 @@ use super::normal_equations::{ModelColumns, NormalEquations, Solution};
 use nalgebra::{DVector, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Loads;
+use robot_model::robot::Joints;
 use std::ops::Range;
 
 /// The furthest that a payload's centre is taken to lie off the measured point, metres.
@@ -52,6 +53,20 @@ enum Give {
 }
 
 impl Giving {
+    /// A cause of this `kind` that has its columns from `start` on, in units of `sigma`, and among them those of the `centre`.
+    fn new(kind: EffectKind, start: usize, sigma: &[f64], centre: Range<usize>) -> Self {
+        Self {
+            start,
+            per_m: std::array::from_fn(|k| sigma[0] / sigma[centre.start + k]),
+            give: match kind {
+                EffectKind::BaseTilt => Give::Base,
+                EffectKind::PayloadMass => Give::Mass(sigma[..centre.start].to_vec()),
+                _ => Give::Spring,
+            },
+            centre: start + centre.start..start + centre.end,
+        }
+    }
+
     /// The size, over its prior's, that the three columns are taken with: of a mass the largest of all joints'.
     fn size(&self, values: &DVector<f64>) -> f64 {
         let value = |k: usize| values[self.start + k];
@@ -63,6 +78,14 @@ impl Giving {
                 self.masses_kg(kg, values).fold(0.0, largest) / kg[0]
             }
         }
+    }
+
+    /// The mass too many that each joint gives under, over the largest of all joints'; `None` where there is none.
+    fn shares(&self, values: &DVector<f64>) -> Option<Joints> {
+        let Give::Mass(kg) = &self.give else { return None };
+        let largest_kg = self.size(values) * kg[0];
+        let share = |mass_kg: f64| mass_kg / largest_kg;
+        (largest_kg != 0.0).then(|| self.masses_kg(kg, values).map(share).collect())
     }
 
     /// The mass too many as each joint gives under it, kg.
@@ -85,17 +108,7 @@ impl PayloadCentre {
         let joints = columns.dataset.joints();
         let giving = columns.causes.iter().zip(columns.of_causes()).filter_map(|(candidate, range)| {
             let centre = centre_at(candidate, joints)?;
-            let sigma = &candidate.prior_sigma;
-            Some(Giving {
-                start: range.start,
-                per_m: std::array::from_fn(|k| sigma[0] / sigma[centre.start + k]),
-                give: match candidate.kind {
-                    EffectKind::BaseTilt => Give::Base,
-                    EffectKind::PayloadMass => Give::Mass(sigma[..centre.start].to_vec()),
-                    _ => Give::Spring,
-                },
-                centre: range.start + centre.start..range.start + centre.end,
-            })
+            Some(Giving::new(candidate.kind, range.start, &candidate.prior_sigma, centre))
         });
         Self { giving: giving.collect() }
     }
@@ -143,15 +156,10 @@ impl PayloadCentre {
         dataset: &Dataset,
         (values, off_m): (&DVector<f64>, &Vector3<f64>),
     ) -> Option<Dataset> {
-        let (giving, kg) = self.giving.iter().find_map(|giving| match &giving.give {
-            Give::Mass(kg) => Some((giving, kg)),
-            Give::Spring | Give::Base => None,
-        })?;
-        let largest_kg = giving.size(values) * kg[0];
+        let mass = self.giving.iter().find(|giving| matches!(giving.give, Give::Mass(_)))?;
         let mut dataset = dataset.clone();
-        if largest_kg != 0.0 {
-            let shares = giving.masses_kg(kg, values).map(|mass_kg| mass_kg / largest_kg);
-            dataset.payload_share = shares.collect();
+        if let Some(shares) = mass.shares(values) {
+            dataset.payload_share = shares;
         }
         for observation in &mut dataset.observations {
             let joints = observation.joints();
@@ -287,12 +295,7 @@ mod tests {
         let all = testable_effects(&dataset).candidates;
         let candidate = all.iter().find(|candidate| candidate.kind == EffectKind::PayloadMass).unwrap();
         let sigma = &candidate.prior_sigma;
-        let giving = Giving {
-            start: 0,
-            centre: 6..9,
-            per_m: std::array::from_fn(|k| sigma[0] / sigma[6 + k]),
-            give: Give::Mass(sigma[..6].to_vec()),
-        };
+        let giving = Giving::new(EffectKind::PayloadMass, 0, sigma, 6..9);
         let centre = PayloadCentre { giving: vec![giving] };
         let masses_kg = [1.2, 0.3, 2.0, 1.1, -0.4, 1.7];
         let values = (0..9).map(|k| match k {
