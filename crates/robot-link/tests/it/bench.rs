@@ -54,3 +54,10 @@ pub(crate) fn is_left_clean(double: &Double) {
     let holder = double.with(|c| c.holder.clone());
     assert!(!matches!(holder, Holder::Session(..)), "no right held:\n{}", double.requests().join("\n"));
 }
+
+/// Runs `test` for each personality side by side: most of it is waiting for answers that do not come.
+pub(crate) fn of_each(test: fn(Personality)) {
+    std::thread::scope(|scope| {
+        Personality::ALL.iter().for_each(|personality| drop(scope.spawn(|| test(*personality))));
+    });
+}

@@ -1,6 +1,6 @@
 //! Data: read, written, refused.
 
-use crate::bench::{double, is_left_clean, open};
+use crate::bench::{double, is_left_clean, of_each, open};
 use robot_link::{DataKind, LinkError, Property, Session};
 use rws_double::{Double, Fault, Holder, Operator, Personality};
 
@@ -130,7 +130,7 @@ fn at_write(fault: Fault) -> rws_double::Plan {
 
 #[test]
 fn a_write_is_sent_once_and_called_done_only_when_it_is_there() {
-    for personality in Personality::ALL {
+    of_each(|personality| {
         let double = double(personality);
         let mut session = open(&double);
         for (n, (fault, is_done)) in [
@@ -158,7 +158,7 @@ fn a_write_is_sent_once_and_called_done_only_when_it_is_there() {
             double.requests().iter().filter(|r| r.starts_with("POST") && r.contains("/symbol/")).count();
         assert_eq!(written, 8, "each once");
         is_left_clean(&double);
-    }
+    });
 }
 
 #[test]

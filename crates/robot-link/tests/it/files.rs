@@ -1,6 +1,6 @@
 //! Files into HOME, modules into the task.
 
-use crate::bench::{MODULE, double, is_left_clean, open};
+use crate::bench::{MODULE, double, is_left_clean, of_each, open};
 use robot_link::{LinkError, Session};
 use rws_double::{Double, Fault, Personality};
 
@@ -37,7 +37,7 @@ fn a_file_is_written_and_read_back() {
 
 #[test]
 fn half_a_file_is_never_accepted() {
-    for personality in Personality::ALL {
+    of_each(|personality| {
         let double = double(personality);
         let mut session = open(&double);
         for (fault, is_whole) in [
@@ -57,7 +57,7 @@ fn half_a_file_is_never_accepted() {
         session.end().unwrap();
         assert_eq!(double.requests().iter().filter(|r| r.starts_with("PUT")).count(), 4, "each once");
         is_left_clean(&double);
-    }
+    });
 }
 
 #[test]

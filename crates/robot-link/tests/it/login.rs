@@ -1,6 +1,6 @@
 //! Login, cookies, pins, pace, ways out.
 
-use crate::bench::{dialect, double, hasty, is_left_clean, open, open_with, user};
+use crate::bench::{dialect, double, hasty, is_left_clean, of_each, open, open_with, user};
 use robot_link::{Credentials, Execution, Host, LinkError, Mode, Pins, Session, Settings};
 use rws_double::{Double, Fault, Options, Personality};
 use std::sync::Arc;
@@ -178,7 +178,7 @@ fn a_lost_session_is_renewed_for_a_read_and_its_cookies_are_adopted() {
 
 #[test]
 fn a_cut_or_stalled_answer_is_an_error_in_time() {
-    for personality in Personality::ALL {
+    of_each(|personality| {
         let double = double(personality);
         let mut session = open(&double);
         for fault in [Fault::CutBody, Fault::Stall(2000), Fault::BrokenText, Fault::ErrorInside] {
@@ -190,7 +190,7 @@ fn a_cut_or_stalled_answer_is_an_error_in_time() {
         }
         double.plan(Box::new(|_, _| None));
         session.end().unwrap();
-    }
+    });
 }
 
 #[test]
