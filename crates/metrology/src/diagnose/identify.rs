@@ -154,8 +154,7 @@ impl Refit<'_> {
             solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;
             centre_m = centre.agreed_m(&mut solution.values);
         }
-        let sigmas =
-            solution.sigmas().map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect::<Vec<f64>>());
+        let sigmas = self.sigmas(solution.sigmas());
         identified.terms = self.terms(&solution.values, sigmas.as_deref());
         Ok(RefitModel { identified, values: solution.values, centre_m })
     }
@@ -175,14 +174,20 @@ impl Refit<'_> {
             values.rows_mut(0, self.columns.registration().end).fill(0.0);
             identified.terms = self.terms(&values, None);
             let so_far = Arc::new(identified.clone());
-            let residuals = self.residuals_of(&self.stations, &so_far, centre_m)?.residuals;
-            let left_m = rms_m(&residuals, |i| !model.outliers[i]);
-            if let Some(best) = best.as_ref().filter(|best| left_m > best.left_m) {
-                values = 0.5 * (values + &best.values);
-                centre_m = 0.5 * (centre_m + best.centre_m);
-                centre.set(&mut values, &centre_m);
-                continue;
-            }
+            let left = self.residuals_of(&self.stations, &so_far, centre_m).map(|left| left.residuals);
+            let left = left.map(|residuals| (rms_m(&residuals, |i| !model.outliers[i]), residuals));
+            let (left_m, residuals) = match (left, &best) {
+                (Ok(first), None) => first,
+                (Ok(less), Some(best)) if less.0 <= best.left_m => less,
+                (Err(error), None) => return Err(error.into()),
+                // A step too far leaves more, or an arm that cannot even be registered.
+                (_, Some(best)) => {
+                    values = 0.5 * (values + &best.values);
+                    centre_m = 0.5 * (centre_m + best.centre_m);
+                    centre.set(&mut values, &centre_m);
+                    continue;
+                }
+            };
             let is_settled = best.as_ref().is_some_and(|best| best.left_m - left_m < SETTLED * left_m);
             let moved = centre.dataset_at(self.columns.dataset, (&values, &centre_m));
             let columns = ModelColumns {
@@ -192,8 +197,9 @@ impl Refit<'_> {
                 ..self.columns
             };
             let normal = columns.sum(&all, &residuals);
-            let (solution, next_m) =
-                centre.step(&normal, precisions, (&values, &centre_m)).ok_or(NoModel::NotSolved)?;
+            let Some((solution, next_m)) = centre.step(&normal, precisions, (&values, &centre_m)) else {
+                break;
+            };
             best = Some(BestStep { left_m, values, centre_m, sigmas: solution.sigmas() });
             if is_settled {
                 break;
@@ -201,10 +207,15 @@ impl Refit<'_> {
             (values, centre_m) = (solution.values, next_m);
         }
         let BestStep { values, centre_m, sigmas, .. } = best.ok_or(NoModel::NotSolved)?;
-        let sigmas =
-            sigmas.map(|all| all.iter().map(|sigma| model.peak.sigma_m * sigma).collect::<Vec<f64>>());
+        let sigmas = self.sigmas(sigmas);
         identified.terms = self.terms(&values, sigmas.as_deref());
         Ok(RefitModel { identified, values, centre_m })
+    }
+
+    /// Standard deviations under the model's noise of what has these at unit noise.
+    fn sigmas(&self, at_unit_noise: Option<Vec<f64>>) -> Option<Vec<f64>> {
+        let sigma_m = self.fitted.model.peak.sigma_m;
+        at_unit_noise.map(|all| all.into_iter().map(|sigma| sigma_m * sigma).collect())
     }
 
     fn terms(&self, values: &DVector<f64>, sigmas: Option<&[f64]>) -> Vec<Term> {

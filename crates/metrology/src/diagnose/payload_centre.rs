@@ -32,7 +32,7 @@ pub(super) fn centre_at(candidate: &Candidate, joints: usize) -> Option<Range<us
 
 /// A cause that gives under the payload.
 struct Giving {
-    /// Its first column.
+    /// Where its columns begin, those of the give first.
     start: usize,
     /// Its columns that move the payload's centre.
     centre: Range<usize>,
