@@ -200,6 +200,34 @@ fn what_the_data_say_nothing_of_is_no_first_candidate() {
     assert!(!candidates.is_empty() && candidates[0] != "instrument_scale", "{candidates:?}");
 }
 
+/// Joint 3's zero jumps by 0.5 mrad at minute 60. Where the arm stood as its model says before, the model holds the jump alone; where the joint was
+/// off by -0.8 mrad before, that is in it too.
+#[test]
+fn what_stood_as_calibrated_before_a_jump_has_no_constant() {
+    let chain = chain();
+    for constant_rad in [0.0, -8e-4] {
+        let folder = tempfile::tempdir().unwrap();
+        let model = folder.path().join("model.toml");
+        let jump = |k: usize| constant_rad + if k < 60 { 0.0 } else { 5e-4 };
+        let hand = |q_rad, k| turned(&chain, q_rad, 2, jump(k));
+        let (code, text, found) = answer(anywhere_deg, hand, &["--model-out", model.to_str().unwrap()]);
+        assert_eq!((code, found["verdict"].as_str()), (0, Some("explained")), "{text} {found:#}");
+        let model: toml::Table = std::fs::read_to_string(model).unwrap().parse().unwrap();
+        let effects = model["effect"].as_array().unwrap();
+        let [step] = effects.as_slice() else { panic!("{effects:?}") };
+        assert_eq!((step["effect"].as_str(), step["joint"].as_integer()), (Some("joint_step"), Some(3)));
+        let rad = |key: &str| step.get(key).map(|deg| deg.as_float().unwrap().to_radians());
+        let sigma_rad = rad("sigma_step_deg").unwrap();
+        assert!((rad("step_deg").unwrap() - 5e-4).abs() < 3.0 * sigma_rad, "{step}");
+        let constant = rad("constant_deg").unwrap();
+        match rad("sigma_constant_deg") {
+            None => assert!(constant_rad == 0.0 && constant == 0.0, "{step}"),
+            Some(sigma_rad) => assert!((constant - constant_rad).abs() < 3.0 * sigma_rad, "{step}"),
+        }
+        assert_eq!(rad("sigma_constant_deg").is_some(), constant_rad != 0.0, "{step}");
+    }
+}
+
 /// Those that take seconds: `cargo test --test it -- --ignored long::`.
 mod long {
     use super::*;

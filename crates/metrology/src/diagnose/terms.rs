@@ -104,6 +104,19 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Estimate]) -
     Some(out)
 }
 
+/// Values of a payload that is wrong in the model's order: kilograms, and how each joint gives under them.
+fn payload_mass(dataset: &Dataset, scaling: PayloadScaling, values: &[Estimate]) -> Option<Vec<Estimate>> {
+    let share = if scaling == PayloadScaling::PerKilogram { 1.0 / dataset.largest_payload_kg } else { 1.0 };
+    let kg = *values.first()?;
+    let soft = soft(dataset.joints());
+    let gives = usual_compliance(&dataset.slides).into_iter().enumerate().map(|(j, give)| {
+        let extra = soft.clone().position(|x| x == j).and_then(|k| values.get(k + 1));
+        Estimate { value: share * give * (kg.value + extra.map_or(0.0, |e| e.value)), sigma: None }
+    });
+    let mass = Estimate { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) };
+    Some(std::iter::once(mass).chain(gives).collect())
+}
+
 /// A candidate's parameters as terms: its own, and the double frequency of a gear or the constant of a gain, which are no causes of
 /// their own.
 fn terms_of(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> Vec<Term> {
@@ -142,23 +155,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
             }
             all
         }
-        EffectKind::PayloadMass => {
-            let share = if payload_scaling == PayloadScaling::PerKilogram {
-                1.0 / dataset.largest_payload_kg
-            } else {
-                1.0
-            };
-            let kg = values.first().copied()?;
-            let mut all =
-                vec![Estimate { value: share * kg.value, sigma: kg.sigma.map(|sigma| share * sigma) }];
-            let soft = soft(dataset.joints());
-            for (j, give) in usual_compliance(&dataset.slides).iter().enumerate() {
-                let extra = soft.clone().position(|x| x == j).and_then(|k| values.get(k + 1));
-                let value = share * give * (kg.value + extra.map_or(0.0, |e| e.value));
-                all.push(Estimate { value, sigma: None });
-            }
-            all
-        }
+        EffectKind::PayloadMass => payload_mass(dataset, payload_scaling, &values)?,
         EffectKind::LinkGeometry if variant.refined => {
             let along = along_link(dataset.observations.first()?, variant.joint?.index())?;
             let length = values.first().copied()?;
@@ -167,6 +164,12 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
                 sigma: length.sigma.map(|sigma| sigma * along[k].abs()),
             };
             (0..3).map(part).chain(std::iter::repeat_n(Estimate::default(), 3)).collect()
+        }
+        // As calibrated before it changed.
+        EffectKind::JointStep | EffectKind::ThermalJointDrift | EffectKind::ThermalLinkGrowth
+            if !variant.refined =>
+        {
+            values.into_iter().chain([Estimate::default()]).collect()
         }
         // The model has a shift of the target, not its turn: the point is all that the model places.
         EffectKind::ToolDrift | EffectKind::ToolStep => values.into_iter().take(3).collect(),

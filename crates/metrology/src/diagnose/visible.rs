@@ -8,6 +8,7 @@ use super::linearise::Linearised;
 use super::marginal::NoisePrior;
 use super::outcome::Untestable;
 use robot_model::deform::EffectKind;
+use std::collections::BTreeMap;
 
 /// Of which less than this share is left by the registration: no signal.
 pub(super) const INVISIBLE: f64 = 1e-7;
@@ -78,6 +79,7 @@ pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) ->
             None => untestable.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
         }
     }
+    share_weights(&mut candidates);
     // What one variant hides another may show.
     let is_shown = |effect, joint| candidates.iter().any(|c| c.kind == effect && c.variant.joint == joint);
     untestable.retain_mut(|hidden| {
@@ -89,6 +91,16 @@ pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) ->
     let of_kind = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
     untestable.extend(testable.untestable.into_iter().map(of_kind));
     VisibleCandidates { candidates, untestable }
+}
+
+/// Makes the weights of each effect's candidates come to 1 again: what is asked is which cause opens a gap, and those that open none have
+/// no share in it.
+fn share_weights(candidates: &mut [Candidate]) {
+    let mut totals: BTreeMap<EffectKind, f64> = BTreeMap::new();
+    for candidate in &*candidates {
+        *totals.entry(candidate.kind).or_default() += candidate.weight;
+    }
+    candidates.iter_mut().for_each(|candidate| candidate.weight /= totals[&candidate.kind]);
 }
 
 #[cfg(test)]
@@ -118,5 +130,25 @@ mod tests {
         }
         // An offset of joint 1 and of joint 6 and what else base and target take; most causes are plain.
         assert!(hidden >= 2 && plain > 100, "{hidden} {plain}");
+    }
+
+    /// Offsets of joints 1 and 6 open no gap beside base and target: the four others share the effect's prior, and each effect's comes to one.
+    #[test]
+    fn what_opens_no_gap_has_no_share() {
+        let mut candidates = testable_effects(&evenly_spread(60)).candidates;
+        let is_offset = |c: &Candidate| c.kind == EffectKind::JointOffset && c.variant.joint.is_some();
+        let before: Vec<f64> = candidates.iter().filter(|c| is_offset(c)).map(|c| c.weight).collect();
+        let hidden =
+            |c: &Candidate| is_offset(c) && c.variant.joint.is_some_and(|j| [0, 5].contains(&j.index()));
+        candidates.retain(|c| !hidden(c));
+        share_weights(&mut candidates);
+        let of = |kind| candidates.iter().filter(move |c| c.kind == kind).map(|c| c.weight);
+        for kind in candidates.iter().map(|c| c.kind) {
+            assert!((of(kind).sum::<f64>() - 1.0).abs() < 1e-9, "{kind:?}");
+        }
+        // Six single joints and all at a tenth of one's weight: each has 4.1 parts where it had 6.1.
+        assert_eq!(before.len(), 6);
+        let first = candidates.iter().find(|c| is_offset(c)).unwrap().weight;
+        assert!((first / before[0] - 6.1 / 4.1).abs() < 1e-9, "{first} {before:?}");
     }
 }

@@ -68,7 +68,7 @@ pub(crate) struct EffectVariant {
     /// Payload mass: where the excess hangs.
     pub payload_scaling: PayloadScaling,
     /// With its own departures from the plain shape: a gear's even harmonic, a spring that hardens or softens, a link that bends by
-    /// the moment alone, a gain about a zero of its own; or a link that is off in its length alone.
+    /// the moment alone, a gain about a zero of its own, a change over time beside a constant; or a link that is off in its length alone.
     pub refined: bool,
 }
 

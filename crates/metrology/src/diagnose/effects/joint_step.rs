@@ -1,7 +1,7 @@
 //! A joint's zero jumps at one moment: an encoder reset, a belt that skipped, a flange that slipped about joint 6.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{no_clock, step_times};
+use super::over_time::{no_clock, step_times, with_and_without_constant};
 use super::rigid::Motion;
 use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
@@ -39,16 +39,12 @@ impl Effect for JointStep {
         let times = step_times(dataset);
         (0..dataset.joints())
             .flat_map(|j| {
-                times.iter().map(move |&t0_min| {
-                    let one = Candidate {
-                        n_reported: 1,
-                        ..Candidate::new(
-                            EffectKind::JointStep,
-                            EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) },
-                            dataset.by_kind(j, vec![4e-4; 2], vec![2e-4; 2]),
-                        )
-                    };
-                    dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre))
+                let size = dataset.by_kind(j, 4e-4, 2e-4);
+                times.iter().flat_map(move |&t0_min| {
+                    let plain =
+                        EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) };
+                    with_and_without_constant(EffectKind::JointStep, plain, [size, size])
+                        .map(|one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
                 })
             })
             .collect()
@@ -57,6 +53,7 @@ impl Effect for JointStep {
         variant.joint.map(Motion::Joint)
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
-        out.extend([variant.growth.at(&at.observation.thermal_state(), None), 1.0]);
+        out.push(variant.growth.at(&at.observation.thermal_state(), None));
+        out.extend(variant.refined.then_some(1.0));
     }
 }

@@ -1,8 +1,9 @@
 //! What effects that change over the measurement share: times at which a step may lie, and how a drift may grow.
 
+use super::effect::{Candidate, EffectVariant};
 use crate::diagnose::dataset::Dataset;
-use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Growth;
+use robot_model::deform::{EffectKind, GrowthLaw};
 use robot_model::units::h_from_min;
 
 /// Why an effect of time cannot be seen.
@@ -36,6 +37,24 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
     [(Growth::Linear { from_min, to_min }, 0.7), (settling(0.15), 0.1), (settling(0.4), 0.2)]
         .map(|(growth, weight)| DriftPrior { growth, weight, grown_m })
         .into()
+}
+
+/// Share of the prior of what changes over time in which the arm stood otherwise before it changed, too.
+const OWN_CONSTANT: f64 = 0.5;
+
+/// The effect `kind` of a change and a constant, of these usual sizes: with the constant (refined), for an arm that was calibrated warm or after
+/// a jump, and without it, for one that stood as calibrated before it changed.
+pub(super) fn with_and_without_constant(
+    kind: EffectKind,
+    plain: EffectVariant,
+    [change, constant]: [f64; 2],
+) -> [Candidate; 2] {
+    let of = |refined: bool, sizes: Vec<f64>, weight: f64| Candidate {
+        n_reported: 1,
+        weight,
+        ..Candidate::new(kind, EffectVariant { refined, ..plain }, sizes)
+    };
+    [of(false, vec![change], 1.0 - OWN_CONSTANT), of(true, vec![change, constant], OWN_CONSTANT)]
 }
 
 /// Fewest visits on each side of a step: the three numbers of a target each are twice as many as a rigid motion has parameters. More targets

@@ -1,6 +1,7 @@
 //! A joint's zero drifts as its gear and motor warm up.
 
 use super::effect::{Candidate, Effect, EffectVariant};
+use super::over_time::with_and_without_constant;
 use super::rigid::Motion;
 use super::thermal;
 use crate::diagnose::dataset::{DataPoint, Dataset};
@@ -33,16 +34,11 @@ impl Effect for ThermalJointDrift {
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         (0..dataset.joints())
             .flat_map(|j| {
-                let one = Candidate {
-                    n_reported: 1,
-                    ..Candidate::new(
-                        EffectKind::ThermalJointDrift,
-                        EffectVariant::of_joint(j),
-                        dataset.by_kind(j, vec![1.2e-4, 4e-4], vec![6e-5, 2e-4]),
-                    )
-                };
-                let one = dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre));
-                thermal::growths(dataset, &one)
+                let sizes = dataset.by_kind(j, [1.2e-4, 4e-4], [6e-5, 2e-4]);
+                with_and_without_constant(EffectKind::ThermalJointDrift, EffectVariant::of_joint(j), sizes)
+                    .map(|one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
+                    .into_iter()
+                    .flat_map(|one| thermal::growths(dataset, &one))
             })
             .collect()
     }
@@ -50,6 +46,7 @@ impl Effect for ThermalJointDrift {
         variant.joint.map(Motion::Joint)
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
-        out.extend([variant.growth.at(&at.observation.thermal_state(), variant.joint), 1.0]);
+        out.push(variant.growth.at(&at.observation.thermal_state(), variant.joint));
+        out.extend(variant.refined.then_some(1.0));
     }
 }

@@ -1,6 +1,7 @@
 //! The links grow as they warm up.
 
 use super::effect::{Candidate, Effect, EffectVariant};
+use super::over_time::with_and_without_constant;
 use super::thermal;
 use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
 use crate::diagnose::size_unit::SizeUnit;
@@ -45,14 +46,15 @@ impl Effect for ThermalLinkGrowth {
         for link in std::iter::once(None).chain((0..dataset.joints() - 1).map(|i| Some(Axis::at(i)))) {
             let variant = EffectVariant { joint: link, ..EffectVariant::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
-            let whole = Candidate {
-                sign_constrained: true,
-                n_reported: 1,
-                display_scale: ppm_from_ratio(1.0),
-                weight,
-                ..Candidate::new(EffectKind::ThermalLinkGrowth, variant, vec![1.5e-4, 3e-4])
-            };
-            all.extend(thermal::growths(dataset, &whole));
+            for one in with_and_without_constant(EffectKind::ThermalLinkGrowth, variant, [1.5e-4, 3e-4]) {
+                let one = Candidate {
+                    sign_constrained: true,
+                    display_scale: ppm_from_ratio(1.0),
+                    weight: weight * one.weight,
+                    ..one
+                };
+                all.extend(thermal::growths(dataset, &one));
+            }
         }
         for candidate in all.iter_mut().filter(|c| c.variant.joint.is_none()) {
             candidate.variant.growth = by_kelvin(candidate.variant.growth);
@@ -78,6 +80,6 @@ impl Effect for ThermalLinkGrowth {
         if at.dataset.touches_alone && variant.joint.is_none() {
             grown[1] = [0.0; 6];
         }
-        out.extend(grown.map(Twist));
+        out.extend(grown.into_iter().take(if variant.refined { 2 } else { 1 }).map(Twist));
     }
 }

@@ -211,16 +211,21 @@ pub(super) fn join_nested(workspace: &Workspace<'_>, cause_groups: &mut Vec<Caus
     let simple = of_first.cause_key();
     let length_alone = simple.kind == EffectKind::LinkGeometry && of_first.variant.refined;
     let nests = |g: &CauseGroup| {
-        let rich = workspace.library.candidates[g.best].cause_key();
-        let holds_offset = matches!(rich.kind, EffectKind::ThermalJointDrift | EffectKind::JointStep)
-            || rich.kind == EffectKind::JointGain && workspace.library.candidates[g.best].variant.refined;
-        let holds_length = rich.kind == EffectKind::ThermalLinkGrowth;
-        simple.joint == rich.joint
+        let rich = &workspace.library.candidates[g.best];
+        // What changes without a constant of its own is no offset at any size.
+        let holds_offset = rich.variant.refined && has_own_offset(rich.kind);
+        let holds_length = rich.variant.refined && rich.kind == EffectKind::ThermalLinkGrowth;
+        simple.joint == rich.variant.joint
             && (simple.kind == EffectKind::JointOffset && holds_offset || length_alone && holds_length)
     };
     let more: f64 = cause_groups.iter().filter(|g| nests(g)).map(|g| g.probability).sum();
     cause_groups.retain(|g| !nests(g));
     cause_groups[0].probability += more;
+}
+
+/// Whether a refined variant of this effect has a constant turn of its joint.
+fn has_own_offset(kind: EffectKind) -> bool {
+    matches!(kind, EffectKind::ThermalJointDrift | EffectKind::JointStep | EffectKind::JointGain)
 }
 
 /// Takes from the first cause's odds what rests on the exact shape of bending or tilt alone, where it and an alternative are both of what
