@@ -15,31 +15,60 @@ pub enum HomeFile {
     Other,
 }
 
+/// What became of one module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PushedModule {
+    /// What HOME had under its file's name.
+    pub home: HomeFile,
+    /// Its file was written, and read back the same.
+    pub is_written: bool,
+    /// The task has it from this run.
+    pub is_loaded: bool,
+}
+
 /// What was sent, where it was found, and what became of it.
 #[derive(Debug, Default)]
 pub struct PushReport {
-    /// For each module what HOME had under its file's name.
-    pub home: Vec<HomeFile>,
-    /// The files that were not there already are written.
-    pub is_written: bool,
-    /// The task has the modules.
-    pub is_loaded: bool,
+    /// One for each module that HOME was asked for, in their order.
+    pub modules: Vec<PushedModule>,
     /// Minute of the warm-up clock in the modules that went.
     pub minute_before: Option<String>,
+    /// Why the run ended early.
+    pub error: Option<PushFailure>,
+}
+
+/// Why a run ended early.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PushFailure {
+    /// The message's code, where it has one.
+    pub code: Option<&'static str>,
+    /// The message in words.
+    pub message: String,
 }
 
 impl PushReport {
+    /// Counts in a module for which HOME had `home`.
+    pub fn add(&mut self, home: HomeFile) {
+        self.modules.push(PushedModule { home, is_written: false, is_loaded: false });
+    }
+
     /// Whether HOME had all of the files, byte for byte.
     #[must_use]
     pub fn is_same(&self) -> bool {
-        self.home.iter().all(|home| *home == HomeFile::Same)
+        self.modules.iter().all(|module| module.home == HomeFile::Same)
+    }
+
+    /// Whether the controller is no longer as it was found.
+    #[must_use]
+    pub fn has_changed_something(&self) -> bool {
+        self.modules.iter().any(|module| module.is_written || module.is_loaded)
     }
 
     /// What scripts read; `loading`: what the task was found to have, where it was asked.
     #[must_use]
     pub fn json(&self, modules: &[ModuleUpload], loading: Option<&Loading>) -> Value {
-        let one = |(position, (module, home)): (usize, (&ModuleUpload, &HomeFile))| {
-            let in_home = match home {
+        let one = |(position, (module, pushed)): (usize, (&ModuleUpload, &PushedModule))| {
+            let in_home = match pushed.home {
                 HomeFile::New => "new",
                 HomeFile::Same => "same",
                 HomeFile::Other => "other",
@@ -49,16 +78,17 @@ impl PushReport {
                 "module": module.module,
                 "bytes": module.bytes.len(),
                 "home": in_home,
-                "written": self.is_written && *home != HomeFile::Same,
+                "written": pushed.is_written,
                 "load": loading.and_then(|loading| loading.outcome(position)),
-                "loaded": self.is_loaded,
+                "loaded": pushed.is_loaded,
             })
         };
-        let all: Vec<Value> = modules.iter().zip(&self.home).enumerate().map(one).collect();
+        let all: Vec<Value> = modules.iter().zip(&self.modules).enumerate().map(one).collect();
         json!({
             "task": loading.map(|loading| &loading.task),
             "modules": all,
             "warm_up_minute_before": self.minute_before.as_ref().and_then(|minute| minute.parse::<f64>().ok()),
+            "error": self.error.as_ref().map(|error| json!({"code": error.code, "message": error.message})),
         })
     }
 }

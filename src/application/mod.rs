@@ -78,7 +78,7 @@ pub use link_data::LinkDatum;
 #[cfg(feature = "link")]
 pub use link_info::LinkInfo;
 #[cfg(feature = "link")]
-pub use link_push::{HomeFile, PushReport};
+pub use link_push::{HomeFile, PushFailure, PushReport};
 #[cfg(feature = "link")]
 pub use loading::{Loading, LoadingError, link_message};
 pub use metrology::diagnose::warmup::{FitError, StateError};

@@ -7,7 +7,10 @@ use crate::cli::files::Output;
 use crate::cli::program_input::ProgramInput;
 use crate::cli::{Console, Outcome};
 use crate::report::{self, LocatedDiagnostic};
-use driftpost::application::{HomeFile, Loading, LoadingError, ModuleUpload, PushReport};
+use driftpost::application::{
+    HomeFile, Loading, LoadingError, ModuleUpload, PushFailure, PushReport, link_message,
+};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{Execution, LinkError, Session};
 use std::path::PathBuf;
 
@@ -54,6 +57,8 @@ struct Push<'c> {
     /// Standard output is the JSON's.
     is_silent: bool,
     report: PushReport,
+    /// What the task was found to have, where it was asked.
+    loading: Option<Loading>,
 }
 
 /// Runs `link push`.
@@ -71,19 +76,36 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let session = args.connection.open(console)?;
     let report = PushReport::default();
-    let mut push = Push { modules, session, console, is_silent: json.is_standard(), report };
-    let (outcome, loading) = if args.yes { push.write(args)? } else { push.show(args)? };
-    push.session.end()?;
-    let Push { modules, console, report, .. } = push;
+    let mut push = Push { modules, session, console, is_silent: json.is_standard(), report, loading: None };
+    let done = if args.yes { push.write(args) } else { push.show(args) };
+    let Push { modules, session, console, mut report, loading, .. } = push;
+    if let Err(error) = &done {
+        // A script has to know what is at the controller now; where nothing was changed the message is all.
+        if !report.has_changed_something() {
+            return done;
+        }
+        report.error = Some(failure(error));
+    } else {
+        session.end()?;
+    }
     json.write(console, || Ok(format!("{:#}\n", report.json(&modules, loading.as_ref())).into_bytes()))?;
-    Ok(outcome)
+    done
+}
+
+/// An error as scripts read it.
+fn failure(error: &anyhow::Error) -> PushFailure {
+    let of_link = || error.downcast_ref::<LinkError>().map(link_message);
+    match error.downcast_ref::<Diagnostic>().cloned().or_else(of_link) {
+        Some(message) => PushFailure { code: Some(message.code), message: message.message },
+        None => PushFailure { code: None, message: format!("{error:#}") },
+    }
 }
 
 impl Push<'_> {
     /// What would be written and loaded.
-    fn show(&mut self, args: &Args) -> anyhow::Result<(Outcome, Option<Loading>)> {
+    fn show(&mut self, args: &Args) -> anyhow::Result<Outcome> {
         self.compare()?;
-        let loading = match Loading::of(&self.modules, args.task.as_deref(), &mut self.session) {
+        self.loading = match Loading::of(&self.modules, args.task.as_deref(), &mut self.session) {
             Ok(loading) => {
                 self.say(loading.text(&self.modules))?;
                 Some(loading)
@@ -95,28 +117,33 @@ impl Push<'_> {
             Err(LoadingError::Link(error)) => return Err(error.into()),
         };
         self.say("dry run: nothing was written; --yes writes\n")?;
-        Ok((if self.report.is_same() { Outcome::Done } else { Outcome::Difference }, loading))
+        Ok(if self.report.is_same() { Outcome::Done } else { Outcome::Difference })
     }
 
-    fn write(&mut self, args: &Args) -> anyhow::Result<(Outcome, Option<Loading>)> {
+    fn write(&mut self, args: &Args) -> anyhow::Result<Outcome> {
         self.compare()?;
         // What cannot be loaded is told before anything is written.
-        let loading = if args.load { Some(may_load(args, &self.modules, &mut self.session)?) } else { None };
+        if args.load {
+            self.loading = Some(may_load(args, &self.modules, &mut self.session)?);
+        }
         for position in 0..self.modules.len() {
-            if self.report.home.get(position) == Some(&HomeFile::Same) {
+            if self.report.modules[position].home == HomeFile::Same {
                 continue;
             }
             let ModuleUpload { file, bytes, .. } = &self.modules[position];
             self.session.write_file(file, bytes)?;
+            self.report.modules[position].is_written = true;
             let text = format!("{file}: {} bytes written, read back, the same\n", bytes.len());
             self.say(text)?;
         }
-        self.report.is_written = true;
-        let outcome = match &loading {
-            Some(loading) => self.load(args, loading)?,
-            None => Outcome::Done,
-        };
-        Ok((outcome, loading))
+        match self.loading.take() {
+            Some(loading) => {
+                let outcome = self.load(args, &loading);
+                self.loading = Some(loading);
+                outcome
+            }
+            None => Ok(Outcome::Done),
+        }
     }
 
     /// Says it as it is: lines of a module may be Latin-1.
@@ -137,7 +164,7 @@ impl Push<'_> {
                 ),
                 Some(found) => (HomeFile::Other, difference(file, found, bytes)?),
             };
-            self.report.home.push(home);
+            self.report.add(home);
             self.say(text)?;
         }
         Ok(())
@@ -147,31 +174,27 @@ impl Push<'_> {
     fn load(&mut self, args: &Args, loading: &Loading) -> anyhow::Result<Outcome> {
         let (task, replaces) = (&loading.task, loading.replaces()?);
         self.say(loading.text(&self.modules))?;
-        let Push { modules, session, console, .. } = self;
+        let Push { modules, session, console, report, .. } = self;
         let is_sure = args.confirmed || is_yes("RAPID stands still. Load?", session, console)?;
         if !is_sure {
             console.note("nothing was loaded: it was not confirmed (--confirmed in scripts)");
             return Ok(Outcome::Refused);
         }
         let before = EmittedState::of_task(session, task, &loading.loaded)?;
-        let mut loaded = 0;
         let mut on_notice = |text: &str| console.note(text);
         let done = session.with_right(&mut on_notice, |session| {
-            let mut all = modules.iter().zip(&replaces);
-            all.try_for_each(|(module, replaces)| {
+            let mut all = modules.iter().zip(&replaces).zip(&mut report.modules);
+            all.try_for_each(|((module, replaces), pushed)| {
                 session.exchange_module(task, &module.module, &module.file, *replaces)?;
-                loaded += 1;
+                pushed.is_loaded = true;
                 Ok(())
             })
         });
-        let text: String = modules
-            .iter()
-            .take(loaded)
-            .map(|module| format!("{}: loaded into {task}\n", module.module))
-            .collect();
+        let loaded = modules.iter().zip(&report.modules).filter(|(_, pushed)| pushed.is_loaded);
+        let text: String =
+            loaded.map(|(module, _)| format!("{}: loaded into {task}\n", module.module)).collect();
         self.say(text)?;
         done?;
-        self.report.is_loaded = true;
         let mut values = before.into_iter().flat_map(|own| own.values);
         self.report.minute_before = values.find(|(name, _)| name == "tcMinute").map(|(_, minute)| minute);
         if let Some(minute) = &self.report.minute_before {

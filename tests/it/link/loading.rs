@@ -56,6 +56,13 @@ mod long {
                 "{message}"
             );
             assert_eq!(shop.loaded(), ["MOD_Old"]);
+            // The file is in HOME all the same: a script is told.
+            shop.double.with(|c| c.files.clear());
+            let (exit, out, _) = shop.run(&[&CONFIRMED_LOAD[..], &["--json", "-"]].concat());
+            let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+            let one = |key: &str| json["modules"][0][key].as_bool();
+            assert_eq!((exit, one("written"), one("loaded")), (2, Some(true), Some(false)), "{out}");
+            assert_eq!(json["error"]["code"], "link::module-errors", "{out}");
             shop.put(None);
             let (exit, out, _) = shop.run(&CONFIRMED_LOAD);
             assert!(exit == 0 && out.contains("MOD_Cube45: loaded into T_ROB1"), "{out}");
