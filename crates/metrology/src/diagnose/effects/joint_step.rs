@@ -43,8 +43,8 @@ impl Effect for JointStep {
                 times.iter().flat_map(move |&t0_min| {
                     let plain =
                         EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) };
-                    with_and_without_constant(EffectKind::JointStep, plain, [size, size])
-                        .map(|one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
+                    with_and_without_constant(dataset, EffectKind::JointStep, plain, [size, size])
+                        .map(move |one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
                 })
             })
             .collect()

@@ -43,18 +43,21 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
 const OWN_CONSTANT: f64 = 0.5;
 
 /// The effect `kind` of a change and a constant, of these usual sizes: with the constant (refined), for an arm that was calibrated warm or after
-/// a jump, and without it, for one that stood as calibrated before it changed.
+/// a jump, and without it, for one that stood as calibrated before it changed. So many rows as would cost too much memory tell that themselves.
 pub(super) fn with_and_without_constant(
+    dataset: &Dataset,
     kind: EffectKind,
     plain: EffectVariant,
     [change, constant]: [f64; 2],
-) -> [Candidate; 2] {
-    let of = |refined: bool, sizes: Vec<f64>, weight: f64| Candidate {
+) -> impl Iterator<Item = Candidate> {
+    let of = move |refined: bool, sizes: Vec<f64>, weight: f64| Candidate {
         n_reported: 1,
         weight,
         ..Candidate::new(kind, EffectVariant { refined, ..plain }, sizes)
     };
-    [of(false, vec![change], 1.0 - OWN_CONSTANT), of(true, vec![change, constant], OWN_CONSTANT)]
+    let is_large = dataset.observations.len() > LARGE_SET;
+    let without = (!is_large).then(|| of(false, vec![change], 1.0 - OWN_CONSTANT));
+    without.into_iter().chain([of(true, vec![change, constant], OWN_CONSTANT)])
 }
 
 /// Fewest visits on each side of a step: the three numbers of a target each are twice as many as a rigid motion has parameters. More targets
@@ -115,7 +118,30 @@ fn gaps(mut visits: Vec<(f64, f64)>, most: usize, aside: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_STEP_TIMES, gaps};
+    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, gaps, with_and_without_constant};
+    use crate::diagnose::dataset::evenly_spread;
+    use robot_model::deform::EffectKind;
+
+    /// Half of the prior each, the size that is reported the change's; a large set has the second alone.
+    #[test]
+    fn a_change_is_weighed_with_and_without_a_constant() {
+        for (stations, expected) in
+            [(60, vec![(1, false, 0.5), (2, true, 0.5)]), (LARGE_SET + 1, vec![(2, true, 0.5)])]
+        {
+            let dataset = evenly_spread(stations);
+            let variants = with_and_without_constant(
+                &dataset,
+                EffectKind::JointStep,
+                EffectVariant::of_joint(2),
+                [1e-4, 3e-4],
+            );
+            let variants: Vec<_> = variants
+                .inspect(|c| assert!(c.prior_sigma[0] == 1e-4 && c.n_reported == 1))
+                .map(|c| (c.prior_sigma.len(), c.variant.refined, c.weight))
+                .collect();
+            assert_eq!(variants, expected);
+        }
+    }
 
     /// 150 observations a minute apart, in any order: every gap but the outer three.
     #[test]

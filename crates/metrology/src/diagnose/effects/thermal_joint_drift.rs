@@ -35,10 +35,14 @@ impl Effect for ThermalJointDrift {
         (0..dataset.joints())
             .flat_map(|j| {
                 let sizes = dataset.by_kind(j, [1.2e-4, 4e-4], [6e-5, 2e-4]);
-                with_and_without_constant(EffectKind::ThermalJointDrift, EffectVariant::of_joint(j), sizes)
-                    .map(|one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
-                    .into_iter()
-                    .flat_map(|one| thermal::growths(dataset, &one))
+                with_and_without_constant(
+                    dataset,
+                    EffectKind::ThermalJointDrift,
+                    EffectVariant::of_joint(j),
+                    sizes,
+                )
+                .map(move |one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
+                .flat_map(|one| thermal::growths(dataset, &one))
             })
             .collect()
     }

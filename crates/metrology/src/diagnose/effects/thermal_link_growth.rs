@@ -46,7 +46,9 @@ impl Effect for ThermalLinkGrowth {
         for link in std::iter::once(None).chain((0..dataset.joints() - 1).map(|i| Some(Axis::at(i)))) {
             let variant = EffectVariant { joint: link, ..EffectVariant::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
-            for one in with_and_without_constant(EffectKind::ThermalLinkGrowth, variant, [1.5e-4, 3e-4]) {
+            for one in
+                with_and_without_constant(dataset, EffectKind::ThermalLinkGrowth, variant, [1.5e-4, 3e-4])
+            {
                 let one = Candidate {
                     sign_constrained: true,
                     display_scale: ppm_from_ratio(1.0),
