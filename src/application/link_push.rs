@@ -33,6 +33,8 @@ pub struct PushReport {
     pub modules: Vec<PushedModule>,
     /// Minute of the warm-up clock in the modules that went.
     pub minute_before: Option<String>,
+    /// Something was asked of the controller that changes it: from then on it may be another than it was found.
+    pub has_begun: bool,
     /// Why the run ended early.
     pub error: Option<PushFailure>,
 }
@@ -56,12 +58,6 @@ impl PushReport {
     #[must_use]
     pub fn is_same(&self) -> bool {
         self.modules.iter().all(|module| module.home == HomeFile::Same)
-    }
-
-    /// Whether the controller is no longer as it was found.
-    #[must_use]
-    pub fn has_changed_something(&self) -> bool {
-        self.modules.iter().any(|module| module.is_written || module.is_loaded)
     }
 
     /// What scripts read; `loading`: what the task was found to have, where it was asked.

@@ -5,6 +5,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::{LinkError, LoadedModule, Session};
 
 /// The task that modules are to be loaded into, and what each of them meets there.
+#[derive(Clone)]
 pub struct Loading {
     /// Name of the task.
     pub task: String,
@@ -15,6 +16,7 @@ pub struct Loading {
 }
 
 /// What a module that is sent meets.
+#[derive(Clone)]
 enum ExistingModule {
     /// No module of its name is loaded.
     Absent,

@@ -79,17 +79,20 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut push = Push { modules, session, console, is_silent: json.is_standard(), report, loading: None };
     let done = if args.yes { push.write(args) } else { push.show(args) };
     let Push { modules, session, console, mut report, loading, .. } = push;
-    if let Err(error) = &done {
-        // A script has to know what is at the controller now; where nothing was changed the message is all.
-        if !report.has_changed_something() {
-            return done;
-        }
-        report.error = Some(failure(error));
-    } else {
+    let done = done.and_then(|outcome| {
         session.end()?;
+        Ok(outcome)
+    });
+    report.error = done.as_ref().err().map(failure);
+    // A script has to know what is at the controller now; where nothing was asked of it the message is all.
+    if report.error.is_some() && !report.has_begun {
+        return done;
     }
-    json.write(console, || Ok(format!("{:#}\n", report.json(&modules, loading.as_ref())).into_bytes()))?;
-    done
+    let written =
+        json.write(console, || Ok(format!("{:#}\n", report.json(&modules, loading.as_ref())).into_bytes()));
+    let outcome = done?;
+    written?;
+    Ok(outcome)
 }
 
 /// An error as scripts read it.
@@ -131,17 +134,14 @@ impl Push<'_> {
                 continue;
             }
             let ModuleUpload { file, bytes, .. } = &self.modules[position];
+            self.report.has_begun = true;
             self.session.write_file(file, bytes)?;
             self.report.modules[position].is_written = true;
             let text = format!("{file}: {} bytes written, read back, the same\n", bytes.len());
             self.say(text)?;
         }
-        match self.loading.take() {
-            Some(loading) => {
-                let outcome = self.load(args, &loading);
-                self.loading = Some(loading);
-                outcome
-            }
+        match self.loading.clone() {
+            Some(loading) => self.load(args, &loading),
             None => Ok(Outcome::Done),
         }
     }
@@ -182,6 +182,7 @@ impl Push<'_> {
         }
         let before = EmittedState::of_task(session, task, &loading.loaded)?;
         let mut on_notice = |text: &str| console.note(text);
+        report.has_begun = true;
         let done = session.with_right(&mut on_notice, |session| {
             let mut all = modules.iter().zip(&replaces).zip(&mut report.modules);
             all.try_for_each(|((module, replaces), pushed)| {

@@ -1,7 +1,7 @@
 //! What `link push --load` meets in a task, and what it says of what it has done.
 
 use super::{PROGRAMS, Shop, on_each_robotware, side_by_side};
-use rws_double::Personality;
+use rws_double::{Fault, Personality};
 
 const CONFIRMED_LOAD: [&str; 6] = ["push", "MODULE", "HOST", "--yes", "--load", "--confirmed"];
 
@@ -92,6 +92,17 @@ mod long {
             assert_eq!(told(&push), (1, "new".into(), "new".into(), false.into(), false.into()));
             assert_eq!(told(&CONFIRMED_LOAD), (0, "new".into(), "new".into(), true.into(), true.into()));
             assert_eq!(told(&push), (0, "same".into(), "replaces".into(), false.into(), false.into()));
+            // Nothing is written, for HOME has the file; what was in the task is out of it all the same.
+            shop.double.plan(Box::new(|seen, _| {
+                let is_load = seen.uri.contains("loadmod") && !seen.uri.contains("unloadmod");
+                (seen.method == "POST" && is_load).then_some(Fault::Unavailable)
+            }));
+            let (exit, out, _) = shop.run(&[&CONFIRMED_LOAD[..], &["--json", "-"]].concat());
+            let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+            assert_eq!((exit, json["error"]["code"].as_str()), (2, Some("link::taken-out")), "{out}");
+            assert_eq!(json["modules"][0]["written"], false);
+            assert_eq!(json["modules"][0]["loaded"], false);
+            assert_eq!(shop.loaded(), [""; 0]);
         });
     }
 

@@ -176,6 +176,21 @@ impl Candidate {
         }
     }
 
+    /// A candidate of a signal and a constant of its own, of these usual sizes; the signal alone makes up the size that is reported. Without the
+    /// constant where the model's zero is the signal's, and with it (refined) where it is not: at even odds, for nobody noted which.
+    #[must_use]
+    pub(super) fn without_and_with_constant(
+        kind: EffectKind,
+        plain: EffectVariant,
+        [signal, constant]: [f64; 2],
+    ) -> [Self; 2] {
+        [(false, vec![signal]), (true, vec![signal, constant])].map(|(refined, sizes)| Self {
+            n_reported: 1,
+            weight: 0.5,
+            ..Self::new(kind, EffectVariant { refined, ..plain }, sizes)
+        })
+    }
+
     /// The same of a joint that slides: sizes in mm, or in `unit` that has mm in it.
     #[must_use]
     pub(crate) fn of_slide(self, unit: SizeUnit) -> Self {

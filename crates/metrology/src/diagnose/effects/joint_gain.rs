@@ -14,8 +14,6 @@ pub(super) struct JointGain;
 const USUAL: f64 = 6e-5;
 /// Where the scale's zero usually lies off the model's, rad and m.
 const ZERO_OFF: [f64; 2] = [1.0, 0.3];
-/// Share of the effect's prior in which the constant is there.
-const OWN_ZERO: f64 = 0.5;
 
 impl Effect for JointGain {
     fn kind(&self) -> EffectKind {
@@ -34,15 +32,8 @@ impl Effect for JointGain {
         (0..dataset.joints())
             .flat_map(|j| {
                 let constant = USUAL * dataset.by_kind(j, ZERO_OFF[0], ZERO_OFF[1]);
-                let shapes = [(false, vec![USUAL], 1.0 - OWN_ZERO), (true, vec![USUAL, constant], OWN_ZERO)];
-                shapes.map(|(refined, sizes, weight)| {
-                    let variant = EffectVariant { refined, ..EffectVariant::of_joint(j) };
-                    Candidate {
-                        n_reported: 1,
-                        weight,
-                        ..Candidate::new(EffectKind::JointGain, variant, sizes)
-                    }
-                })
+                let plain = EffectVariant::of_joint(j);
+                Candidate::without_and_with_constant(EffectKind::JointGain, plain, [USUAL, constant])
             })
             .collect()
     }

@@ -1,7 +1,7 @@
 //! A joint's zero jumps at one moment: an encoder reset, a belt that skipped, a flange that slipped about joint 6.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{no_clock, step_times, with_and_without_constant};
+use super::over_time::{changes, no_clock, step_times};
 use super::rigid::Motion;
 use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
@@ -9,7 +9,7 @@ use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 
-/// J_j from t0 on, t0 scanned, plus a constant of its own: either side of the jump may be the calibrated one.
+/// J_j from t0 on, t0 scanned; beside a constant of its own where the arm was not calibrated before the jump.
 pub(super) struct JointStep;
 
 impl Effect for JointStep {
@@ -43,7 +43,7 @@ impl Effect for JointStep {
                 times.iter().flat_map(move |&t0_min| {
                     let plain =
                         EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::of_joint(j) };
-                    with_and_without_constant(dataset, EffectKind::JointStep, plain, [size, size])
+                    changes(dataset, EffectKind::JointStep, plain, [size, size])
                         .map(move |one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
                 })
             })

@@ -1,4 +1,5 @@
-//! What effects that change over the measurement share: times at which a step may lie, and how a drift may grow.
+//! What effects that change over the measurement share: times at which a step may lie, how a drift may grow, and whether the arm stood
+//! as its model says before.
 
 use super::effect::{Candidate, EffectVariant};
 use crate::diagnose::dataset::Dataset;
@@ -39,25 +40,18 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
         .into()
 }
 
-/// Share of the prior of what changes over time in which the arm stood otherwise before it changed, too.
-const OWN_CONSTANT: f64 = 0.5;
-
-/// The effect `kind` of a change and a constant, of these usual sizes: with the constant (refined), for an arm that was calibrated warm or after
-/// a jump, and without it, for one that stood as calibrated before it changed. So many rows as would cost too much memory tell that themselves.
-pub(super) fn with_and_without_constant(
+/// The effect `kind` of a change over time, of these usual sizes: for an arm that stood as its model says before it changed, and for one that was
+/// calibrated warm, or after a jump, and so has a constant beside it. In a large set with the constant alone: the variants without it cost memory, and
+/// so many rows tell a constant of nothing.
+pub(super) fn changes(
     dataset: &Dataset,
     kind: EffectKind,
     plain: EffectVariant,
-    [change, constant]: [f64; 2],
+    sizes: [f64; 2],
 ) -> impl Iterator<Item = Candidate> {
-    let of = move |refined: bool, sizes: Vec<f64>, weight: f64| Candidate {
-        n_reported: 1,
-        weight,
-        ..Candidate::new(kind, EffectVariant { refined, ..plain }, sizes)
-    };
     let is_large = dataset.observations.len() > LARGE_SET;
-    let without = (!is_large).then(|| of(false, vec![change], 1.0 - OWN_CONSTANT));
-    without.into_iter().chain([of(true, vec![change, constant], OWN_CONSTANT)])
+    let variants = Candidate::without_and_with_constant(kind, plain, sizes).into_iter();
+    variants.filter(move |candidate| candidate.variant.refined || !is_large)
 }
 
 /// Fewest visits on each side of a step: the three numbers of a target each are twice as many as a rigid motion has parameters. More targets
@@ -118,7 +112,7 @@ fn gaps(mut visits: Vec<(f64, f64)>, most: usize, aside: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, gaps, with_and_without_constant};
+    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, changes, gaps};
     use crate::diagnose::dataset::evenly_spread;
     use robot_model::deform::EffectKind;
 
@@ -129,12 +123,7 @@ mod tests {
             [(60, vec![(1, false, 0.5), (2, true, 0.5)]), (LARGE_SET + 1, vec![(2, true, 0.5)])]
         {
             let dataset = evenly_spread(stations);
-            let variants = with_and_without_constant(
-                &dataset,
-                EffectKind::JointStep,
-                EffectVariant::of_joint(2),
-                [1e-4, 3e-4],
-            );
+            let variants = changes(&dataset, EffectKind::JointStep, EffectVariant::of_joint(2), [1e-4, 3e-4]);
             let variants: Vec<_> = variants
                 .inspect(|c| assert!(c.prior_sigma[0] == 1e-4 && c.n_reported == 1))
                 .map(|c| (c.prior_sigma.len(), c.variant.refined, c.weight))

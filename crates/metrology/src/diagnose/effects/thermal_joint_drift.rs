@@ -1,7 +1,7 @@
 //! A joint's zero drifts as its gear and motor warm up.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::with_and_without_constant;
+use super::over_time::changes;
 use super::rigid::Motion;
 use super::thermal;
 use crate::diagnose::dataset::{DataPoint, Dataset};
@@ -9,7 +9,7 @@ use crate::diagnose::size_unit::SizeUnit;
 use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 
-/// J_j times warm-up, plus a constant of its own.
+/// J_j times warm-up; beside a constant of its own where the arm was not calibrated cold.
 pub(super) struct ThermalJointDrift;
 
 impl Effect for ThermalJointDrift {
@@ -35,14 +35,9 @@ impl Effect for ThermalJointDrift {
         (0..dataset.joints())
             .flat_map(|j| {
                 let sizes = dataset.by_kind(j, [1.2e-4, 4e-4], [6e-5, 2e-4]);
-                with_and_without_constant(
-                    dataset,
-                    EffectKind::ThermalJointDrift,
-                    EffectVariant::of_joint(j),
-                    sizes,
-                )
-                .map(move |one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
-                .flat_map(|one| thermal::growths(dataset, &one))
+                changes(dataset, EffectKind::ThermalJointDrift, EffectVariant::of_joint(j), sizes)
+                    .map(move |one| dataset.by_kind(j, one.clone(), one.of_slide(SizeUnit::Millimetre)))
+                    .flat_map(|one| thermal::growths(dataset, &one))
             })
             .collect()
     }

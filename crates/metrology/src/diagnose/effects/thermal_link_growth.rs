@@ -1,7 +1,7 @@
 //! The links grow as they warm up.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::with_and_without_constant;
+use super::over_time::changes;
 use super::thermal;
 use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
 use crate::diagnose::size_unit::SizeUnit;
@@ -11,7 +11,8 @@ use robot_model::deform::identified::Growth;
 use robot_model::robot::Axis;
 use robot_model::units::ppm_from_ratio;
 
-/// Each link's vector grows by one strain per kelvin (all links) or one link's alone, over warm-up; plus a constant.
+/// Each link's vector grows by one strain per kelvin (all links) or one link's alone, over warm-up; beside a constant
+/// where the arm was not calibrated cold.
 pub(super) struct ThermalLinkGrowth;
 
 /// A growth with the joints' temperatures that is the same for the same rise, whole at the largest of theirs: links of one alloy grow by so
@@ -46,9 +47,7 @@ impl Effect for ThermalLinkGrowth {
         for link in std::iter::once(None).chain((0..dataset.joints() - 1).map(|i| Some(Axis::at(i)))) {
             let variant = EffectVariant { joint: link, ..EffectVariant::PLAIN };
             let weight = if link.is_none() { 1.0 } else { 0.2 };
-            for one in
-                with_and_without_constant(dataset, EffectKind::ThermalLinkGrowth, variant, [1.5e-4, 3e-4])
-            {
+            for one in changes(dataset, EffectKind::ThermalLinkGrowth, variant, [1.5e-4, 3e-4]) {
                 let one = Candidate {
                     sign_constrained: true,
                     display_scale: ppm_from_ratio(1.0),
