@@ -1,7 +1,7 @@
 //! Unified diffs: from known edits without searching, or of two texts.
 
-use super::changed_lines::{Change, Lines, changes};
 use rapid_syntax::Edit;
+use rapid_syntax::changed_lines::{Change, Lines, changes};
 use similar::{Algorithm, DiffTag, capture_diff_slices_deadline, group_diff_ops};
 use std::io::{self, BufRead, Seek, Write};
 use std::ops::Range;

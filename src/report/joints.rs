@@ -2,11 +2,13 @@
 
 use super::motion_rows::target_name;
 use super::rounded;
+use csv::ByteRecord;
 use rapid_program::compensate::MinuteJoints;
 use rapid_program::program::Program;
 use rapid_program::program::motion::{Origin, Target};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::borrow::Cow;
+use std::fmt::{Arguments, Write as _};
 use std::io::{self, Write};
 
 const HEADER: [&str; 14] = [
@@ -61,7 +63,12 @@ impl<'a> JointRow<'a> {
 }
 
 /// The table, written row by row. Joints have 12 decimals, so that they alone give the residual.
-pub struct JointTable<W: Write>(csv::Writer<W>);
+pub struct JointTable<W: Write> {
+    csv: csv::Writer<W>,
+    // Filled anew for each row: a table has ten thousand of them and more.
+    record: ByteRecord,
+    cell: String,
+}
 
 impl<W: Write> JointTable<W> {
     /// Writes the header.
@@ -71,7 +78,7 @@ impl<W: Write> JointTable<W> {
     pub fn new(out: W) -> io::Result<Self> {
         let mut csv = csv::Writer::from_writer(out);
         csv.write_record(HEADER)?;
-        Ok(Self(csv))
+        Ok(Self { csv, record: ByteRecord::new(), cell: String::new() })
     }
 
     /// Writes a row.
@@ -79,12 +86,26 @@ impl<W: Write> JointTable<W> {
     /// # Errors
     /// Those of writing to `out`.
     pub fn add(&mut self, row: JointRow<'_>) -> io::Result<()> {
-        let mut record = vec![row.target.into_owned(), row.file.to_owned(), row.line.to_string()];
-        record.push(row.t_min.to_string());
-        record.extend(row.q_rad.map(|q| format!("{:.12}", deg_from_rad(q))));
-        record.extend(row.position_m.map(|p| format!("{:.9}", rounded(mm_from_m(p)))));
-        record.push(format!("{:.3e}", mm_from_m(row.residual_m)));
-        Ok(self.0.write_record(&record)?)
+        self.record.clear();
+        self.record.push_field(row.target.as_bytes());
+        self.record.push_field(row.file.as_bytes());
+        self.push(format_args!("{}", row.line));
+        self.push(format_args!("{}", row.t_min));
+        for q_rad in row.q_rad {
+            self.push(format_args!("{:.12}", deg_from_rad(q_rad)));
+        }
+        for position_m in row.position_m {
+            self.push(format_args!("{:.9}", rounded(mm_from_m(position_m))));
+        }
+        self.push(format_args!("{:.3e}", mm_from_m(row.residual_m)));
+        Ok(self.csv.write_byte_record(&self.record)?)
+    }
+
+    fn push(&mut self, number: Arguments<'_>) {
+        self.cell.clear();
+        // Writing to a `String` gives no error.
+        let _ = self.cell.write_fmt(number);
+        self.record.push_field(self.cell.as_bytes());
     }
 
     /// Brings out what is still to be written.
@@ -92,6 +113,6 @@ impl<W: Write> JointTable<W> {
     /// # Errors
     /// Those of writing to `out`.
     pub fn finish(mut self) -> io::Result<()> {
-        self.0.flush()
+        self.csv.flush()
     }
 }

@@ -9,7 +9,6 @@
 pub(crate) mod accuracy;
 mod cause_rows;
 pub(crate) mod changed;
-mod changed_lines;
 mod comparison;
 mod comparison_figures;
 mod comparison_lines;

@@ -1,9 +1,10 @@
 //! The beginning of a difference: the motions that are changed and the first targets, for a reader who wants to see what
 //! kind of change it is.
 
-use super::changed_lines::{Change, Lines, changes};
 use super::plural;
+use memchr::memmem::Finder;
 use rapid_syntax::Edit;
+use rapid_syntax::changed_lines::{Change, Lines, changes};
 use std::io::{self, Write};
 
 /// So many lines are shown in all.
@@ -31,10 +32,8 @@ impl ShortDiff {
         let lines = Lines::new(source);
         let rows = |change: &Change| change.to - change.from + change.new.len();
         let mut shown: Vec<Change> = Vec::new();
-        let mut targets = FirstTargets {
-            left: TARGETS.saturating_sub(self.targets).min(MOST_LINES.saturating_sub(self.lines + 4)),
-            found: Vec::new(),
-        };
+        let room = MOST_LINES.saturating_sub(self.lines + 4);
+        let mut targets = FirstTargets::new(TARGETS.saturating_sub(self.targets).min(room));
         for change in changes(source, &lines, edits) {
             if change.to == change.from {
                 targets.add(change.new);
@@ -96,17 +95,21 @@ impl ShortDiff {
 struct FirstTargets {
     left: usize,
     found: Vec<Vec<u8>>,
+    declarations: [Finder<'static>; 4],
 }
 
 impl FirstTargets {
+    fn new(left: usize) -> Self {
+        let declarations = ["CONST robtarget ", "CONST jointtarget ", "CONST pose ", "CONST robjoint "];
+        Self { left, found: Vec::new(), declarations: declarations.map(Finder::new) }
+    }
+
     fn add(&mut self, lines: Vec<Vec<u8>>) {
         for line in lines {
             if self.left == 0 {
                 return;
             }
-            let is_target = ["CONST robtarget ", "CONST jointtarget ", "CONST pose ", "CONST robjoint "]
-                .iter()
-                .any(|begin| memchr::memmem::find(&line, begin.as_bytes()).is_some());
+            let is_target = self.declarations.iter().any(|begin| begin.find(&line).is_some());
             if is_target || !self.found.is_empty() {
                 self.found.push(line);
                 self.left -= 1;

@@ -10,6 +10,7 @@ pub mod diagnostic;
 
 mod block;
 mod block_head;
+pub mod changed_lines;
 mod data;
 mod declaration;
 mod difference;

@@ -2,33 +2,25 @@
 
 use serde::Serialize;
 use serde::ser::Serializer;
-use std::io::{self, Write};
+use std::io;
 
-/// A value as JSON text that may stand in a `script` element.
+/// A value as JSON text that may stand in a `script` element: `<`, `>` and `&` are written as JSON writes any letter that it need not spell
+/// out; they stand in strings alone.
 pub(super) fn json(value: &impl Serialize) -> io::Result<String> {
-    let mut text = Vec::new();
-    serde_json::to_writer(Escaping(&mut text), value)?;
-    String::from_utf8(text).map_err(io::Error::other)
-}
-
-/// Writes `<`, `>` and `&` as JSON writes any letter that it need not spell out; they stand in strings alone.
-struct Escaping<'v>(&'v mut Vec<u8>);
-
-impl Write for Escaping<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let mut rest = bytes;
-        while let Some(at) = rest.iter().position(|b| matches!(b, b'<' | b'>' | b'&')) {
-            self.0.extend_from_slice(&rest[..at]);
-            let _ = write!(self.0, "\\u{:04x}", rest[at]); // a vector takes all that is written to it
-            rest = &rest[at + 1..];
-        }
-        self.0.extend_from_slice(rest);
-        Ok(bytes.len())
+    let plain = serde_json::to_string(value)?;
+    let mut text = String::with_capacity(plain.len() + plain.len() / 64);
+    let mut written = 0;
+    for at in memchr::memchr3_iter(b'<', b'>', b'&', plain.as_bytes()) {
+        text += &plain[written..at];
+        text += match plain.as_bytes()[at] {
+            b'<' => "\\u003c",
+            b'>' => "\\u003e",
+            _ => "\\u0026",
+        };
+        written = at + 1;
     }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
+    text += &plain[written..];
+    Ok(text)
 }
 
 /// Numbers with so many decimals at most.

@@ -1,7 +1,7 @@
 //! Changed lines as a review shows them side by side: what stays equal at both ends of a line stands once.
 
-use crate::report::changed_lines::{Lines, changes};
 use rapid_syntax::Edit;
+use rapid_syntax::changed_lines::{Lines, changes, shared_ends};
 use serde::Serialize;
 use serde::ser::Serializer;
 use std::collections::BTreeMap;
@@ -132,11 +132,8 @@ impl SourceReview {
     }
 
     fn row(&mut self, line: usize, old: &str, new: &str) -> Row {
-        let equal = |(a, b): &(char, char)| a == b;
-        let start: usize = old.chars().zip(new.chars()).take_while(equal).map(|(c, _)| c.len_utf8()).sum();
+        let (start, end) = shared_ends(old, new);
         let (old_rest, new_rest) = (&old[start..], &new[start..]);
-        let reversed = old_rest.chars().rev().zip(new_rest.chars().rev());
-        let end: usize = reversed.take_while(equal).map(|(c, _)| c.len_utf8()).sum();
         let (before, after) = (self.share(&old[..start]), self.share(&old_rest[old_rest.len() - end..]));
         let middle = |rest: &str| cut(&rest[..rest.len() - end]);
         let was = middle(old_rest);
@@ -176,6 +173,10 @@ fn shown(line: &[u8]) -> String {
 }
 
 fn cut(text: &str) -> String {
+    // As many letters as bytes at most.
+    if text.len() <= LONGEST {
+        return text.to_owned();
+    }
     match text.char_indices().nth(LONGEST) {
         None => text.to_owned(),
         Some((at, _)) => {
