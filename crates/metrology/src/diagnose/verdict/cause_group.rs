@@ -134,10 +134,13 @@ pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRankin
     cause_groups
 }
 
-/// The same, but those first that the data speak for: what they say nothing of, as of a scale where the geometry is free, keeps its
-/// prior, and may stand before all that small evidence is shared among.
+/// The same, in those that the data speak for and all others: what they say nothing of, as of a scale where the geometry is free, keeps
+/// its prior, and may be likelier than all that small evidence is shared among.
 #[must_use]
-pub(super) fn spoken_for_first(workspace: &Workspace<'_>, ranking: &HypothesisRanking) -> Vec<CauseGroup> {
+pub(super) fn spoken_for(
+    workspace: &Workspace<'_>,
+    ranking: &HypothesisRanking,
+) -> (Vec<CauseGroup>, Vec<CauseGroup>) {
     let (candidates, log_prior) = (workspace.library.candidates, &workspace.library.log_prior);
     let null = ranking.ranked.iter().find(|ranked| ranked.hypothesis == Hypothesis::Null);
     let null = null.map_or(0.0, |null| null.probability / NULL_PRIOR);
@@ -146,10 +149,7 @@ pub(super) fn spoken_for_first(workspace: &Workspace<'_>, ranking: &HypothesisRa
         let own = candidates.iter().zip(log_prior).filter(|(candidate, _)| candidate.cause_key() == key);
         group.probability > null * own.map(|(_, log_prior)| log_prior.exp()).sum::<f64>()
     };
-    let (mut groups, others): (Vec<_>, Vec<_>) =
-        cause_groups(workspace, ranking).into_iter().partition(is_spoken_for);
-    groups.extend(others);
-    groups
+    cause_groups(workspace, ranking).into_iter().partition(is_spoken_for)
 }
 
 /// Counts the probability of `candidate` to the line that it is, where it is one: over a short range near periods are one bend.

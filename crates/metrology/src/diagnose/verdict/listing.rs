@@ -6,7 +6,8 @@ use robot_model::deform::EffectKind;
 /// What is less likely than this is not listed.
 pub(super) const WORTH_SAYING: f64 = 0.005;
 
-/// The causes of all slots in the order of a list. A scale of the instrument brings its twin, a scale of all links.
+/// The causes of all slots in the order of a list: by probability, and among those that are as likely to the thousandth by size, where
+/// each has the least of theirs. A scale of the instrument brings its twin, a scale of all links.
 #[must_use]
 pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
     for a in (1..causes.len()).rev() {
@@ -21,6 +22,9 @@ pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
         let size = |c: &Cause| c.rms_mm.unwrap_or(0.0);
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });
+    for at in 1..causes.len() {
+        causes[at].posterior = causes[at].posterior.min(causes[at - 1].posterior);
+    }
     renumber(&mut causes);
     causes
 }
@@ -110,6 +114,29 @@ mod tests {
         }
         assert!((p[1] - 0.7).abs() < 1e-14);
         assert_eq!(p[4..], [0.5, 0.25]);
+    }
+
+    /// By hand: 0.999_8 and 0.999_6 are both 1.000, so the larger comes first; nothing behind is likelier than what stands before it.
+    #[test]
+    fn no_cause_is_likelier_than_the_one_before_it() {
+        let cause = |effect, slot, rms_mm, posterior| Cause {
+            slot,
+            rms_mm: Some(rms_mm),
+            ..Cause::of(effect, posterior)
+        };
+        let listed = listed(vec![
+            cause(EffectKind::JointOffset, 1, 0.1, 0.999_8),
+            cause(EffectKind::BaseTilt, 2, 0.3, 0.999_6),
+            cause(EffectKind::Backlash, 3, 0.9, 0.7),
+            cause(EffectKind::PayloadMass, 4, 0.9, 0.001),
+        ]);
+        let named: Vec<_> = listed.iter().map(|c| (c.effect, c.slot, c.posterior)).collect();
+        let expected = [
+            (EffectKind::BaseTilt, 1, 0.999_6),
+            (EffectKind::JointOffset, 2, 0.999_6),
+            (EffectKind::Backlash, 3, 0.7),
+        ];
+        assert_eq!(named, expected);
     }
 
     /// What the data cannot part shares its probability, and nothing is named at 0.

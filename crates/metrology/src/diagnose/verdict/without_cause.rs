@@ -1,6 +1,6 @@
 //! The verdict on a model without a cause: noise, slow noise, structure of no cause, scatter, or geometry.
 
-use super::cause_group::{OpenSlot, SlotScan, spoken_for_first};
+use super::cause_group::{OpenSlot, SlotScan, spoken_for};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
 use super::noise::{
@@ -19,11 +19,14 @@ use crate::diagnose::search::ALARM_NATS;
 /// Judges what is left where the search chose nothing.
 pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {
     let ranking = &rest.ranking;
-    let cause_groups = spoken_for_first(&fitted.workspace, ranking);
+    let (mut cause_groups, others) = spoken_for(&fitted.workspace, ranking);
+    // Without one that the data speak for, those that they speak against least.
+    let candidates = if cause_groups.is_empty() { &others } else { &cause_groups };
     let mut causes = Vec::new();
-    for cause_group in cause_groups.iter().take(3).filter(|g| g.probability > WORTH_SAYING) {
+    for cause_group in candidates.iter().take(3).filter(|g| g.probability > WORTH_SAYING) {
         causes.push(cause(fitted, &[], None, cause_group));
     }
+    cause_groups.extend(others);
     let mut judgement = Judgement {
         verdict: Verdict::NothingAboveNoise,
         reason: "no effect of the library stands out of the noise".to_owned(),
