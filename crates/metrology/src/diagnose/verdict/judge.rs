@@ -2,7 +2,7 @@
 
 use super::cause_group::scan;
 use super::judgement::Judgement;
-use super::listing::at_most_one;
+use super::listing::{at_most_one, never_rising};
 use super::noise::{ReducedChiSquare, Scatter, joint_scatter, reduced_chi_square};
 use super::structure::add_gp_alternatives;
 use super::unrecorded::in_two_states;
@@ -41,6 +41,8 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
     }
     judgement.reduced_chi_square = chi.map(|chi| chi.value);
     at_most_one(&mut judgement.causes);
+    // Behind it: what it takes from one slot, a cause of another may have.
+    never_rising(&mut judgement.causes);
     if matches!(judgement.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter) {
         judgement.are_candidates();
     }

@@ -6,8 +6,8 @@ use robot_model::deform::EffectKind;
 /// What is less likely than this is not listed.
 pub(super) const WORTH_SAYING: f64 = 0.005;
 
-/// The causes of all slots in the order of a list: by probability, and among those that are as likely to the thousandth by size, where
-/// each has the least of theirs. A scale of the instrument brings its twin, a scale of all links.
+/// The causes of all slots in the order of a list: by probability, and among those that are as likely to the thousandth by size. A scale of
+/// the instrument brings its twin, a scale of all links.
 #[must_use]
 pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
     for a in (1..causes.len()).rev() {
@@ -22,9 +22,6 @@ pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
         let size = |c: &Cause| c.rms_mm.unwrap_or(0.0);
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });
-    for at in 1..causes.len() {
-        causes[at].posterior = causes[at].posterior.min(causes[at - 1].posterior);
-    }
     renumber(&mut causes);
     causes
 }
@@ -52,6 +49,14 @@ pub(super) fn at_most_one(causes: &mut [Cause]) {
             let most = if of_slot.len() == 1 { 1.0 } else { 1.0 - 2.0 * rounding };
             of_slot.iter_mut().for_each(|c| c.posterior = (c.posterior * most / sum).min(1.0));
         }
+    }
+}
+
+/// Gives a cause that stands behind one of the same thousandth, which is larger at the tool, no more than that one has: a list that is ranked
+/// by probability is so to its last digit.
+pub(super) fn never_rising(causes: &mut [Cause]) {
+    for at in 1..causes.len() {
+        causes[at].posterior = causes[at].posterior.min(causes[at - 1].posterior);
     }
 }
 
@@ -124,12 +129,13 @@ mod tests {
             rms_mm: Some(rms_mm),
             ..Cause::of(effect, posterior)
         };
-        let listed = listed(vec![
+        let mut listed = listed(vec![
             cause(EffectKind::JointOffset, 1, 0.1, 0.999_8),
             cause(EffectKind::BaseTilt, 2, 0.3, 0.999_6),
             cause(EffectKind::Backlash, 3, 0.9, 0.7),
             cause(EffectKind::PayloadMass, 4, 0.9, 0.001),
         ]);
+        never_rising(&mut listed);
         let named: Vec<_> = listed.iter().map(|c| (c.effect, c.slot, c.posterior)).collect();
         let expected = [
             (EffectKind::BaseTilt, 1, 0.999_6),
