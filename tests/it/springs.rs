@@ -110,6 +110,19 @@ mod long {
             let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
             assert_eq!(answer["causes"][0]["effect"], "gear_eccentricity", "{robot}: {}", answer["reason"]);
             assert_eq!(answer["causes"][0]["joint"], 2);
+            // One shape, two causes: each is as likely, and no poses tell them apart.
+            let (verdict, likely) = if is_told { ("ambiguous", 0.0..=0.5) } else { ("explained", 0.9..=1.0) };
+            assert_eq!(answer["verdict"], verdict, "{robot}: {}", answer["reason"]);
+            assert!(
+                likely.contains(&answer["causes"][0]["posterior"].as_f64().unwrap()),
+                "{robot}: {answer}"
+            );
+            let next = &answer["next_step"];
+            assert_eq!(
+                next["rows"] == 0 && next["other_means"].as_str().unwrap_or("").contains("balancing"),
+                is_told,
+                "{next}"
+            );
             let codes: Vec<&Value> =
                 answer["warnings"].as_array().unwrap().iter().map(|w| &w["code"]).collect();
             assert_eq!(codes.contains(&&Value::from("diagnose::balancing")), is_told, "{robot}: {codes:?}");

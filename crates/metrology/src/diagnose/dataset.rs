@@ -15,6 +15,10 @@ use std::collections::BTreeMap;
 /// No torque about a joint, or force along it, under this one counts as a load: the axis stands upright, N.m or N.
 const LEAST_TORQUE_N_M: f64 = 1e-6;
 
+/// Arms whose chain from joint 2 to the flange is shorter have no balancing spring or cylinder, metres: of ABB's the smallest with one
+/// reaches 2.2 m.
+const SHORTEST_BALANCED_M: f64 = 2.0;
+
 /// An observation together with the data set that it belongs to: what an effect's signature is evaluated at.
 #[derive(Clone, Copy)]
 pub(super) struct DataPoint<'a> {
@@ -45,6 +49,8 @@ pub(super) struct Dataset {
     pub torque_limit_n_m: Joints<[f64; LIMITS]>,
     /// The joints that gravity turns, or pushes along, at some observation.
     pub loaded: Joints<bool>,
+    /// Whether the arm may have a balancing spring or cylinder at joint 2.
+    pub may_be_balanced: bool,
     /// Whether link masses come from the robot file; otherwise they are a guess from its size.
     pub masses_known: bool,
     /// Largest payload of the data, kg.
@@ -87,6 +93,9 @@ impl Dataset {
         });
         let neighbours_in_time =
             clock.is_some() && (time_min.is_some() || !in_order_of_places(&observations));
+        let loaded = Joints::from_fn(robot.joints.len(), |j| {
+            observations.iter().any(|s| s.loads.torque_n_m[j].abs() > LEAST_TORQUE_N_M)
+        });
         Self {
             slides: robot.kinds().map(JointKind::slides),
             largest_payload_kg: observations.iter().filter_map(|s| s.payload_kg).fold(0.0, f64::max),
@@ -95,9 +104,8 @@ impl Dataset {
             fixed_points: observations.iter().filter_map(|s| s.fixed_point).max().map_or(0, |last| last + 1),
             stands: observations.iter().map(|s| s.stand + 1).max().unwrap_or(1),
             torque_limit_n_m: torque_limits_n_m(&observations, robot.joints.len()),
-            loaded: Joints::from_fn(robot.joints.len(), |j| {
-                observations.iter().any(|s| s.loads.torque_n_m[j].abs() > LEAST_TORQUE_N_M)
-            }),
+            may_be_balanced: loaded[1] && beyond_shoulder_m(robot) >= SHORTEST_BALANCED_M,
+            loaded,
             visits: visits(&observations),
             touches_alone: observations.iter().all(|s| matches!(s.kind, ObservationKind::Touch)),
             observations,
@@ -232,6 +240,12 @@ fn torque_limits_n_m(observations: &[Observation], joints: usize) -> Joints<[f64
             torques.get(index.min(torques.len().saturating_sub(1))).copied().unwrap_or(0.0)
         })
     })
+}
+
+/// How long the chain of `robot` is from joint 2 to the flange, metres.
+fn beyond_shoulder_m(robot: &SerialArm) -> f64 {
+    let links = robot.joints.iter().skip(2).map(|joint| joint.previous_from_joint.translation.vector.norm());
+    links.sum::<f64>() + robot.last_from_flange.translation.vector.norm()
 }
 
 /// So many stations of an IRB 140, a minute apart: irrational steps fill the ranges evenly.

@@ -157,7 +157,7 @@ fn consequences(
             .into_iter()
             .chain(play_ahead(fitted, &judgement.causes))
             .chain(tool_elsewhere(linear, measured.stations.targets, options))
-            .chain(balancing(measured.robot, &linear.dataset, &judgement.causes))
+            .chain(balancing(linear.dataset.may_be_balanced, &judgement.causes))
             .collect(),
         shrink,
         zeros_alone,

@@ -3,6 +3,9 @@
 use crate::measure::Channels;
 use robot_model::deform::EffectKind;
 
+/// What tells a gear of joint 2 from its balancing.
+pub(super) const BALANCING: &str = "look at the balancing of joint 2 (a gas cylinder's pressure, a spring's seat) and measure again after it was set; as it is, the model corrects either";
+
 /// What tells `kinds` apart besides poses, as a phrase; `None` where nothing is known to.
 pub(super) fn other_means(kinds: &[EffectKind], channels: &Channels) -> Option<&'static str> {
     use EffectKind::{

@@ -51,6 +51,9 @@ pub(super) fn next_measurements(
         judgement.open.iter().filter(|slot| !slot.alternatives.is_empty()).collect();
     slots.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
     let open = slots.iter().filter(|slot| ambiguous && slot.uncertainty() > OPEN_NATS).count();
+    if let Some(slot) = slots.iter().find(|slot| ambiguous && open == 0 && slot.or_balancing) {
+        return NextMeasurements { measurements: Vec::new(), step: look_at_balancing(fitted, slot) };
+    }
     slots.truncate(open.max(1));
     if slots.is_empty() {
         // Where no effect leaves a signal there is none to measure for.
@@ -79,6 +82,21 @@ pub(super) fn next_measurements(
         return NextMeasurements { measurements: Vec::new(), step };
     }
     NextMeasurements { measurements: planned.poses, step }
+}
+
+/// What tells a cause of `slot` from the balancing of joint 2, where all else is decided: no poses do.
+fn look_at_balancing(fitted: &FittedModel<'_>, slot: &OpenSlot) -> NextStep {
+    let FittedModel { linear, workspace, .. } = fitted;
+    let likeliest = slot.alternatives.first().map(|one| &workspace.library.candidates[one.candidate]);
+    let names = likeliest.map(|candidate| describe_candidate(candidate, &linear.dataset)).into_iter();
+    NextStep {
+        slot: slot.slot.map(|i| i + 1),
+        other_means: Some(advice::BALANCING.to_owned()),
+        reason: wording::question(
+            &names.chain(["a balancing spring or cylinder".to_owned()]).collect::<Vec<_>>(),
+        ),
+        ..NextStep::default()
+    }
 }
 
 /// The slots that planned poses are for, by their place among the open ones.

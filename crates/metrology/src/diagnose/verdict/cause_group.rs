@@ -66,6 +66,8 @@ pub(crate) struct OpenSlot {
     pub slot: Option<usize>,
     /// Causes that cannot be ruled out there, the likeliest first; where one alone is left, it and the next.
     pub alternatives: Vec<AlternativeCause>,
+    /// Whether a balancing spring or cylinder may stand there too, of which poses tell nothing.
+    pub or_balancing: bool,
 }
 
 /// A cause that may stand in a slot.
@@ -91,7 +93,7 @@ impl OpenSlot {
                 size_ratio: g.size_ratio,
             })
             .collect();
-        Self { slot, alternatives }
+        Self { slot, alternatives, or_balancing: false }
     }
 
     /// How little is decided: entropy of the causes and of all else, nats.

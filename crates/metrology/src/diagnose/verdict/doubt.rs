@@ -1,5 +1,6 @@
 //! What has the same shape as the likeliest cause of a place by the nature of arms and files, whatever was measured.
 
+use crate::diagnose::balancing::has_its_shape;
 use crate::diagnose::cause::Cause;
 use crate::diagnose::effects::one_beam_with;
 use crate::diagnose::model::FittedModel;
@@ -20,6 +21,8 @@ pub(super) struct Doubt {
     play_too: bool,
     /// Whatever else changed over the same hours: the cause follows temperatures in rows without times.
     by_temperature: bool,
+    /// A balancing spring or cylinder: the cause goes with the angle of joint 2 of an arm that may have one.
+    balancing_too: bool,
 }
 
 impl Doubt {
@@ -33,6 +36,7 @@ impl Doubt {
             play_too: bent_spring && !dataset.channels.direction,
             by_temperature: dataset.time_min.is_none()
                 && matches!(variant.growth, Growth::Temperature { .. }),
+            balancing_too: dataset.may_be_balanced && has_its_shape(candidate.kind, variant.joint),
         }
     }
 
@@ -41,12 +45,22 @@ impl Doubt {
         self == Self::default()
     }
 
+    /// Whether a balancing spring or cylinder may be there instead.
+    pub(super) fn is_of_balancing(self) -> bool {
+        self.balancing_too
+    }
+
     /// Gives what has the same shape as the first cause of `slot` half of its probability, and stands it beside the cause where it has a
     /// name; returns whether the cause is no longer likelier than not.
     pub(super) fn share(self, causes: &mut Vec<Cause>, slot: usize) -> bool {
         let Some(at) = causes.iter().position(|c| c.slot == slot) else { return false };
         if self.by_temperature {
             causes[at].posterior *= EVEN;
+        }
+        if self.balancing_too {
+            // Which of the shapes that it may be taken for is likelier says nothing of it.
+            let of_slot = causes.iter_mut().filter(|c| c.slot == slot && has_its_shape(c.effect, c.joint));
+            of_slot.for_each(|cause| cause.posterior *= EVEN);
         }
         if self.play_too {
             causes[at].posterior *= EVEN;
@@ -105,6 +119,25 @@ mod tests {
         let mut both = vec![bending(4, 1, 0.6), bending(3, 1, 0.2)];
         share_beam(&mut both, 1, beam);
         assert_eq!(named(&both), [(Axis::at(3), 1, 0.4), (Axis::at(2), 1, 0.4)]);
+    }
+
+    /// By hand: .6 and .3 of one place are half; what joint 2 does in another place, and another joint in this one, keeps its own.
+    #[test]
+    fn balancing_has_half_of_every_shape_that_it_may_be_taken_for() {
+        let cause = |effect, joint, slot, posterior| Cause {
+            joint: Axis::numbered(joint),
+            slot,
+            ..Cause::of(effect, posterior)
+        };
+        let mut causes = vec![
+            cause(EffectKind::JointGain, 2, 1, 0.6),
+            cause(EffectKind::GearEccentricity, 2, 1, 0.3),
+            cause(EffectKind::GearEccentricity, 3, 1, 0.1),
+            cause(EffectKind::GearEccentricity, 2, 2, 0.9),
+        ];
+        assert!(Doubt { balancing_too: true, ..Doubt::default() }.share(&mut causes, 1));
+        let shared: Vec<f64> = causes.iter().map(|c| (1e6 * c.posterior).round() / 1e6).collect();
+        assert_eq!(shared, [0.3, 0.15, 0.1, 0.9]);
     }
 
     #[test]

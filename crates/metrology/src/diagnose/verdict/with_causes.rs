@@ -17,7 +17,9 @@ use super::structure::{
     likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
     structure_odds, varying_cause,
 };
-use super::wording::{OR_LOAD, describe, in_short, one_beam_reason, structure_reason, switched_reason};
+use super::wording::{
+    OR_BALANCING, OR_LOAD, describe, in_short, one_beam_reason, structure_reason, switched_reason,
+};
 use crate::diagnose::cause::Cause;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gp_alternative::GpAlternative;
@@ -125,11 +127,7 @@ impl CausesFound {
             return;
         }
         let ranking = scan(fitted, chosen, Some(i)).ranking;
-        let mut cause_groups = cause_groups(&fitted.workspace, &ranking);
-        join_nested(&fitted.workspace, &mut cause_groups);
-        doubt_shapes(&fitted.workspace, &mut cause_groups);
-        share_slip(&fitted.workspace, &mut cause_groups);
-        share_springs(fitted, chosen, i, &mut cause_groups);
+        let cause_groups = groups_of_slot(fitted, chosen, i, &ranking);
         let Some(first) = cause_groups.first() else { return };
         let near = credible(&cause_groups);
         let nothing =
@@ -162,7 +160,8 @@ impl CausesFound {
                 && first.probability >= LIKELIER_THAN_NOT
                 && gp_alternatives < GP_ALTERNATIVE_SHARE * causes_share,
         );
-        self.open.push(OpenSlot::new(Some(i), &cause_groups, near.len()));
+        let or_balancing = doubt.is_of_balancing();
+        self.open.push(OpenSlot { or_balancing, ..OpenSlot::new(Some(i), &cause_groups, near.len()) });
         self.has_open_slot |= doubt.share(&mut self.causes, i + 1);
         self.share_beams(fitted, &near, i + 1);
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
@@ -203,8 +202,10 @@ impl CausesFound {
             (Verdict::NothingAboveNoise, "what stood out of the noise did not bear a second look".to_owned())
         } else if self.clear < self.needed.min(2) || has_scale || self.has_open_slot {
             let or_load = load.filter(|load| load.is_in_doubt()).map_or("", |_| OR_LOAD);
+            let or_balancing = self.open.iter().find(|slot| slot.or_balancing).map_or("", |_| OR_BALANCING);
             let beams: String = self.beams.iter().map(one_beam_reason).collect();
-            (Verdict::Ambiguous, format!("these data leave a choice: {}{or_load}{beams}", in_short(causes)))
+            let choice = in_short(causes);
+            (Verdict::Ambiguous, format!("these data leave a choice: {choice}{or_load}{or_balancing}{beams}"))
         } else if self.needed > 1 {
             (Verdict::Several, format!("{} causes, each needed: {}", self.needed, in_short(causes)))
         } else {
@@ -212,6 +213,21 @@ impl CausesFound {
         };
         Decision { verdict, reason, location, missing_channel: None }
     }
+}
+
+/// The causes that may stand in slot `i`, with what those of one shape leave each other.
+fn groups_of_slot(
+    fitted: &mut FittedModel<'_>,
+    chosen: &[ChosenCause],
+    i: usize,
+    ranking: &HypothesisRanking,
+) -> Vec<CauseGroup> {
+    let mut groups = cause_groups(&fitted.workspace, ranking);
+    join_nested(&fitted.workspace, &mut groups);
+    doubt_shapes(&fitted.workspace, &mut groups);
+    share_slip(&fitted.workspace, &mut groups);
+    share_springs(fitted, chosen, i, &mut groups);
+    groups
 }
 
 /// Structure of no cause beside all causes, and whether it overrules them.

@@ -146,6 +146,9 @@ pub(super) fn two_states_reason(states: &TwoStates, dataset: &Dataset) -> String
 pub(super) const OR_LOAD: &str =
     "; or in the place of the steps a load that was changed, and is not in the file (payload_kg)";
 
+/// What is not in the library and may stand in the place of an error that goes with the angle of joint 2.
+pub(super) const OR_BALANCING: &str = "; a balancing spring or cylinder of joint 2, which is not in it, does the same where it pulls other than the controller expects";
+
 /// Two links that are one beam in words.
 #[must_use]
 pub(super) fn one_beam_reason([before, link]: &[Axis; 2]) -> String {
