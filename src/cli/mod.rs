@@ -338,19 +338,27 @@ enum ParseFailure {
 
 /// The command line, with the defaults of the settings in it.
 fn parse(command: &clap::Command, words: &[OsString]) -> Result<(ArgMatches, Settings), ParseFailure> {
-    // Built: only then the commands know the options that all of them have.
-    let mut built = command.clone();
-    built.build();
-    let usage = |words: &[OsString]| command.clone().try_get_matches_from(words).map_err(ParseFailure::Usage);
-    // What is missing may stand in the settings.
-    let first = command.clone().ignore_errors(true).try_get_matches_from(words);
-    let Ok(first) = first else { return Ok((usage(words)?, Settings::default())) };
-    let settings = Settings::find(&built, &first).map_err(ParseFailure::Settings)?;
-    let Some(name) = first.subcommand_name() else { return Ok((usage(words)?, settings)) };
+    let as_written = command.clone().try_get_matches_from(words);
+    let first = match &as_written {
+        Ok(matches) => matches.clone(),
+        // What is missing may stand in the settings.
+        Err(_) => match command.clone().ignore_errors(true).try_get_matches_from(words) {
+            Ok(first) => first,
+            Err(_) => return as_written.map(with_no_settings).map_err(ParseFailure::Usage),
+        },
+    };
+    let settings = Settings::find(command, &first).map_err(ParseFailure::Settings)?;
+    let Some(name) = first.subcommand_name().filter(|_| settings.are_given()) else {
+        return as_written.map(with_no_settings).map_err(ParseFailure::Usage);
+    };
     match command.clone().try_get_matches_from(settings.add_to(words, name)) {
         Ok(matches) => Ok((matches, settings)),
         Err(error) => Err(settings.blame(&error).map_or(ParseFailure::Usage(error), ParseFailure::Settings)),
     }
+}
+
+fn with_no_settings(matches: ArgMatches) -> (ArgMatches, Settings) {
+    (matches, Settings::default())
 }
 
 #[cfg(test)]

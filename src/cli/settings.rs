@@ -51,6 +51,10 @@ impl Settings {
         let named = matches.get_one::<PathBuf>("settings").or_else(|| given.get_one("settings"));
         let found = named.cloned().or_else(|| upwards(&start(command.find_subcommand(name)?, given)?));
         let Some(path) = found.filter(|_| COMMANDS.contains(&name)) else { return Ok(Self::default()) };
+        // Built: only then the commands know the options that all of them have.
+        let mut built = command.clone();
+        built.build();
+        let command = &built;
         let wrong =
             |code: &'static str, text: String| Diagnostic::error(code, format!("{}: {text}", path.display()));
         let text = String::from_utf8(files::read(&path, "file of settings")?)
@@ -73,6 +77,12 @@ impl Settings {
             settings.ids.insert(arg.get_id().to_string());
         }
         Ok(settings)
+    }
+
+    /// Whether a file says any.
+    #[must_use]
+    pub fn are_given(&self) -> bool {
+        !self.words.is_empty()
     }
 
     /// The command line with the defaults in it, behind the name of the command.
