@@ -3,8 +3,6 @@
 //! An effect knows its parameters, unit, usual size and signature; nothing of evidence.
 
 mod backlash;
-mod base_drift;
-mod base_step;
 mod base_tilt;
 mod effect;
 mod gear_harmonic;
@@ -22,12 +20,12 @@ mod link_geometry;
 mod over_time;
 mod payload_mass;
 mod rigid;
+mod rigid_drift;
+mod rigid_step;
 mod swapped_axes;
 mod thermal;
 mod thermal_joint_drift;
 mod thermal_link_growth;
-mod tool_drift;
-mod tool_step;
 
 pub(in crate::diagnose) use backlash::held_above_n_m;
 pub(super) use effect::{Candidate, CauseKey, EffectVariant, GravityHold};

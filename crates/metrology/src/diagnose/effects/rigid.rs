@@ -1,7 +1,7 @@
 //! What signatures of several effects share: a joint that turns, a base or a target that moves rigidly, each by numbers that differ
 //! from observation to observation.
 
-use crate::diagnose::dataset::{DataPoint, Observation, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist, scaled};
 use robot_model::robot::Axis;
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
@@ -67,6 +67,14 @@ pub(crate) enum RigidBody {
 }
 
 impl RigidBody {
+    /// How many parameters its motion has.
+    pub(super) fn parameters(self, dataset: &Dataset) -> usize {
+        match self {
+            Self::Base => 6,
+            Self::Tool => dataset.rows_per_observation,
+        }
+    }
+
     /// Its motion at the observation per unit of each parameter, pushed onto `out`.
     fn signature(self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         let DataPoint { dataset, observation } = at;

@@ -1,4 +1,4 @@
-//! The target creeps on the flange: glue, a warm spindle.
+//! Base and instrument drift apart: stand, floor, tripod; or the target creeps on the flange: glue, a warm spindle.
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{DriftPrior, drifts, no_clock};
@@ -9,12 +9,30 @@ use crate::diagnose::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 
-/// A shift of the measured point in the flange's axes, with orientation also a turn, that grows over the measurement.
-pub(super) struct ToolDrift;
+/// A rigid motion of one side of the arm that grows over the measurement.
+pub(super) struct RigidDrift {
+    kind: EffectKind,
+    body: RigidBody,
+    source: &'static str,
+}
 
-impl Effect for ToolDrift {
+/// The base moves.
+pub(super) const BASE_DRIFT: RigidDrift = RigidDrift {
+    kind: EffectKind::BaseDrift,
+    body: RigidBody::Base,
+    source: "stability of tripods and floors under laser trackers, ISO 10360-10:2021",
+};
+
+/// The measured point moves along the flange's axes; with orientation the target turns, too.
+pub(super) const TOOL_DRIFT: RigidDrift = RigidDrift {
+    kind: EffectKind::ToolDrift,
+    body: RigidBody::Tool,
+    source: "rigid motion of the target on the flange",
+};
+
+impl Effect for RigidDrift {
     fn kind(&self) -> EffectKind {
-        EffectKind::ToolDrift
+        self.kind
     }
     fn unit(&self) -> SizeUnit {
         SizeUnit::Millimetre
@@ -23,7 +41,7 @@ impl Effect for ToolDrift {
         "5 to 50 um per hour"
     }
     fn source(&self) -> &'static str {
-        "rigid motion of the target on the flange"
+        self.source
     }
     fn time(&self) -> TimeCourse {
         TimeCourse::Drift
@@ -32,6 +50,7 @@ impl Effect for ToolDrift {
         no_clock(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        let parameters = self.body.parameters(dataset);
         drifts(dataset)
             .into_iter()
             .map(|DriftPrior { growth, weight, grown_m }| Candidate {
@@ -39,15 +58,15 @@ impl Effect for ToolDrift {
                 display_scale: mm_from_m(1.0),
                 weight,
                 ..Candidate::new(
-                    EffectKind::ToolDrift,
+                    self.kind,
                     EffectVariant { growth, ..EffectVariant::PLAIN },
-                    vec![grown_m; dataset.rows_per_observation],
+                    vec![grown_m; parameters],
                 )
             })
             .collect()
     }
     fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
-        Some(Motion::Body(RigidBody::Tool))
+        Some(Motion::Body(self.body))
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
         out.push(variant.growth.at(&at.observation.thermal_state(), None));

@@ -1,4 +1,4 @@
-//! Base or instrument moved at one moment: a knock, a new set-up.
+//! Base or instrument moved at one moment: a knock, a new set-up; or the target on the flange: reseated, knocked.
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::over_time::{no_clock, step_times};
@@ -10,12 +10,33 @@ use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 use robot_model::units::mm_from_m;
 
-/// A rigid motion of the base from t0 on, t0 scanned.
-pub(super) struct BaseStep;
+/// A rigid motion of one side of the arm from t0 on, t0 scanned.
+pub(super) struct RigidStep {
+    kind: EffectKind,
+    body: RigidBody,
+    source: &'static str,
+}
 
-impl Effect for BaseStep {
+/// Usual size of each of the motion's parameters, metres or, about a metre's lever, radians.
+const USUAL_M: f64 = 1e-4;
+
+/// The base moves.
+pub(super) const BASE_STEP: RigidStep = RigidStep {
+    kind: EffectKind::BaseStep,
+    body: RigidBody::Base,
+    source: "rigid motion between two registrations",
+};
+
+/// The measured point moves along the flange's axes; with orientation the target turns, too.
+pub(super) const TOOL_STEP: RigidStep = RigidStep {
+    kind: EffectKind::ToolStep,
+    body: RigidBody::Tool,
+    source: "rigid motion of the target on the flange",
+};
+
+impl Effect for RigidStep {
     fn kind(&self) -> EffectKind {
-        EffectKind::BaseStep
+        self.kind
     }
     fn unit(&self) -> SizeUnit {
         SizeUnit::Millimetre
@@ -27,7 +48,7 @@ impl Effect for BaseStep {
         f64::INFINITY
     }
     fn source(&self) -> &'static str {
-        "rigid motion between two registrations"
+        self.source
     }
     fn time(&self) -> TimeCourse {
         TimeCourse::Step
@@ -36,21 +57,22 @@ impl Effect for BaseStep {
         no_clock(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
+        let parameters = self.body.parameters(dataset);
         step_times(dataset)
             .into_iter()
             .map(|t0_min| Candidate {
                 n_reported: 3,
                 display_scale: mm_from_m(1.0),
                 ..Candidate::new(
-                    EffectKind::BaseStep,
+                    self.kind,
                     EffectVariant { growth: Growth::Step { t0_min }, ..EffectVariant::PLAIN },
-                    vec![1e-4, 1e-4, 1e-4, 1e-4, 1e-4, 1e-4],
+                    vec![USUAL_M; parameters],
                 )
             })
             .collect()
     }
     fn motion(&self, _variant: &EffectVariant) -> Option<Motion> {
-        Some(Motion::Body(RigidBody::Base))
+        Some(Motion::Body(self.body))
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
         out.push(variant.growth.at(&at.observation.thermal_state(), None));
