@@ -265,6 +265,12 @@ fn what_cannot_be_corrected_is_the_original_and_one_message() {
     for (routine, message) in [
         ("tooFar", "No joints"),
         ("wrongConf", "No joints"),
+        // What is reached as programmed and not, or by another turn of a joint, as corrected.
+        ("atSingular", "No joints"),
+        ("atFlipped", "singularity"),
+        ("atStretched", "No joints"),
+        ("atAtLimit", "No joints"),
+        ("atHalfRound", "No joints"),
         ("displaced", "displacement"),
         ("displacedOn", "displacement"),
         ("axisOffset", "displacement"),

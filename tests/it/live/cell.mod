@@ -10,6 +10,9 @@
   CONST jointtarget straight:=[[10,20,20,9E9,30,0],[1,2,9E9,9E9,9E9,9E9]];
   CONST jointtarget singular:=[[10,20,20,105,0.001,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST jointtarget flipped:=[[10,20,20,105,0.2,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget stretched:=[[3,60,-89.9,5,30,-40],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget atLimit:=[[3,110,-60,5,30,5],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST jointtarget halfRound:=[[-180,0,0,5,30,5],[9E9,9E9,9E9,9E9,9E9,9E9]];
   VAR jointtarget flippedIs;
   VAR jointtarget unusedIs;
   VAR jointtarget straightIs;
@@ -49,6 +52,31 @@
   PROC tooFar()
     given:=Offs(good,2000,0,0);
     is:=tcLive(given,tT\WObj:=wW);
+    is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
+  PROC atSingular()
+    given:=CalcRobT(singular,tT\WObj:=wW);
+    is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
+  PROC atFlipped()
+    given:=CalcRobT(flipped,tT\WObj:=wW);
+    is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
+  PROC atStretched()
+    given:=CalcRobT(stretched,tT\WObj:=wW);
+    is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
+  PROC atAtLimit()
+    given:=CalcRobT(atLimit,tT\WObj:=wW);
+    is:=tcLive(given,tT\WObj:=wW);
+  ENDPROC
+
+  PROC atHalfRound()
+    given:=CalcRobT(halfRound,tT\WObj:=wW);
     is:=tcLive(given,tT\WObj:=wW);
   ENDPROC
 

@@ -8,10 +8,13 @@
     ! The same at the moment of the last update: second point of an arc
     VAR robtarget tcGoal;
     VAR jointtarget tcJ;
+    VAR jointtarget tcThere;
     IF NOT tcFits(tcTool\WObj?WObj) RETURN tcP;
     tcGoal:=tcP;
     tcJ:=CalcJointT(tcP,tcTool\WObj?WObj);
     IF NOT tcCorrect(tcGoal,tcJ.robax,tcTool,-1@WOBJ@) RETURN tcP;
+    tcThere:=CalcJointT(tcGoal,tcTool\WObj?WObj);
+    IF tcFar(tcThere.robax,tcJ.robax) RETURN tcP;
     RETURN tcGoal;
   ERROR
     IF ERRNO=ERR_ROBLIMIT OR ERRNO=ERR_OUTSIDE_REACH THEN
@@ -32,12 +35,7 @@
     tcGoal:=CalcRobT(tcP,tcTool\WObj?WObj);
     IF NOT tcCorrect(tcGoal,tcP.robax,tcTool,-1@WOBJ@) RETURN tcP;
     tcJ:=CalcJointT(tcGoal,tcTool\WObj?WObj);
-    IF tcFar(tcJ.robax.rax_1,tcP.robax.rax_1) OR tcFar(tcJ.robax.rax_2,tcP.robax.rax_2)
-      OR tcFar(tcJ.robax.rax_3,tcP.robax.rax_3) OR tcFar(tcJ.robax.rax_4,tcP.robax.rax_4)
-      OR tcFar(tcJ.robax.rax_5,tcP.robax.rax_5) OR tcFar(tcJ.robax.rax_6,tcP.robax.rax_6) THEN
-      tcWarn "A joint would turn too far, near a singularity: original target";
-      RETURN tcP;
-    ENDIF
+    IF tcFar(tcJ.robax,tcP.robax) RETURN tcP;
     tcP.robax:=tcJ.robax;
     RETURN tcP;
   ERROR
@@ -48,8 +46,12 @@
     RAISE;
   ENDFUNC
 
-  LOCAL FUNC bool tcFar(num tcIs,num tcWas)
-    RETURN Abs(tcIs-tcWas)>@CAP_JOINT@;
+  LOCAL FUNC bool tcFar(robjoint tcIs,robjoint tcWas)
+    ! Whether the joints would turn further than a correction turns them, degrees: near a singularity, or round to another turn
+    IF Distance([tcIs.rax_1,tcIs.rax_2,tcIs.rax_3],[tcWas.rax_1,tcWas.rax_2,tcWas.rax_3])<=@CAP_JOINT@
+      AND Distance([tcIs.rax_4,tcIs.rax_5,tcIs.rax_6],[tcWas.rax_4,tcWas.rax_5,tcWas.rax_6])<=@CAP_JOINT@ RETURN FALSE;
+    tcWarn "A joint would turn too far, near a singularity: original target";
+    RETURN TRUE;
   ENDFUNC
 
   LOCAL FUNC bool tcFits(PERS tooldata tcTool\PERS wobjdata WObj)

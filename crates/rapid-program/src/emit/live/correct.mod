@@ -10,9 +10,8 @@ twice#    FOR tcN FROM 1 TO 2 DO
       @FACTOR@*(tcDy+tcRz*tcTool.tframe.trans.x-tcRx*tcTool.tframe.trans.z),
       @FACTOR@*(tcDz+tcRx*tcTool.tframe.trans.y-tcRy*tcTool.tframe.trans.x)],[1,0,0,0]];
     tcBy:=PoseMult(tcTo,tcBy);
-    tcA:=tcBy.trans.x*tcBy.trans.x+tcBy.trans.y*tcBy.trans.y+tcBy.trans.z*tcBy.trans.z;
     tcB:=tcTurn.trans.x*tcTurn.trans.x+tcTurn.trans.y*tcTurn.trans.y+tcTurn.trans.z*tcTurn.trans.z;
-    IF tcA>@CAP_MM2@ OR tcB>@CAP_RAD2@ THEN
+    IF Distance(tcBy.trans,[0,0,0])>@CAP_MM@ OR tcB>@CAP_RAD2@ THEN
       tcWarn "A correction of more than @CAP_MM@ mm or @CAP_DEG@ deg: original target";
       RETURN FALSE;
     ENDIF

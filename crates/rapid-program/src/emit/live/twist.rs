@@ -47,7 +47,6 @@ pub(super) fn routine(model: &LiveModel) -> Vec<String> {
     let (cap_mm, cap_deg) = (mm_from_m(model.cap.shift_m), deg_from_rad(model.cap.turn_rad));
     let numbers = [
         ("@FACTOR@", factor.to_owned()),
-        ("@CAP_MM2@", squared(cap_mm)),
         ("@CAP_RAD2@", squared(model.cap.turn_rad)),
         ("@CAP_MM@", num(cap_mm)),
         ("@CAP_DEG@", num(cap_deg)),
