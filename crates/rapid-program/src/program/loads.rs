@@ -77,7 +77,10 @@ fn warning(index: &Index<'_>, task: u32, name: Option<&str>, at: Span) -> Diagno
             let module = as_text(index.text(module.file, module.tree.name));
             Diagnostic::warning("load::from-disk", format!("{module} is loaded by the program, from the controller's disk"))
                 .at(at)
-                .help(format!("put the corrected file in the place of {name} there: what lies there now has the original targets"))
+                .help(format!(
+                    "put the corrected file in the place of {name} there: what lies there now has the original targets; where it is \
+                     unloaded, a clock in it forgets how warm the arm is: --core separate keeps it in tcCore, which stays loaded"
+                ))
         }
         None => Diagnostic::warning(
             "load::not-given",

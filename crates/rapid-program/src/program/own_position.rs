@@ -39,6 +39,8 @@ pub(super) struct OwnPositions {
     routines: ByNumber<RoutineIndex, Span>,
     /// Those of the functions that make such a value of their own arguments alone: what they are given tells whether they do.
     of_arguments: IdSet<RoutineIndex>,
+    /// Whether the program asks for such a value anywhere.
+    pub(super) are_asked_for: bool,
     /// Functions of the controller that give such values.
     readings: &'static [&'static str],
 }
@@ -48,7 +50,7 @@ impl OwnPositions {
     pub(super) fn new(index: &Index<'_>) -> Self {
         let found = Self { readings: &READINGS, ..Self::default() };
         let reads = index.routines.iter().any(|routine| found.reads(index, routine));
-        if reads { found.closed(index) } else { found }
+        if reads { Self { are_asked_for: true, ..found }.closed(index) } else { found }
     }
 
     /// The same of points that searches have found.

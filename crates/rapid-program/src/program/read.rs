@@ -83,9 +83,11 @@ impl Program {
             reader.motions(sites.into_iter().zip(seen).zip(order));
         let made_of_pers = std::mem::take(&mut reader.made_of_pers);
         let settable = reader.settable_names();
+        diagnostics.extend(super::position_tests::warning(&index, &reader.own_positions));
         diagnostics.extend(reader.into_warnings());
         diagnostics.extend(other_tasks::not_given(&index, &overrides.other_tasks));
         diagnostics.extend(super::loads::warnings(&index));
+        diagnostics.extend(super::set_all_data::warnings(&index));
         diagnostics.extend(not_given.iter().map(|(name, at)| not_among_the_files(name, *at, &settable)));
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));

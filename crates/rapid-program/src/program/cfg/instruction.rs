@@ -50,7 +50,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             "gripload" => FlowStep::Grip(self.gripped(call)),
             "pdispset" if displaces_nothing => FlowStep::Blocker(Blocker::Displacement, None),
             "pdispon" | "pdispset" => {
-                FlowStep::Blocker(Blocker::Displacement, active("a program displacement is in force"))
+                FlowStep::Blocker(Blocker::Displacement, active(self.displacement(&lower, call)))
             }
             "pdispoff" => FlowStep::Blocker(Blocker::Displacement, None),
             "eoffsset" if offsets_nothing => FlowStep::Blocker(Blocker::ExternalOffset, None),
@@ -84,6 +84,15 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
         };
         out.push(Node::Step(step));
+    }
+
+    /// What a program displacement that is set by `instruction` is.
+    fn displacement(&self, instruction: &str, call: &CallStmt) -> &'static str {
+        // Without \ExeP it is measured where the arm stands.
+        match instruction == "pdispon" && !self.has_option(call, "exep") {
+            true => "a program displacement is in force, which holds the correction of the motion before it",
+            false => "a program displacement is in force",
+        }
     }
 
     fn has_option(&self, call: &CallStmt, option: &str) -> bool {
