@@ -25,6 +25,7 @@ use super::outcome::{
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::search::{ALARM_NATS, cause_columns};
+use super::step_fault::impossible_step;
 use super::tool_apart::tool_elsewhere;
 use super::verdict::{Judgement, judge, worse_elsewhere};
 use super::visible::{INVISIBLE, visible};
@@ -95,7 +96,8 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
         return Evaluation::without_model(Findings::of_fault(fault));
     }
     let mut judgement = judge(&mut fitted);
-    if let Some(fault) = noise_beyond_stated(measured, &fitted, &judgement) {
+    let step = impossible_step(measured, &judgement.causes);
+    if let Some(fault) = step.or_else(|| noise_beyond_stated(measured, &fitted, &judgement)) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
     let mut fitted = fitted.over_groups(&folds.group_of);

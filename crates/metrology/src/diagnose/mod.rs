@@ -51,6 +51,7 @@ mod size_unit;
 mod slow_noise;
 mod smoothness;
 mod spectrum;
+mod step_fault;
 mod terms;
 mod time_course;
 mod tool_apart;

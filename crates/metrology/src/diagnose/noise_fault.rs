@@ -49,6 +49,10 @@ pub(super) fn noise_beyond_stated(
     let column = one_coordinate(linear, kept().map(|i| &model.residuals[i])).map(str::to_owned);
     let of_joint = || judgement.location.joint.map(|joint| robot.column(joint));
     let column = column.or_else(of_joint).unwrap_or_else(|| AXES.join(", "));
+    let or_stated = match model.given.from_repeats {
+        true => "",
+        false => ", or state the noise as it is, or not at all (--sigma-mm)",
+    };
     let source =
         if model.given.from_repeats { "repeated readings scatter by" } else { "the noise is stated to be" };
     Some(Fault::in_rows(FaultKind::NoiseBeyondStated, &column, lines, |count, which| {
@@ -63,7 +67,7 @@ pub(super) fn noise_beyond_stated(
         };
         format!(
             "{source} {:.3} mm in one coordinate, but about the best model the points scatter by {:.3} mm, and nothing recorded \
-             explains it: {rows}; look at {column}",
+             explains it: {rows}; look at {column}{or_stated}",
             mm_from_m(known_m),
             mm_from_m(noise_m)
         )

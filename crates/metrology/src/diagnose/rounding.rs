@@ -101,11 +101,12 @@ pub(super) fn find(
         return None;
     }
     (without_causes || one_column || beside_causes)
-        .then(|| rounded_joints(&grid, robot, all_joints, mm_from_m((3.0 * plain_m2).sqrt())))
+        .then(|| rounded_joints(&grid, robot, all_joints, [expected_m2, plain_m2]))
 }
 
-/// The fault itself; `scatter_mm`: rms of the points.
-fn rounded_joints(grid: &AngleGrid, robot: &SerialArm, all_joints: bool, scatter_mm: f64) -> Fault {
+/// The fault itself; by what the rounding moves a coordinate, and by what it scatters, m^2.
+fn rounded_joints(grid: &AngleGrid, robot: &SerialArm, all_joints: bool, squares_m2: [f64; 2]) -> Fault {
+    let [rounding_mm, scatter_mm] = squares_m2.map(|m2| mm_from_m((3.0 * m2).sqrt()));
     let step_deg = grid.step_deg;
     let columns = grid.columns(robot);
     let rounded = match all_joints {
@@ -116,8 +117,8 @@ fn rounded_joints(grid: &AngleGrid, robot: &SerialArm, all_joints: bool, scatter
         FaultKind::RoundedJoints,
         Some(&columns),
         format!(
-            "{rounded} rounded to {step_deg} deg, and the points scatter just as that rounding would make them \
-             ({scatter_mm:.2} mm rms): take them from the controller with all their digits, 3 decimals at least"
+            "{rounded} rounded to {step_deg} deg, which moves the points by {rounding_mm:.3} mm rms, and they scatter ({scatter_mm:.3} mm) as \
+             that rounding makes them: take them from the controller with all their digits, 3 decimals at least"
         ),
     )
 }

@@ -1,5 +1,6 @@
 //! Checks of the rows before any geometry: duplicates, order in time, joint ranges, number.
 
+use super::codes::codes;
 use super::fault::{Fault, FaultKind};
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
@@ -68,6 +69,7 @@ fn checked(
         return checked;
     }
     (checked.used, checked.warnings) = (used, equal_rows.into_iter().collect());
+    checked.leave_out_codes(rows);
     checked.leave_out_of_range(rows, robot);
     checked.check_time_order(rows);
     checked
@@ -158,6 +160,13 @@ impl RowCheck {
             "measure::many-rows",
             format!("of {before} rows {} are evaluated: one pose in {step}", self.used.len()),
         ));
+    }
+
+    /// Leaves out rows that hold a code where the instrument had no reading.
+    fn leave_out_codes(&mut self, rows: &[MeasurementRow]) {
+        let (coded, warnings) = codes(rows, &self.used);
+        self.used.retain(|i| !coded.contains(i));
+        self.warnings.extend(warnings);
     }
 
     /// Leaves out rows with joints that the robot cannot take; where they are many, the file is at fault.

@@ -4,6 +4,7 @@
 //! contradicts itself or the robot. Knows nothing of effects.
 
 mod check;
+mod codes;
 mod column_map;
 mod column_names;
 mod error;

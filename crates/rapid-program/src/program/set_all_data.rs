@@ -43,7 +43,7 @@ fn set_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<String> {
         match &arg.kind {
             ArgKind::Positional(expr) if type_name.is_none() => type_name = Some(literal(expr)),
             ArgKind::Named { name, value } if lower_case(index.text(ctx.file, *name)) == "object" => {
-                object = value.as_ref().and_then(|expr| literal(expr));
+                object = value.as_ref().and_then(&literal);
             }
             _ => {}
         }

@@ -134,8 +134,7 @@ impl Pool {
 }
 
 impl PoolVariants {
-    fn new(library: &Library<'_>, search: &Search<'_>, open: &OpenPlace) -> Self {
-        let variants = library.variants_of_causes(search, open);
+    fn new(library: &Library<'_>, search: &Search<'_>, variants: Vec<PoolVariant>) -> Self {
         let columns: Vec<_> =
             variants.iter().map(|variant| library.columns_at(search.design, variant.candidate)).collect();
         let mut starts = vec![0];
@@ -213,7 +212,11 @@ impl Library<'_> {
     /// The pairs that come near what stands in a place, at the noise and the geometry of the whole model, which are at their best
     /// `now`.
     fn pairs_to_weigh(&self, search: &Search<'_>, open: &OpenPlace, now: &EvidencePeak) -> Vec<[usize; 2]> {
-        let variants = PoolVariants::new(self, search, open);
+        let variants = self.variants_of_causes(search, open);
+        if variants.is_empty() {
+            return Vec::new();
+        }
+        let variants = PoolVariants::new(self, search, variants);
         let pool = variants.pool(search, open, now.geometry_ratio, now.sigma_m);
         let mut pairs = self.likely_pairs(&pool, open.single);
         if now.geometry_ratio > 0.0 && search.chosen.len() <= 1 {

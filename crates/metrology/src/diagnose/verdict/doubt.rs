@@ -9,7 +9,7 @@ use robot_model::deform::identified::Growth;
 use robot_model::robot::Axis;
 
 /// A cause that is alone in its place and less likely than this is not told apart from what is not in the library.
-pub(super) const LIKELIER_THAN_NOT: f64 = 0.5;
+pub(in crate::diagnose) const LIKELIER_THAN_NOT: f64 = 0.5;
 /// Of a cause and what has its shape: one is as likely as the other.
 const EVEN: f64 = 0.5;
 

@@ -23,6 +23,7 @@ mod wording;
 
 pub(super) use carries::worse_elsewhere;
 pub(super) use cause_group::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
+pub(super) use doubt::LIKELIER_THAN_NOT;
 pub(super) use judge::judge;
 pub(super) use judgement::Judgement;
 pub(super) use size::reported;

@@ -4,6 +4,8 @@ mod columns;
 mod frozen;
 mod orientation;
 mod rows;
+mod scale;
+mod trials;
 mod whole;
 
 pub use columns::{find_in_cells, find_pose_names};

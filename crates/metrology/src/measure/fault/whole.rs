@@ -1,12 +1,12 @@
 //! What is wrong with all rows at once: units, axes, columns, robot and tool, tried one by one.
 
-use super::{Fault, FaultKind, frozen};
+use super::trials::{left_m, most_left_m, most_m, trial};
+use super::{Fault, FaultKind, frozen, scale};
 use crate::measure::{MIDDLE_OF_3D, Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Robot, SerialArm};
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
-use std::collections::BTreeSet;
 
 /// A registered robot leaves less than this in the middle, however badly calibrated.
 const SOUND_M: f64 = 4e-3;
@@ -18,8 +18,6 @@ const EXPLAINED: f64 = 0.2;
 const TOOL_M: f64 = 5e-3;
 /// What an arm's own errors may make the points miss a tool by that is held: over a few degrees a joint that is off moves them as a tool does.
 const HELD_M: f64 = 1.5e-3;
-/// Stations used for the trials.
-const TRIAL_STATIONS: usize = 80;
 /// The units that points come in beside millimetres.
 const LENGTHS: [(f64, &str); 4] =
     [(1000.0, "metres"), (304.8, "feet"), (25.4, "inches"), (10.0, "centimetres")];
@@ -145,6 +143,9 @@ pub fn find_fault(
             ));
         }
     }
+    if let Some(fault) = scale::find_scale(robot, stations, targets, registration) {
+        return Some(fault);
+    }
     let apart = tool_apart(registration, targets, tool_m, stations.len())?;
     let ToolApart { fitted_m: fitted, apart_m, held_m } = apart;
     (held_m > HELD_M).then(|| {
@@ -187,42 +188,6 @@ pub fn tool_apart(
     let held_m = apart_m / (per_noise * (stations as f64).sqrt());
     let is_apart = targets == 1 && apart_m > TOOL_M + 3.0 * registration.tool_sigma_m;
     is_apart.then_some(ToolApart { fitted_m, apart_m, held_m })
-}
-
-/// What most of the distances stay under, robust against a tenth of false rows: 1.5 times the middle of an even spread lies
-/// under 85 of 100, so that it is the middle one unless a part of the rows is far off.
-fn most_m(off_m: &mut [f64]) -> f64 {
-    off_m.sort_by(f64::total_cmp);
-    let at = |share: f64| off_m.get((share * off_m.len() as f64) as usize).copied().unwrap_or(0.0);
-    at(0.5).max(at(0.8) / 2.5)
-}
-
-/// A few stations from all over the file, at steps of the golden section: every n-th of poses that come round again could
-/// be the same pose each time.
-fn trial(stations: &[Station]) -> Vec<Station> {
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let n = stations.len();
-    if n <= TRIAL_STATIONS {
-        return stations.to_vec();
-    }
-    let picked: BTreeSet<usize> =
-        (0..TRIAL_STATIONS).map(|k| ((k as f64 * GOLDEN).fract() * n as f64) as usize).collect();
-    picked.into_iter().filter_map(|index| stations.get(index)).cloned().collect()
-}
-
-/// What registered `stations` leave.
-fn left_m(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<f64> {
-    let chain = SerialChain::nominal(robot);
-    let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
-    most_left_m(stations, &poses, targets)
-}
-
-/// The same with the flange's poses given.
-fn most_left_m(stations: &[Station], poses: &[Isometry3<f64>], targets: usize) -> Option<f64> {
-    let fit = register(stations, poses, targets, None).ok()?;
-    let mut off_m: Vec<f64> =
-        stations.iter().zip(poses).map(|(s, pose)| fit.residual_m(s, pose).norm()).collect();
-    Some(most_m(&mut off_m))
 }
 
 fn explains(left_m: Option<f64>, before_m: f64) -> bool {

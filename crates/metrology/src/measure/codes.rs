@@ -1,0 +1,71 @@
+//! Codes that stand where an instrument had no reading: -9999 in a coordinate, the same to the last digit at pose after pose.
+
+use super::gaps::at_lines;
+use super::{MeasurementRow, Reading};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::units::mm_from_m;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Fewer rows than this with one number are no code; they are set aside as false readings, if they are.
+const FEWEST: usize = 3;
+/// A code lies beyond all other readings by more than so many times what those span.
+const SPANS: f64 = 2.0;
+/// Joints of one pose differ by less than this, radians.
+const SAME_RAD: f64 = 0.01;
+const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
+
+/// Rows of `used` whose point holds a code in place of a coordinate, and what is said of them, column by column.
+pub(super) fn codes(rows: &[MeasurementRow], used: &[usize]) -> (BTreeSet<usize>, Vec<Diagnostic>) {
+    let (mut coded, mut warnings) = (BTreeSet::new(), Vec::new());
+    for (k, column) in AXES.into_iter().enumerate() {
+        let read = used.iter().filter_map(|&i| match rows.get(i)?.reading {
+            Reading::Point { position_m } => Some((i, position_m[k])),
+            _ => None,
+        });
+        for (value_m, of) in of_column(rows, &read.collect::<Vec<_>>()) {
+            let lines: Vec<u64> = of.iter().filter_map(|&i| rows.get(i)).map(|row| row.line).collect();
+            let text = format!(
+                "column {column} is {} to the last digit in {}, far from all other points: a code where there was no reading",
+                mm_from_m(value_m),
+                at_lines(&lines)
+            );
+            warnings.push(
+                Diagnostic::warning("measure::code-for-none", text)
+                    .help("these rows are left out; leave the cells empty where the instrument saw nothing"),
+            );
+            coded.extend(of);
+        }
+    }
+    (coded, warnings)
+}
+
+/// The codes of one coordinate, metres, each with its rows.
+fn of_column(rows: &[MeasurementRow], read: &[(usize, f64)]) -> Vec<(f64, Vec<usize>)> {
+    let mut alike: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+    for (i, value_m) in read {
+        alike.entry(value_m.to_bits()).or_default().push(*i);
+    }
+    let moved = |of: &[usize]| {
+        let first = of.first().and_then(|&i| rows.get(i));
+        let apart = |a: &MeasurementRow, b: &MeasurementRow| {
+            a.q_rad.iter().zip(&b.q_rad).any(|(a, b)| (a - b).abs() > SAME_RAD)
+        };
+        of.iter().filter_map(|&i| rows.get(i)).any(|row| first.is_some_and(|first| apart(first, row)))
+    };
+    let repeated: Vec<(u64, Vec<usize>)> =
+        alike.into_iter().filter(|(_, of)| of.len() >= FEWEST && moved(of)).collect();
+    let is_repeated = |value_m: f64| repeated.iter().any(|(bits, _)| *bits == value_m.to_bits());
+    let others = || read.iter().map(|(_, value_m)| *value_m).filter(|value_m| !is_repeated(*value_m));
+    let [low, high] = [others().fold(f64::INFINITY, f64::min), others().fold(f64::NEG_INFINITY, f64::max)];
+    // What is read once must be most of the column: a plane that is touched again and again has its coordinate, too.
+    if 2 * others().count() <= read.len() {
+        return Vec::new();
+    }
+    let beyond = SPANS * (high - low);
+    let is_far = |value_m: f64| value_m < low - beyond || value_m > high + beyond;
+    repeated
+        .into_iter()
+        .map(|(bits, of)| (f64::from_bits(bits), of))
+        .filter(|(value_m, _)| is_far(*value_m))
+        .collect()
+}
