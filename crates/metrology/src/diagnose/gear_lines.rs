@@ -4,6 +4,7 @@ use super::cause::Cause;
 use super::dataset::Dataset;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Less than so many periods apart over all of a joint's range, two lines are one bend of about the same period, not two lines.
@@ -14,31 +15,58 @@ const ALIKE: f64 = 0.9;
 /// Whether lines of `n` and `m` periods per turn of `axis` are about the same over its whole range, measured angles or not.
 #[must_use]
 pub(super) fn is_one_bend(dataset: &Dataset, axis: Axis, n: u32, m: u32) -> bool {
-    let angles = || dataset.observations.iter().map(|o| o.q_rad[axis.index()]);
-    let span_rad = angles().fold(f64::NEG_INFINITY, f64::max) - angles().fold(f64::INFINITY, f64::min);
+    is_one_bend_over(span_rad(dataset, axis), n, m)
+}
+
+fn is_one_bend_over(span_rad: f64, n: u32, m: u32) -> bool {
     f64::from(n.abs_diff(m)) * span_rad < ONE_BEND * TAU
 }
 
-/// How alike lines of `n` and `m` periods per turn of `axis` are at the measured angles q: 1 where they are the same numbers, as 8
-/// and 28 are on a grid of 10 deg (aliases), and about 0 where the angles part them. The larger of |mean exp(i (n - m) q)| and |mean exp(i (n + m) q)|.
-#[must_use]
-pub(super) fn likeness(dataset: &Dataset, axis: Axis, n: u32, m: u32) -> f64 {
-    let (n, m) = (f64::from(n), f64::from(m));
-    let mean = |order: f64| {
-        let [mut cos, mut sin] = [0.0; 2];
-        for observation in &dataset.observations {
-            let at = (order * observation.q_rad[axis.index()]).sin_cos();
-            (sin, cos) = (sin + at.0, cos + at.1);
-        }
-        f64::hypot(sin, cos) / dataset.observations.len().max(1) as f64
-    };
-    mean(n - m).max(mean(n + m))
+/// Largest less smallest angle measured.
+fn span_rad(dataset: &Dataset, axis: Axis) -> f64 {
+    let angles = || dataset.observations.iter().map(|o| o.q_rad[axis.index()]);
+    angles().fold(f64::NEG_INFINITY, f64::max) - angles().fold(f64::INFINITY, f64::min)
 }
 
-/// Whether lines of `n` and `m` periods are nearly the same at the measured angles of `axis`, and not between them.
+/// What the measured angles q of each joint say of lines: |mean exp(i k q)| by order k and the span, each worked out once, for every line
+/// is held against every other.
+#[derive(Default)]
+pub(super) struct AngleSpectra {
+    means: BTreeMap<(Axis, u32), f64>,
+    spans_rad: BTreeMap<Axis, f64>,
+}
+
+impl AngleSpectra {
+    /// How alike lines of `n` and `m` periods per turn of `axis` are at the measured angles q: 1 where they are the same numbers, as 8
+    /// and 28 are on a grid of 10 deg (aliases), and about 0 where the angles part them. The larger of |mean exp(i (n - m) q)| and |mean exp(i (n + m) q)|.
+    #[must_use]
+    pub(super) fn likeness(&mut self, dataset: &Dataset, axis: Axis, n: u32, m: u32) -> f64 {
+        self.mean(dataset, axis, n.abs_diff(m)).max(self.mean(dataset, axis, n + m))
+    }
+
+    fn mean(&mut self, dataset: &Dataset, axis: Axis, order: u32) -> f64 {
+        *self.means.entry((axis, order)).or_insert_with(|| {
+            let [mut cos, mut sin] = [0.0; 2];
+            for observation in &dataset.observations {
+                let at = (f64::from(order) * observation.q_rad[axis.index()]).sin_cos();
+                (sin, cos) = (sin + at.0, cos + at.1);
+            }
+            f64::hypot(sin, cos) / dataset.observations.len().max(1) as f64
+        })
+    }
+
+    /// Whether lines of `n` and `m` periods are nearly the same at the measured angles of `axis`, and not between them.
+    #[must_use]
+    pub(super) fn are_aliases(&mut self, dataset: &Dataset, axis: Axis, n: u32, m: u32) -> bool {
+        let span_rad = *self.spans_rad.entry(axis).or_insert_with(|| span_rad(dataset, axis));
+        n != m && !is_one_bend_over(span_rad, n, m) && self.likeness(dataset, axis, n, m) > ALIKE
+    }
+}
+
+/// The same of two lines alone.
 #[must_use]
 pub(super) fn are_aliases(dataset: &Dataset, axis: Axis, n: u32, m: u32) -> bool {
-    n != m && !is_one_bend(dataset, axis, n, m) && likeness(dataset, axis, n, m) > ALIKE
+    AngleSpectra::default().are_aliases(dataset, axis, n, m)
 }
 
 /// A line of a gear that may be any of several, which the angles measured do not tell apart.
@@ -91,7 +119,7 @@ mod tests {
         };
         assert_eq!(of(&grid), [28, 44, 64, 80, 100]);
         assert_eq!(of(&free), [0; 0]);
-        assert!((likeness(&grid, joint, 8, 28) - 1.0).abs() < 1e-12);
+        assert!((AngleSpectra::default().likeness(&grid, joint, 8, 28) - 1.0).abs() < 1e-12);
     }
 
     /// Over a fifth of a turn 17 and 19 periods differ by 0.4 of one, 17 and 21 by 0.8.

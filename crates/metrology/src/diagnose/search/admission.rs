@@ -4,7 +4,7 @@ use super::chosen::ChosenCause;
 use super::library::Library;
 use crate::diagnose::design::{Design, side_by_side};
 use crate::diagnose::effects::{Candidate, steps_too_near};
-use crate::diagnose::gear_lines::are_aliases;
+use crate::diagnose::gear_lines::AngleSpectra;
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
 
@@ -98,16 +98,16 @@ impl Library<'_> {
     }
 
     /// Lines of the same gear that are nearly the same numbers as `candidate` at the angles measured, and other ones between them.
-    pub(crate) fn aliases(&self, candidate: usize) -> Vec<usize> {
+    pub(crate) fn aliases(&self, candidate: usize, spectra: &mut AngleSpectra) -> Vec<usize> {
         let this = &self.candidates[candidate];
         let (EffectKind::GearMesh, Some(joint), Some(n)) = (this.kind, this.variant.joint, this.variant.n)
         else {
             return Vec::new();
         };
-        let is_alias = |other: &Candidate| {
+        let mut is_alias = |other: &Candidate| {
             other.kind == EffectKind::GearMesh
                 && other.variant.joint == Some(joint)
-                && other.variant.n.is_some_and(|m| are_aliases(self.dataset, joint, n, m))
+                && other.variant.n.is_some_and(|m| spectra.are_aliases(self.dataset, joint, n, m))
         };
         (0..self.candidates.len()).filter(|&c| is_alias(&self.candidates[c])).collect()
     }

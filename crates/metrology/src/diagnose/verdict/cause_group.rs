@@ -2,7 +2,7 @@
 
 use crate::diagnose::effects::{Candidate, CauseKey};
 use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::gear_lines::is_one_bend;
+use crate::diagnose::gear_lines::{AngleSpectra, is_one_bend};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::search::{
@@ -175,7 +175,12 @@ fn add_line(workspace: &Workspace<'_>, lines: &mut Vec<LineShare>, candidate: us
 /// A gear line where there are dozens, in place `i` of `chosen`: each stood far out when it was added, and none has an alternative but
 /// its like at the same angles.
 #[must_use]
-pub(super) fn line_among_many(fitted: &FittedModel<'_>, chosen: &[ChosenCause], i: usize) -> CauseGroup {
+pub(super) fn line_among_many(
+    fitted: &FittedModel<'_>,
+    chosen: &[ChosenCause],
+    i: usize,
+    spectra: &mut AngleSpectra,
+) -> CauseGroup {
     let FittedModel { model, workspace, .. } = fitted;
     let Workspace { design, library, .. } = workspace;
     let one = &chosen[i];
@@ -187,7 +192,7 @@ pub(super) fn line_among_many(fitted: &FittedModel<'_>, chosen: &[ChosenCause], 
         size_ratio: one.size_ratio,
         lines: Vec::new(),
     };
-    let aliases = library.aliases(one.candidate);
+    let aliases = library.aliases(one.candidate, spectra);
     if aliases.is_empty() {
         return line;
     }

@@ -22,6 +22,7 @@ use super::wording::{
 };
 use crate::diagnose::cause::Cause;
 use crate::diagnose::evidence::NuisanceModel;
+use crate::diagnose::gear_lines::AngleSpectra;
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::{FittedModel, Workspace};
@@ -107,6 +108,8 @@ struct CausesFound {
     named: Vec<usize>,
     /// Links that are one beam, of which either is named.
     beams: Vec<[Axis; 2]>,
+    /// What the angles measured say of lines.
+    spectra: AngleSpectra,
 }
 
 impl CausesFound {
@@ -114,7 +117,7 @@ impl CausesFound {
     fn add_slot(&mut self, fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) {
         let candidates = fitted.workspace.library.candidates;
         if chosen.len() > MANY_CAUSES && candidates[chosen[i].candidate].variant.n.is_some() {
-            let line = line_among_many(fitted, chosen, i);
+            let line = line_among_many(fitted, chosen, i, &mut self.spectra);
             if line.probability < LIKELIER_THAN_NOT {
                 return;
             }
