@@ -338,27 +338,22 @@ enum ParseFailure {
 
 /// The command line, with the defaults of the settings in it.
 fn parse(command: &clap::Command, words: &[OsString]) -> Result<(ArgMatches, Settings), ParseFailure> {
-    let as_written = command.clone().try_get_matches_from(words);
+    let parsed = |words: &[OsString]| command.clone().try_get_matches_from(words);
+    let as_written = parsed(words);
+    // What is missing may stand in the settings.
     let first = match &as_written {
-        Ok(matches) => matches.clone(),
-        // What is missing may stand in the settings.
-        Err(_) => match command.clone().ignore_errors(true).try_get_matches_from(words) {
-            Ok(first) => first,
-            Err(_) => return as_written.map(with_no_settings).map_err(ParseFailure::Usage),
-        },
+        Ok(matches) => Some(matches.clone()),
+        Err(_) => command.clone().ignore_errors(true).try_get_matches_from(words).ok(),
     };
-    let settings = Settings::find(command, &first).map_err(ParseFailure::Settings)?;
-    let Some(name) = first.subcommand_name().filter(|_| settings.are_given()) else {
-        return as_written.map(with_no_settings).map_err(ParseFailure::Usage);
-    };
-    match command.clone().try_get_matches_from(settings.add_to(words, name)) {
+    let settings = first.map(|first| Settings::find(command, &first)).transpose();
+    let settings = settings.map_err(ParseFailure::Settings)?.unwrap_or_default();
+    if !settings.are_given() {
+        return as_written.map(|matches| (matches, settings)).map_err(ParseFailure::Usage);
+    }
+    match parsed(&settings.add_to(words)) {
         Ok(matches) => Ok((matches, settings)),
         Err(error) => Err(settings.blame(&error).map_or(ParseFailure::Usage(error), ParseFailure::Settings)),
     }
-}
-
-fn with_no_settings(matches: ArgMatches) -> (ArgMatches, Settings) {
-    (matches, Settings::default())
 }
 
 #[cfg(test)]

@@ -34,6 +34,8 @@ const THIS_TIME: [&str; 8] =
 pub struct Settings {
     /// The file they stand in.
     path: PathBuf,
+    /// The command that they are for.
+    command: String,
     /// Words of the command line that say the same.
     words: Vec<OsString>,
     /// The options that are set, by their ids.
@@ -61,7 +63,7 @@ impl Settings {
             .map_err(|error| wrong("settings::toml", error.to_string()))?;
         let table: toml::Table =
             toml::from_str(&text).map_err(|error| wrong("settings::toml", error.to_string()))?;
-        let mut settings = Self { path: path.clone(), ..Self::default() };
+        let mut settings = Self { path: path.clone(), command: name.to_owned(), ..Self::default() };
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let own = own_table(command, name, &table).map_err(|(code, text)| wrong(code, text))?;
         // What stands under the command's own name wins over what stands for all.
@@ -87,10 +89,11 @@ impl Settings {
 
     /// The command line with the defaults in it, behind the name of the command.
     #[must_use]
-    pub fn add_to(&self, words: &[OsString], command: &str) -> Vec<OsString> {
+    pub fn add_to(&self, words: &[OsString]) -> Vec<OsString> {
         let is_value = |at: usize| at > 0 && words[at - 1] == "--settings";
-        let at =
-            (1..words.len()).find(|&at| words[at] == command && !is_value(at)).unwrap_or(words.len() - 1);
+        let at = (1..words.len())
+            .find(|&at| words[at] == *self.command && !is_value(at))
+            .unwrap_or(words.len() - 1);
         [&words[..=at], &self.words, &words[at + 1..]].concat()
     }
 

@@ -3,6 +3,7 @@
 
 mod corpus;
 mod errors;
+mod named_on_reading;
 mod names;
 mod order;
 mod pages;

@@ -29,8 +29,8 @@ pub(super) fn impossible_step(measured: MeasuredRobot<'_>, causes: &[Cause]) -> 
     let lines = if behind.len() <= before.len() { behind } else { before };
     Some(Fault::in_rows(FaultKind::TooManyFalse, "x_mm, y_mm, z_mm", lines, |count, which| {
         format!(
-            "{count} rows ({which}) do not go with the others: as a {} it would be {size}, which is none; another set-up, another robot, or an \
-             instrument that had lost its target",
+            "{count} rows ({which}) do not go with the others: no {} is as large as {size}; another set-up, another robot, or an instrument that \
+             had lost its target",
             step.effect
         )
     }))

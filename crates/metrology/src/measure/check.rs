@@ -299,6 +299,35 @@ mod tests {
         assert!(checked.time_usable, "sorted");
     }
 
+    /// 20 poses a degree and a millimetre apart: three of -9999 are a code; two are false readings, what lies among the others is a
+    /// coordinate, and at one pose the same is a repeat.
+    #[test]
+    fn a_number_far_out_that_poses_share_is_a_code() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let poses: Vec<(f64, f64, f64)> = (0..20).map(f64::from).map(|i| (i, i, i)).collect();
+        let checked_with = |changed: &[(usize, f64, f64)]| {
+            let mut rows = poses.clone();
+            for (row, q2_deg, x_mm) in changed {
+                (rows[*row].1, rows[*row].2) = (*q2_deg, *x_mm);
+            }
+            check_rows(&file(&rows), &robot)
+        };
+        let coded = checked_with(&[(2, 2.0, -9999.0), (9, 9.0, -9999.0), (19, 19.0, -9999.0)]);
+        assert_eq!(codes(&coded), ["measure::code-for-none"]);
+        assert_eq!(coded.used, (0..19).filter(|i| ![2, 9].contains(i)).collect::<Vec<_>>());
+        assert!(
+            coded.warnings[0].message.contains("x_mm is -9999 to the last digit in 3 rows: lines 4, 11, 21")
+        );
+        for kept in [
+            [(2, 2.0, -9999.0), (9, 9.0, -9999.0), (19, 19.0, 19.0)],
+            [(2, 2.0, 25.0), (9, 9.0, 25.0), (19, 19.0, 25.0)],
+            [(2, 2.0, -9999.0), (9, 2.0, -9999.0), (19, 2.0, -9999.0)],
+        ] {
+            let checked = checked_with(&kept);
+            assert_eq!((checked.used.len(), codes(&checked)), (20, vec![]), "{kept:?}");
+        }
+    }
+
     #[test]
     fn copies_and_joints_out_of_range_are_left_out_and_many_of_those_are_a_fault() {
         let robot = SerialArm::built_in("irb140").unwrap();

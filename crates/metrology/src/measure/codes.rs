@@ -1,5 +1,6 @@
 //! Codes that stand where an instrument had no reading: -9999 in a coordinate, the same to the last digit at pose after pose.
 
+use super::column_names::POINT;
 use super::gaps::at_lines;
 use super::{MeasurementRow, Reading};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -10,14 +11,11 @@ use std::collections::{BTreeMap, BTreeSet};
 const FEWEST: usize = 3;
 /// A code lies beyond all other readings by more than so many times what those span.
 const SPANS: f64 = 2.0;
-/// Joints of one pose differ by less than this, radians.
-const SAME_RAD: f64 = 0.01;
-const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
 /// Rows of `used` whose point holds a code in place of a coordinate, and what is said of them, column by column.
 pub(super) fn codes(rows: &[MeasurementRow], used: &[usize]) -> (BTreeSet<usize>, Vec<Diagnostic>) {
     let (mut coded, mut warnings) = (BTreeSet::new(), Vec::new());
-    for (k, column) in AXES.into_iter().enumerate() {
+    for (k, column) in POINT.into_iter().enumerate() {
         let read = used.iter().filter_map(|&i| match rows.get(i)?.reading {
             Reading::Point { position_m } => Some((i, position_m[k])),
             _ => None,
@@ -46,11 +44,9 @@ fn of_column(rows: &[MeasurementRow], read: &[(usize, f64)]) -> Vec<(f64, Vec<us
         alike.entry(value_m.to_bits()).or_default().push(*i);
     }
     let moved = |of: &[usize]| {
-        let first = of.first().and_then(|&i| rows.get(i));
-        let apart = |a: &MeasurementRow, b: &MeasurementRow| {
-            a.q_rad.iter().zip(&b.q_rad).any(|(a, b)| (a - b).abs() > SAME_RAD)
-        };
-        of.iter().filter_map(|&i| rows.get(i)).any(|row| first.is_some_and(|first| apart(first, row)))
+        let mut pose = of.iter().filter_map(|&i| rows.get(i));
+        let first = pose.next();
+        pose.any(|row| first.is_some_and(|first| row.is_apart_from(first)))
     };
     let repeated: Vec<(u64, Vec<usize>)> =
         alike.into_iter().filter(|(_, of)| of.len() >= FEWEST && moved(of)).collect();

@@ -5,6 +5,9 @@ use nalgebra::UnitQuaternion;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{JointKind, Joints};
 
+/// Joints of one pose differ by less than this, radians.
+const SAME_POSE_RAD: f64 = 0.01;
+
 /// One measured pose, SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasurementRow {
@@ -32,6 +35,14 @@ pub struct MeasurementRow {
     pub payload_kg: Option<f64>,
     /// Temperature of each joint.
     pub joint_temperature_c: Option<Joints>,
+}
+
+impl MeasurementRow {
+    /// Whether the arm stood elsewhere than at `other`.
+    #[must_use]
+    pub(super) fn is_apart_from(&self, other: &Self) -> bool {
+        self.q_rad.iter().zip(&other.q_rad).any(|(a, b)| (a - b).abs() > SAME_POSE_RAD)
+    }
 }
 
 /// Which optional columns the file has, complete for every row.

@@ -16,7 +16,7 @@ pub(super) struct RigidDrift {
     source: &'static str,
 }
 
-/// The base moves.
+/// Arm and instrument move against each other, on whichever side of them it is.
 pub(super) const BASE_DRIFT: RigidDrift = RigidDrift {
     kind: EffectKind::BaseDrift,
     body: RigidBody::Base,

@@ -20,7 +20,7 @@ pub(super) struct RigidStep {
 /// Usual size of each of the motion's parameters, metres or, about a metre's lever, radians.
 const USUAL_M: f64 = 1e-4;
 
-/// The base moves.
+/// Arm and instrument move against each other, on whichever side of them it is.
 pub(super) const BASE_STEP: RigidStep = RigidStep {
     kind: EffectKind::BaseStep,
     body: RigidBody::Base,

@@ -8,8 +8,6 @@ use robot_model::robot::SerialArm;
 use robot_model::units::{celsius_from_fahrenheit, celsius_from_kelvin, kg_from_g, min_from_s};
 use std::collections::BTreeMap;
 
-/// Joints of one pose differ by less than this, radians.
-const SAME_RAD: f64 = 0.01;
 /// Fewer rows than this with one point may be a copied line; they are set aside by the search.
 const FEWEST_FROZEN: usize = 3;
 /// Joints of one arm are never further apart in temperature, K.
@@ -42,10 +40,6 @@ pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &Serial
         .or_else(|| hot_arm(&rows))
 }
 
-fn apart(a: &MeasurementRow, b: &MeasurementRow) -> bool {
-    a.q_rad.iter().zip(&b.q_rad).any(|(a, b)| (a - b).abs() > SAME_RAD)
-}
-
 /// One point to the last digit, at joints that differ.
 fn frozen_points(rows: &[&MeasurementRow]) -> Option<Fault> {
     let mut seen: BTreeMap<([u64; 3], usize), Vec<&MeasurementRow>> = BTreeMap::new();
@@ -56,8 +50,10 @@ fn frozen_points(rows: &[&MeasurementRow]) -> Option<Fault> {
         }
     }
     let still = seen.values().filter(|same| {
-        let poses =
-            same.iter().enumerate().filter(|(k, row)| same[..*k].iter().all(|before| apart(row, before)));
+        let poses = same
+            .iter()
+            .enumerate()
+            .filter(|(k, row)| same[..*k].iter().all(|before| row.is_apart_from(before)));
         poses.count() >= FEWEST_FROZEN
     });
     let lines: Vec<u64> = still.flatten().map(|row| row.line).collect();
@@ -85,7 +81,7 @@ pub fn find_pose_names(measurements: &Measurements, used: &[usize]) -> Option<Fa
         let known = first.entry(row.pose).or_insert(row);
         if known.line != row.line {
             repeats += 1;
-            if apart(row, known) {
+            if row.is_apart_from(known) {
                 lines.push(row.line);
             }
         }

@@ -2,6 +2,7 @@
 
 use super::trials::{most_left_m, trial};
 use super::{Fault, FaultKind};
+use crate::measure::column_names::POINT;
 use crate::measure::{Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -34,7 +35,7 @@ pub(super) fn find_scale(
         let than = if by > 0.0 { "longer" } else { "shorter" };
         Fault::of_all(
             FaultKind::PositionUnits,
-            Some("x_mm, y_mm, z_mm"),
+            Some(&POINT.join(", ")),
             format!(
                 "all lengths between the points are {:.1} % {than} than the arm's: with that taken out {:.2} mm are left of {:.2} mm; look at the \
                  instrument's scale, its refraction and its unit, or at whether this is the arm that was measured",

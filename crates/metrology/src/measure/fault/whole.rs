@@ -2,6 +2,7 @@
 
 use super::trials::{left_m, most_left_m, most_m, trial};
 use super::{Fault, FaultKind, frozen, scale};
+use crate::measure::column_names::POINT;
 use crate::measure::{MIDDLE_OF_3D, Reading, Registration, Station, register};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
@@ -23,7 +24,6 @@ const LENGTHS: [(f64, &str); 4] =
     [(1000.0, "metres"), (304.8, "feet"), (25.4, "inches"), (10.0, "centimetres")];
 /// Degrees of a gon, of which a turn has 400.
 const DEG_PER_GON: f64 = 0.9;
-const AXES: [&str; 3] = ["x_mm", "y_mm", "z_mm"];
 
 /// What may have happened to a row, undone.
 pub(super) struct Change {
@@ -44,11 +44,11 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
     for (factor, name) in LENGTHS {
         all.push(Change {
             kind: FaultKind::PositionUnits,
-            column: AXES.join(", "),
+            column: POINT.join(", "),
             description: format!("the measured points are in {name}, the columns say mm"),
             change: Box::new(move |s| s.reading = s.reading.scaled(factor)),
         });
-        for (k, axis) in AXES.into_iter().enumerate() {
+        for (k, axis) in POINT.into_iter().enumerate() {
             all.push(Change {
                 kind: FaultKind::ColumnUnits,
                 column: axis.to_owned(),
@@ -57,7 +57,7 @@ pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
             });
         }
     }
-    for (k, axis) in AXES.into_iter().enumerate() {
+    for (k, axis) in POINT.into_iter().enumerate() {
         all.push(Change {
             kind: FaultKind::SwappedAxes,
             column: axis.to_owned(),

@@ -1,0 +1,51 @@
+//! What a program does that a correction would change, named when it is read.
+
+use super::{at, module, tool};
+
+/// A tool and a target, and a motion to it.
+fn data() -> String {
+    format!("PERS tooldata t:={};\nCONST robtarget p:={};\n", tool(1), at(5, 5, 5))
+}
+
+const MOVE: &str = "MoveL p,v100,fine,t;\n";
+
+/// The arm stands a correction beside its target: a test of that is named, once for all of a program, and no other.
+#[test]
+fn a_decision_by_where_the_arm_stands_is_named() {
+    let at_home =
+        "FUNC bool AtHome()\nVAR jointtarget j;\nj:=CJointT();\nRETURN Abs(j.robax.rax_1-3)<0.01;\nENDFUNC\n";
+    let found = |body: &str| -> Vec<String> {
+        let read = module(&format!("{}{at_home}PROC main()\n{MOVE}{body}ENDPROC\n", data()));
+        let tested = read.diagnostics.iter().filter(|found| found.code == "state::position-tested");
+        tested.map(|found| found.message.split(':').next().unwrap().to_owned()).collect()
+    };
+    let one = |by: &str| vec![format!("{by} decides by where the arm stands")];
+    assert_eq!(found("IF AtHome() THEN\nStop;\nENDIF\n"), one("IF"));
+    assert_eq!(found("IF NOT AtHome() Stop;\n"), one("IF"));
+    assert_eq!(found("WaitUntil AtHome();\n"), one("WaitUntil"));
+    let twice = "TEST CPos(\\Tool:=t).x>5\nCASE TRUE:\nStop;\nENDTEST\nWHILE AtHome() DO\nStop;\nENDWHILE\n";
+    assert_eq!(found(twice), ["TEST decides by where the arm stands, and one more test does"]);
+    for other in ["IF TRUE Stop;\n", "TPWrite \"home\"\\Bool:=AtHome();\n", ""] {
+        assert_eq!(found(other), [""; 0], "{other}");
+    }
+}
+
+/// All data of a type: clock and schedule have numbers, texts and truth values of their own.
+#[test]
+fn a_statement_that_sets_all_data_of_a_type_is_named() {
+    let found = |statement: &str| {
+        let read = module(&format!("{}PROC main()\n{MOVE}{statement}\nENDPROC\n", data()));
+        read.diagnostics.iter().filter(|found| found.code == "state::set-all-data").count()
+    };
+    for (statement, named) in [
+        ("SetAllDataVal \"num\",0;", 1),
+        ("SetAllDataVal \"Bool\"\\TypeMod,FALSE;", 1),
+        ("SetAllDataVal \"num\"\\Object:=\"t.*\",0;", 1),
+        ("SetAllDataVal \"num\"\\Object:=\".*\",0;", 1),
+        ("SetAllDataVal \"num\"\\Object:=\"n.*\",0;", 0),
+        ("SetAllDataVal \"robtarget\",p;", 0),
+        ("SetDataVal \"n1\",0;", 0),
+    ] {
+        assert_eq!(found(statement), named, "{statement}");
+    }
+}
