@@ -44,8 +44,33 @@ pub fn check_program(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
 }
 
 fn holds_module(path: &Path, bytes: Vec<u8>) -> bool {
-    let there = SourceFile::read(FileId(0), path.display().to_string(), bytes);
-    there.tree.items.iter().any(|item| matches!(item, FileItem::Module(_)))
+    !module_names(path, bytes).is_empty()
+}
+
+/// Refuses to overwrite a program that has none of the modules of the `original` that goes there.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_original(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
+    let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
+    let [there, original] = [bytes, original.to_vec()].map(|bytes| module_names(path, bytes));
+    if there.is_empty() || there.iter().any(|name| original.contains(name)) {
+        return Ok(());
+    }
+    let text = format!("{} is another program, with module {}", path.display(), there.join(", "));
+    Err(Diagnostic::error("output::changed", text).help("name another place with -o"))
+}
+
+/// Names of the modules in a text, in lower case.
+fn module_names(path: &Path, bytes: Vec<u8>) -> Vec<String> {
+    let file = SourceFile::read(FileId(0), path.display().to_string(), bytes);
+    let name = |item: &FileItem| match item {
+        FileItem::Module(module) => {
+            Some(String::from_utf8_lossy(file.text(module.name)).to_ascii_lowercase())
+        }
+        _ => None,
+    };
+    file.tree.items.iter().filter_map(name).collect()
 }
 
 /// Refuses to overwrite a module that measures where a module of another name stands.
@@ -54,14 +79,8 @@ fn holds_module(path: &Path, bytes: Vec<u8>) -> bool {
 /// `output::changed`, naming the file.
 pub fn check_plan(path: &Path) -> Result<(), Diagnostic> {
     let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
-    let there = SourceFile::read(FileId(0), path.display().to_string(), bytes);
-    let is_other = |item: &FileItem| match item {
-        FileItem::Module(module) => {
-            !there.text(module.name).eq_ignore_ascii_case(MEASURING_MODULE.as_bytes())
-        }
-        _ => false,
-    };
-    if !there.tree.items.iter().any(is_other) {
+    let is_measuring = |name: &String| name.eq_ignore_ascii_case(MEASURING_MODULE);
+    if module_names(path, bytes).iter().all(is_measuring) {
         return Ok(());
     }
     let text = format!("{} is a program, and no module that measures", path.display());

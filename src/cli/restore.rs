@@ -3,7 +3,7 @@
 use super::destination::{is_folder, is_pgf};
 use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
 use super::program_input::ProgramInput;
-use super::{Console, Outcome};
+use super::{Console, Outcome, overwriting};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
 use rapid_program::emit::{Altered, ModifiedIn, ModifiedTarget, Restored};
@@ -49,6 +49,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut outputs = Vec::new();
     for (path, restored) in found.originals() {
         let to = place(Path::new(path), restored, args)?;
+        overwriting::check_original(&to, &restored.bytes)?;
         keep_apart(&[], &[args.json.as_deref(), Some(&to)].into_iter().flatten().collect::<Vec<_>>())?;
         let mut output = Output::new(Some(&to))?;
         output.fill(|out| Ok(out.write_all(&restored.bytes)?))?;

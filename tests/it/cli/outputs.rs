@@ -108,6 +108,26 @@ fn a_module_is_restored_through_pipes_and_into_a_new_folder() {
     assert!(!bench.path("-").exists());
 }
 
+#[test]
+fn a_restored_module_goes_over_itself_and_over_no_other_program() {
+    let bench = Bench::default();
+    let emitted = bench.path("Cube45_tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]).status.success());
+    let [other, own] = ["other.mod", "own.mod"].map(|name| bench.path(name).display().to_string());
+    std::fs::write(&other, "MODULE Other\r\nENDMODULE\r\n").unwrap();
+    std::fs::write(&own, "MODULE mod_cube45\r\nENDMODULE\r\n").unwrap();
+    let output = driftpost(&["restore", &emitted, "-o", &other]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        err(&output).contains("output::changed") && err(&output).contains("module other"),
+        "{}",
+        err(&output)
+    );
+    assert_eq!(bench.text("other.mod"), "MODULE Other\r\nENDMODULE\r\n");
+    assert_eq!(driftpost(&["restore", &emitted, "-o", &own]).status.code(), Some(0));
+    assert!(bench.text("own.mod").as_bytes() == std::fs::read(CUBE).unwrap());
+}
+
 /// A file whose name is a hyphen is never what was meant.
 #[test]
 fn what_goes_to_a_file_alone_refuses_standard_output() {
