@@ -16,7 +16,16 @@ fn what_cannot_be_read_is_refused_by_line_and_column() {
     let wild = wild.lines().nth(1).unwrap().to_owned() + "\n";
     let decimal_comma = rewritten(|name| name == "x_mm", |cell| format!("\"{}\"", cell.replace('.', ",")));
     let semicolons = SOUND.replace(',', ";").replace('.', ",");
-    let cases: [(&str, String, &[&str]); 10] = [
+    let unit = |name: &str| match name.rsplit_once('_') {
+        Some((_, unit @ ("deg" | "mm"))) => unit.to_owned(),
+        _ => "1".to_owned(),
+    };
+    let units: Vec<String> = header.split(',').map(unit).collect();
+    let with_units = SOUND.replacen('\n', &format!("\n{}\n", units.join(",")), 1);
+    let thousands = rewritten(|name| name == "x_mm", |cell| format!("\"{},{}\"", &cell[..1], &cell[1..]));
+    let in_each_cell = rewritten(|name| name == "x_mm", |cell| format!("{cell} mm"));
+    let bare = header.replace("_deg", "").replace("_mm", "");
+    let cases: [(&str, String, &[&str]); 14] = [
         ("empty", String::new(), &["no header"]),
         ("white space alone", " \n\n \n".into(), &["no header"]),
         ("header alone", format!("{header}\n"), &["no rows"]),
@@ -24,6 +33,10 @@ fn what_cannot_be_read_is_refused_by_line_and_column() {
         ("a column missing", SOUND.replacen("q3_deg", "q3", 1), &["q3_deg", "missing"]),
         ("torn in the middle of a row", torn.into(), &["cells", "header"]),
         ("a decimal comma", decimal_comma, &["line 2", "x_mm"]),
+        ("a line of units", with_units, &["line 2", "x_mm", "a line of units", "begin it with #"]),
+        ("thousands", thousands, &["line 2", "x_mm", "without separators of thousands"]),
+        ("a unit in each cell", in_each_cell, &["line 2", "x_mm", "the number alone"]),
+        ("other names", SOUND.replacen(header, &bare, 1), &["q1_deg", "--columns"]),
         ("semicolons", semicolons, &["separated by ';'"]),
         ("a point far out", SOUND.clone() + &wild, &["line 62", "x_mm", "1e12"]),
         ("an overflow", rewritten(|n| n == "z_mm", |_| "1e999".into()), &["line 2", "z_mm"]),
@@ -35,6 +48,10 @@ fn what_cannot_be_read_is_refused_by_line_and_column() {
             assert!(answer.text.contains(word), "{what}: {word} is not in {}", answer.text);
         }
     }
+    let utf16: Vec<u8> =
+        [0xfeff].into_iter().chain(SOUND.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    let answer = diagnose(&utf16, &[]);
+    assert!(answer.code == 2 && answer.text.contains("UTF-16; save it as UTF-8"), "{}", answer.text);
     for sigma in ["-0.02", "0", "nan", "inf", "1e999"] {
         let answer = diagnose(SOUND.as_bytes(), &["--sigma-mm", sigma]);
         assert!(answer.code == 2 && answer.json.is_none(), "{sigma}: {}", answer.text);

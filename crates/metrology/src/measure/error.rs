@@ -134,6 +134,29 @@ impl From<MeasureError> for Diagnostic {
     }
 }
 
+/// What is likely the matter with a cell that is no number, or nothing.
+pub(super) fn number_hint(text: &str) -> &'static str {
+    let digits = text.trim_start_matches(['-', '+']);
+    if text.is_empty() {
+        ": the cell is empty"
+    } else if digits.contains(',') && digits.contains('.')
+        || digits.contains(['\'', '\u{2019}', '\u{a0}', ' '])
+            && digits.ends_with(|c: char| c.is_ascii_digit())
+    {
+        ": write it without separators of thousands, decimals with a point"
+    } else if digits.contains(',') {
+        ": write decimals with a point"
+    } else if digits.starts_with(['\u{2212}', '\u{2013}']) {
+        ": its minus is another character; write a hyphen"
+    } else if digits.starts_with(|c: char| c.is_ascii_digit()) && digits.ends_with(char::is_alphabetic) {
+        ": write the number alone; its unit is that of the column's name"
+    } else if digits.contains(char::is_alphabetic) {
+        ": a second header or a line of units is none of measurements; begin it with #"
+    } else {
+        ""
+    }
+}
+
 /// The error of a column that is missing from `header`, with what is likely the matter.
 pub(super) fn missing_column(column: &str, header: &[String]) -> MeasureError {
     let found: Vec<&str> = header.iter().map(String::as_str).collect();
@@ -144,7 +167,7 @@ pub(super) fn missing_column(column: &str, header: &[String]) -> MeasureError {
     } else if found.iter().any(|n| n.ends_with("_rad")) {
         "; joints are given in degrees"
     } else {
-        ""
+        "; where the columns have other names, --columns MAP.toml says which is which"
     };
     let mut found = found.join(", ");
     if let Some((cut, _)) = found.char_indices().nth(200) {

@@ -3,7 +3,7 @@
 use super::column_names::{
     self, AIR, DIRECTIONS, FIXED, JOINTS, LENGTH, POINT, QUATERNION, SLIDES, TEMPERATURES, known,
 };
-use super::error::missing_column;
+use super::error::{missing_column, number_hint};
 use super::table::Line;
 use super::{MeasureError, MeasurementRow, Reading};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -167,13 +167,7 @@ impl RowCells<'_> {
                 line: self.line.number,
                 column: name.to_owned(),
                 text: text.chars().take(40).collect(),
-                hint: if text.is_empty() {
-                    ": the cell is empty"
-                } else if text.contains(',') {
-                    ": write decimals with a point"
-                } else {
-                    ""
-                },
+                hint: number_hint(text),
             }),
         }
     }

@@ -30,6 +30,10 @@ impl Table {
     /// Not CSV, a line with more or fewer cells than the header.
     pub fn from_csv(bytes: &[u8]) -> Result<Self, MeasureError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        if [b"\xff\xfe", b"\xfe\xff"].iter().any(|mark| bytes.starts_with(*mark)) {
+            let problem = "the text is UTF-16; save it as UTF-8".to_owned();
+            return Err(MeasureError::NotCsv { line: 1, problem });
+        }
         let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
         let lines_of = LineIndex::new(bytes);
         let not_csv = |error: csv::Error| not_csv(&lines_of, bytes, &error);
