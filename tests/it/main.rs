@@ -48,6 +48,7 @@ mod loads;
 mod lossless;
 mod measuring;
 mod messages;
+mod mixed_up_rows;
 mod model;
 mod next_poses;
 mod nominal_cell;

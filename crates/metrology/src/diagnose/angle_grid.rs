@@ -4,6 +4,7 @@ use crate::measure::Measurements;
 use robot_model::robot::{Axis, Joints, SerialArm};
 use robot_model::units::deg_from_rad;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// Steps that joints come rounded to lie between these, degrees: finer ones are no fault, coarser ones are postures.
 const STEPS_DEG: [f64; 2] = [0.01, 1.0];
@@ -13,6 +14,12 @@ const SAME_DEG: f64 = 1e-6;
 const MOST_COUNTS: u32 = 12;
 /// Decimals alone are one of the last, or a few where six leave no room for what reading them leaves.
 const MOST_DECIMALS: f64 = 4.0;
+/// Steps that a part of a file comes rounded to, degrees, the coarsest first.
+const PART_STEPS_DEG: [f64; 5] = [0.5, 0.1, 0.05, 0.02, 0.01];
+/// A part of a file has so many rows, and so has the rest.
+const FEWEST_OF_PART: usize = 12;
+/// Share of the rest's angles that lie on a part's step.
+const MOST_ON_STEP: f64 = 0.4;
 /// So unlikely it must be that angles lie on multiples of a step by chance, nats.
 const BY_CHANCE_NATS: f64 = -20.0;
 
@@ -21,6 +28,8 @@ pub(super) struct AngleGrid {
     pub(super) step_deg: f64,
     /// Their indices, counted from 0.
     pub(super) joints: Vec<usize>,
+    /// The rows of the file in which they are, as indices; `None`: in all.
+    pub(super) rows: Option<Range<usize>>,
 }
 
 impl AngleGrid {
@@ -40,13 +49,30 @@ impl AngleGrid {
         let own: Vec<(usize, JointAngles)> = turning.iter().map(|&j| (j, of_joint(j))).collect();
         let all = own.iter().fold(0.0, |step_deg, (_, own)| common_divisor(step_deg, own.step_deg));
         if let Some(step_deg) = rounding_step(all) {
-            return Some(Self { step_deg, joints: turning });
+            return Some(Self { step_deg, joints: turning, rows: None });
         }
         let own = || own.iter().filter(|(j, _)| moves(*j));
         let steps = own().filter_map(|(_, own)| Some((rounding_step(own.step_deg)?, own.step_deg)));
         let (coarsest, exact) = steps.reduce(|best, next| if next.0 > best.0 { next } else { best })?;
         let joints = own().filter(|(_, own)| own.stand_on(coarsest) || own.lie_on(exact));
-        Some(Self { step_deg: coarsest, joints: joints.map(|(j, _)| *j).collect() })
+        Some(Self { step_deg: coarsest, joints: joints.map(|(j, _)| *j).collect(), rows: None })
+    }
+
+    /// The coarsest step on which some joints stand from one row on, or up to one, and not in the rest of the file.
+    pub(super) fn in_part(measurements: &Measurements) -> Option<Self> {
+        let kinds = measurements.joint_kinds.iter().enumerate();
+        let turning: Vec<usize> = kinds.filter(|(_, kind)| !kind.slides()).map(|(j, _)| j).collect();
+        let angles_deg = |j: usize| -> Vec<f64> {
+            measurements.rows.iter().map(|row| deg_from_rad(row.q_rad[j])).collect()
+        };
+        let columns: Vec<(usize, Vec<f64>)> = turning.into_iter().map(|j| (j, angles_deg(j))).collect();
+        PART_STEPS_DEG.into_iter().find_map(|step_deg| {
+            let parts = columns.iter().filter_map(|(j, angles)| Some((*j, part_on(angles, step_deg)?)));
+            let parts: Vec<(usize, Range<usize>)> = parts.collect();
+            let (_, rows) = parts.iter().max_by_key(|(_, rows)| rows.len())?.clone();
+            let joints = parts.iter().filter(|(_, part)| (part.start == 0) == (rows.start == 0));
+            Some(Self { step_deg, joints: joints.map(|(j, _)| *j).collect(), rows: Some(rows) })
+        })
     }
 
     pub(super) fn columns(&self, robot: &SerialArm) -> String {
@@ -57,6 +83,24 @@ impl AngleGrid {
         let columns: Vec<String> = self.joints.iter().map(|&j| robot.column(Axis::at(j))).collect();
         columns.join(", ")
     }
+}
+
+/// The rows from one on, or up to one, whose angles are multiples of `step_deg` and differ, where those of the others are none.
+fn part_on(angles_deg: &[f64], step_deg: f64) -> Option<Range<usize>> {
+    let n = angles_deg.len();
+    let on_step = |angle_deg: &f64| (angle_deg / step_deg - (angle_deg / step_deg).round()).abs() < 1e-6;
+    let first = angles_deg.iter().take_while(|angle_deg| on_step(angle_deg)).count();
+    let last = n - angles_deg.iter().rev().take_while(|angle_deg| on_step(angle_deg)).count();
+    [(0..first, first..n), (last..n, 0..last)].into_iter().find_map(|(part, rest)| {
+        let angles = &angles_deg[part.clone()];
+        let different: BTreeSet<u64> = angles.iter().map(|angle_deg| angle_deg.to_bits()).collect();
+        let others = angles_deg[rest.clone()].iter().filter(|angle_deg| on_step(angle_deg)).count();
+        let is_part = part.len() >= FEWEST_OF_PART
+            && rest.len() >= FEWEST_OF_PART
+            && 2 * different.len() > part.len().min(FEWEST_OF_PART)
+            && (others as f64) < MOST_ON_STEP * rest.len() as f64;
+        is_part.then_some(part)
+    })
 }
 
 /// The angles of one joint, degrees.

@@ -6,21 +6,22 @@ use super::evaluate::{Evaluation, Prepared, evaluate};
 use super::linearise::{linearise, turned};
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
+use super::one_stand::{JointElsewhere, OneStand, from_one_stand};
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use crate::measure::{
-    Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, RowCheck, Station, Stations, alone,
-    check_rows, describe_move, find_fault, find_in_cells, find_in_orientations, find_in_rows,
-    find_joint_columns, find_pose_names, gather, register,
+    Fault, FaultKind, MIDDLE_OF_3D, Measurements, Reading, RegisterError, Registration, RowCheck, Stations,
+    check_rows, find_apart, find_fault, find_in_orientations, find_pose_names, gather, register,
 };
-use nalgebra::{Isometry3, Point3};
+use nalgebra::Isometry3;
 use robot_model::deform::identified::{FoundBy, Identified};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
-use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+/// Noise that is stated as so many times what is left without any cause is none.
+const OVERSTATED: f64 = 2.0;
 /// Fewer stations or poses than these say nothing.
 const FEWEST_STATIONS: usize = 12;
 const FEWEST_POSES: usize = 8;
@@ -64,11 +65,13 @@ fn examine_in_pool(
     let checked = check_rows(measurements, robot);
     let mut warnings: Vec<Warning> =
         measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
-    let evaluation = from_one_stand(measurements, robot, &checked, options).and_then(|seen| {
-        warnings.extend(seen.warning);
-        let stations = usable_stations(&seen.measurements, &checked, options.sigma_m)?;
+    let seen = from_one_stand(measurements, robot, &checked, options).map_err(Unusable::from);
+    let evaluation = seen.and_then(|seen| {
+        warnings.extend(seen.warnings.iter().cloned());
+        let stations = usable_stations(&seen, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
         evaluated(measured, seen.elsewhere.as_ref(), options, wants_model)
+            .map_err(|unusable| unusable.of_rows(&seen, robot, options))
     });
     let mut evaluation =
         evaluation.unwrap_or_else(|unusable| Evaluation::without_model(unusable.diagnosis()));
@@ -92,6 +95,12 @@ impl From<Fault> for Unusable {
     }
 }
 
+impl From<Box<Fault>> for Unusable {
+    fn from(fault: Box<Fault>) -> Self {
+        Self::Fault(fault)
+    }
+}
+
 impl From<RegisterError> for Unusable {
     fn from(error: RegisterError) -> Self {
         Self::TooLittle(error.to_string())
@@ -99,6 +108,17 @@ impl From<RegisterError> for Unusable {
 }
 
 impl Unusable {
+    /// Where nothing fits, the rows that do not go with the others, if they are some.
+    fn of_rows(self, seen: &OneStand<'_>, robot: &SerialArm, options: &DiagnosisOptions) -> Self {
+        match self {
+            Self::Fault(fault) if fault.kind == FaultKind::NothingFits => {
+                let apart = find_apart(robot, &seen.rows(robot), seen.targets(), options.tool_m);
+                Self::Fault(apart.map_or(fault, Box::new))
+            }
+            _ => self,
+        }
+    }
+
     /// What a diagnosis says of such a file.
     fn diagnosis(self) -> Findings {
         match self {
@@ -108,130 +128,16 @@ impl Unusable {
     }
 }
 
-/// Measurements as one stand of the instrument sees them.
-struct OneStand<'a> {
-    measurements: Cow<'a, Measurements>,
-    /// That the instrument was moved in between.
-    warning: Option<Warning>,
-    /// That one joint stands elsewhere in a part of the rows.
-    elsewhere: Option<JointElsewhere>,
-}
-
-impl<'a> OneStand<'a> {
-    /// Measurements as they are.
-    fn plain(measurements: &'a Measurements) -> Self {
-        Self { measurements: Cow::Borrowed(measurements), warning: None, elsewhere: None }
-    }
-}
-
-/// One joint that stands elsewhere than the file says in some rows, further than a registration bears.
-struct JointElsewhere {
-    /// The joint, counted from 0.
-    joint: usize,
-    /// The rows, as indices into the file's.
-    rows: BTreeSet<usize>,
-    /// Where it stands less where the file says, radians.
-    by_rad: f64,
-}
-
-impl JointElsewhere {
-    /// By how much each joint stands elsewhere at each station.
-    fn turns(&self, stations: &[Station], joints: usize) -> Vec<Joints> {
-        let at = |station: &Station| {
-            let has = station.rows.iter().all(|row| self.rows.contains(row));
-            Joints::from_fn(joints, |j| if has && j == self.joint { self.by_rad } else { 0.0 })
-        };
-        stations.iter().map(at).collect()
-    }
-}
-
-/// Looks for what the rows alone can tell, and takes those of a moved instrument into one frame.
-fn from_one_stand<'a>(
-    measurements: &'a Measurements,
-    robot: &SerialArm,
-    checked: &RowCheck,
-    options: &DiagnosisOptions,
-) -> Result<OneStand<'a>, Unusable> {
-    let targets = measurements.targets.len().max(1);
-    let columns_meant = |fault: Fault| match fault.kind {
-        FaultKind::JointsOutOfRange => {
-            let rows = each_row(measurements, &checked.used, robot);
-            let stations: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
-            find_joint_columns(robot, &stations, targets)
-                .or_else(|| match find_in_rows(robot, &rows, targets, options.tool_m) {
-                    Some(PartFault::Fault(of_some_rows)) => Some(of_some_rows),
-                    Some(PartFault::Moved { .. } | PartFault::JointElsewhere { .. }) | None => None,
-                })
-                .unwrap_or(fault)
-        }
-        _ => fault,
-    };
-    let fault = checked.fault.clone().map(columns_meant);
-    if let Some(fault) = fault.or_else(|| find_in_cells(measurements, &checked.used, robot)) {
-        return Err(fault.into());
-    }
-    let rows = each_row(measurements, &checked.used, robot);
-    match find_in_rows(robot, &rows, targets, options.tool_m) {
-        None => Ok(OneStand::plain(measurements)),
-        Some(PartFault::JointElsewhere { joint, rows, by_rad }) => {
-            let rows = checked.used.get(rows).unwrap_or_default().iter().copied().collect();
-            let elsewhere = Some(JointElsewhere { joint, rows, by_rad });
-            Ok(OneStand { elsewhere, ..OneStand::plain(measurements) })
-        }
-        Some(PartFault::Fault(fault)) => Err(fault.into()),
-        Some(PartFault::Moved { from, first_from_second }) => {
-            let second = checked.used.get(from..).unwrap_or_default();
-            let line = second.first().and_then(|&row| measurements.rows.get(row)).map_or(0, |row| row.line);
-            Ok(OneStand {
-                measurements: Cow::Owned(seen_from_first_stand(measurements, second, &first_from_second)),
-                warning: Some(Warning {
-                    code: "measure::instrument-moved",
-                    message: describe_move(&first_from_second, line),
-                }),
-                elsewhere: None,
-            })
-        }
-    }
-}
-
-/// Each row on its own, with the nominal arm's flange pose.
-fn each_row(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Vec<PosedRow> {
-    let chain = SerialChain::nominal(robot);
-    alone(measurements, used)
-        .into_iter()
-        .map(|station| PosedRow { pose: station.pose(&chain), station })
-        .collect()
-}
-
-/// The readings of `rows` in the frame of the instrument's first stand; what that leaves is registered with them.
-fn seen_from_first_stand(
-    measurements: &Measurements,
-    rows: &[usize],
-    first_from_second: &Isometry3<f64>,
-) -> Measurements {
-    let mut measurements = measurements.clone();
-    for &index in rows {
-        let Some(row) = measurements.rows.get_mut(index) else { continue };
-        if let Some(position_m) = row.reading.position_m() {
-            row.reading =
-                row.reading.with_coordinates_m((first_from_second * Point3::from(position_m)).coords);
-            row.orientation = row.orientation.map(|turn| first_from_second.rotation * turn);
-            row.stand = 1;
-        }
-    }
-    measurements
-}
-
 /// The stations of the rows that can be used, where those are enough.
 fn usable_stations(
-    measurements: &Measurements,
+    seen: &OneStand<'_>,
     checked: &RowCheck,
     stated_m: Option<f64>,
 ) -> Result<Stations, Unusable> {
-    if let Some(fault) = find_pose_names(measurements, &checked.used) {
+    if let Some(fault) = find_pose_names(&seen.measurements, &seen.used) {
         return Err(fault.into());
     }
-    let mut stations = gather(measurements, &checked.used, stated_m);
+    let mut stations = gather(&seen.measurements, &seen.used, stated_m);
     stations.channels.time &= checked.time_usable;
     if !stations.channels.time {
         stations.stations.iter_mut().for_each(|s| s.t_min = None);
@@ -263,6 +169,27 @@ fn contradicted_noise(stations: &Stations, options: &DiagnosisOptions) -> Option
     })
 }
 
+/// Where base and tool alone leave less than the noise that was stated.
+fn overstated_noise(
+    stations: &Stations,
+    registration: &Registration,
+    options: &DiagnosisOptions,
+) -> Option<Warning> {
+    let stated_m = options.sigma_m.filter(|_| stations.repeats.is_none())?;
+    let are_points = stations.stations.iter().all(|s| matches!(s.reading, Reading::Point { .. }));
+    let left_m = registration.median_m / MIDDLE_OF_3D;
+    (are_points && OVERSTATED * left_m < stated_m).then(|| {
+        let [stated_mm, left_mm] = [stated_m, left_m].map(mm_from_m);
+        Warning {
+            code: "diagnose::noise",
+            message: format!(
+                "with base and tool fitted and nothing else the points scatter by {left_mm:.4} mm in one coordinate, less than the noise of \
+                 {stated_mm:.4} mm that was stated: no noise is taken as known"
+            ),
+        }
+    })
+}
+
 /// Registers base and target, and evaluates what that leaves.
 fn evaluated(
     measured: MeasuredRobot<'_>,
@@ -283,11 +210,13 @@ fn evaluated(
     if let Some(fault) = find_fault(robot, &standing, stations.targets, &registration, options.tool_m) {
         return Err(fault.into());
     }
+    let overstated = overstated_noise(stations, &registration, options);
+    let options = &DiagnosisOptions { sigma_m: options.sigma_m.filter(|_| overstated.is_none()), ..*options };
     let linear = linearise(robot, stations, &registration, options.tool_m, turns)?;
     let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
     let mut evaluation = evaluate(&Prepared { measured, linear: &linear, noise, options }, wants_model);
     let contradicted = contradicted_noise(stations, options);
-    evaluation.diagnosis.warnings.splice(0..0, contradicted);
+    evaluation.diagnosis.warnings.splice(0..0, contradicted.or(overstated));
     evaluation.diagnosis.tool_mm = registration.tools_m.first().map(|t| [t.x, t.y, t.z].map(mm_from_m));
     evaluation.diagnosis.stations = stations.stations.len();
     Ok(evaluation)

@@ -37,6 +37,7 @@ mod no_model;
 mod noise_fault;
 mod normal_equations;
 mod observation;
+mod one_stand;
 mod options;
 mod outcome;
 mod outlier_history;

@@ -9,7 +9,6 @@ use super::model::FittedModel;
 use crate::measure::{Fault, FaultKind};
 use nalgebra::{Matrix3, Vector3};
 use rapid_syntax::diagnostic::is_or_are;
-use robot_model::robot::SerialArm;
 use robot_model::units::{mm_from_m, rad_from_deg};
 use std::collections::BTreeMap;
 
@@ -51,23 +50,38 @@ pub(super) fn find(
     fitted: &FittedModel<'_>,
     prior: FaultPrior,
 ) -> Option<Fault> {
-    let MeasuredRobot { measurements, robot, .. } = measured;
-    let FittedModel { linear, model, workspace } = fitted;
-    let all_seen = linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
+    let all_seen = fitted.linear.dataset.observations.iter().all(|s| s.rows(3) == 3);
     if !all_seen {
         return None;
     }
-    let grid = AngleGrid::of(measurements)?;
+    let of_grid = |grid: AngleGrid| on_grid(measured, fitted, prior, &grid);
+    AngleGrid::of(measured.measurements)
+        .and_then(of_grid)
+        .or_else(|| AngleGrid::in_part(measured.measurements).and_then(of_grid))
+}
+
+/// The same of the joints and rows of `grid`.
+fn on_grid(
+    measured: MeasuredRobot<'_>,
+    fitted: &FittedModel<'_>,
+    prior: FaultPrior,
+    grid: &AngleGrid,
+) -> Option<Fault> {
+    let FittedModel { linear, model, workspace } = fitted;
+    let in_rounded_rows = in_rounded_rows(measured, grid);
     // Nobody commands one joint in round steps and the others to the last decimal.
-    let all_joints = grid.joints.len() == linear.dataset.turning().count();
+    let all_joints = grid.rows.is_none() && grid.joints.len() == linear.dataset.turning().count();
     let proves_nothing =
         all_joints && COMMANDED_DEG.contains(&grid.step_deg) && prior != FaultPrior::KnownFault;
     let clear_nats = if proves_nothing { CLEAR_NATS } else { ODD_NATS };
     let known_m2 = model.noise.known.map(|known| known.sigma_m.powi(2));
-    let scatter = RoundedScatter::of(&linear.dataset, &model.outliers, &grid, known_m2);
-    // One false reading would decide by where it happens to lie.
+    // One false reading would decide by where it happens to lie; in a part of the rows what is rounded there is what seems false.
+    let of_part = |i: usize| grid.rows.is_some() && in_rounded_rows[i];
+    let left_out: Vec<bool> =
+        model.outliers.iter().enumerate().map(|(i, is_outlier)| *is_outlier && !of_part(i)).collect();
+    let scatter = RoundedScatter::of(&linear.dataset, &left_out, (grid, &in_rounded_rows), known_m2);
     let points = |twists: &[Twist]| -> Vec<Vector3<f64>> {
-        let kept = twists.iter().zip(&model.outliers).filter(|(_, is_outlier)| !**is_outlier);
+        let kept = twists.iter().zip(&left_out).filter(|(_, is_left_out)| !**is_left_out);
         kept.map(|(m, _)| Vector3::new(m[0], m[1], m[2])).collect()
     };
     // Rounding looks like many gear lines to joints moved one at a time: it is tried without any cause, too.
@@ -101,26 +115,41 @@ pub(super) fn find(
         return None;
     }
     (without_causes || one_column || beside_causes)
-        .then(|| rounded_joints(&grid, robot, all_joints, [expected_m2, plain_m2]))
+        .then(|| rounded_joints(grid, measured, [expected_m2, plain_m2]))
+}
+
+/// Whether each station has all its rows where the joints of `grid` are on it.
+fn in_rounded_rows(measured: MeasuredRobot<'_>, grid: &AngleGrid) -> Vec<bool> {
+    let stations = measured.stations.stations.iter();
+    stations
+        .map(|station| {
+            grid.rows.as_ref().is_none_or(|rows| station.rows.iter().all(|row| rows.contains(row)))
+        })
+        .collect()
 }
 
 /// The fault itself; by what the rounding moves a coordinate, and by what it scatters, m^2.
-fn rounded_joints(grid: &AngleGrid, robot: &SerialArm, all_joints: bool, squares_m2: [f64; 2]) -> Fault {
+fn rounded_joints(grid: &AngleGrid, measured: MeasuredRobot<'_>, squares_m2: [f64; 2]) -> Fault {
+    let MeasuredRobot { robot, measurements, .. } = measured;
     let [rounding_mm, scatter_mm] = squares_m2.map(|m2| mm_from_m((3.0 * m2).sqrt()));
     let step_deg = grid.step_deg;
     let columns = grid.columns(robot);
+    let all_joints = grid.joints.len() == robot.joints.iter().filter(|joint| !joint.kind.slides()).count();
     let rounded = match all_joints {
         true => "the joints are".to_owned(),
         false => format!("{columns} alone {}", is_or_are(grid.joints.len())),
     };
-    Fault::of_all(
-        FaultKind::RoundedJoints,
-        Some(&columns),
-        format!(
-            "{rounded} rounded to {step_deg} deg, which moves the points by {rounding_mm:.3} mm rms, and they scatter ({scatter_mm:.3} mm) as \
-             that rounding makes them: take them from the controller with all their digits, 3 decimals at least"
-        ),
-    )
+    let so = format!(
+        "rounded to {step_deg} deg, which moves the points by {rounding_mm:.3} mm rms, and they scatter ({scatter_mm:.3} mm) as that rounding \
+         makes them: take them from the controller with all their digits, 3 decimals at least"
+    );
+    let Some(rows) = &grid.rows else {
+        return Fault::of_all(FaultKind::RoundedJoints, Some(&columns), format!("{rounded} {so}"));
+    };
+    let lines = measurements.rows.get(rows.clone()).unwrap_or_default().iter().map(|row| row.line).collect();
+    Fault::in_rows(FaultKind::RoundedJoints, &columns, lines, |count, which| {
+        format!("in {count} rows ({which}) {rounded} {so}")
+    })
 }
 
 /// What rounding joints does to the measured points, and how likely residuals are with it and without.
@@ -132,7 +161,13 @@ struct RoundedScatter {
 }
 
 impl RoundedScatter {
-    fn of(dataset: &Dataset, outliers: &[bool], grid: &AngleGrid, known_m2: Option<f64>) -> Self {
+    /// Of the observations that are not `left_out`, those of which `rounded` says so on a grid.
+    fn of(
+        dataset: &Dataset,
+        left_out: &[bool],
+        (grid, rounded): (&AngleGrid, &[bool]),
+        known_m2: Option<f64>,
+    ) -> Self {
         // Uniform over one step.
         let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
         // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
@@ -155,8 +190,13 @@ impl RoundedScatter {
                 })
                 .sum()
         };
-        let kept = dataset.observations.iter().zip(outliers).filter(|(_, is_outlier)| !**is_outlier);
-        Self { shapes: kept.map(|(observation, _)| shape(observation)).collect(), known_m2 }
+        let all = dataset.observations.iter().zip(left_out).zip(rounded);
+        let kept = all.filter(|((_, is_left_out), _)| !**is_left_out);
+        let shapes = kept.map(|((observation, _), is_rounded)| match is_rounded {
+            true => shape(observation),
+            false => Matrix3::zeros(),
+        });
+        Self { shapes: shapes.collect(), known_m2 }
     }
 
     /// Square of one coordinate that this rounding leads one to expect.

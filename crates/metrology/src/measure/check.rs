@@ -6,6 +6,8 @@ use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
 use robot_model::robot::{Axis, JointKind, Joints, SerialArm};
 use std::collections::BTreeSet;
+use std::f64::consts::TAU;
+use std::ops::Range;
 
 /// More rows than this say no more; a part of the poses is taken.
 const MOST_ROWS: usize = 20_000;
@@ -13,6 +15,8 @@ const MOST_ROWS: usize = 20_000;
 const RANGE_SLACK_RAD: f64 = 0.02;
 /// Share of rows out of range from which on the whole file is doubted.
 const OUT_OF_RANGE_SHARE: f64 = 0.1;
+/// Share of directions that are not known, of which nobody would write so many beside 1 alone.
+const UNKNOWN_SHARE: Range<f64> = 0.2..0.8;
 /// Share of steps back from which on the time column is doubted.
 const BACK_SHARE: f64 = 0.1;
 
@@ -72,6 +76,7 @@ fn checked(
     checked.leave_out_codes(rows);
     checked.leave_out_of_range(rows, robot);
     checked.check_time_order(rows);
+    checked.warnings.extend(directions_without_back(rows));
     checked
 }
 
@@ -118,6 +123,34 @@ fn recorded(row: &MeasurementRow) -> Vec<u64> {
     key.extend(row.direction.iter().flat_map(|signs| signs.iter().map(|sign| u64::from(*sign as u8))));
     key.extend(row.joint_temperature_c.iter().flat_map(|all| all.iter().map(|v| v.to_bits())));
     key
+}
+
+/// `row` with each joint that turns a whole turn back where that takes it nearer to 0.
+fn less_whole_turns(row: &MeasurementRow, robot: &SerialArm) -> MeasurementRow {
+    let mut less = row.clone();
+    for (q_rad, joint) in less.q_rad.iter_mut().zip(&robot.joints).filter(|(_, joint)| !joint.kind.slides()) {
+        let is_beyond = joint.range_rad.is_some_and(|[low, high]| *q_rad < low || *q_rad > high);
+        if is_beyond {
+            *q_rad -= TAU * (*q_rad / TAU).round();
+        }
+    }
+    less
+}
+
+/// Directions of which none is -1 though many are 0: 0 is "not known" here, elsewhere it is "back".
+fn directions_without_back(rows: &[MeasurementRow]) -> Option<Diagnostic> {
+    let signs =
+        || rows.iter().filter_map(|row| row.direction.as_ref()).flat_map(|signs| signs.iter().copied());
+    let (all, unknown) = (signs().count(), signs().filter(|sign| *sign == 0).count());
+    let is_odd =
+        signs().all(|sign| sign >= 0) && UNKNOWN_SHARE.contains(&(unknown as f64 / all.max(1) as f64));
+    is_odd.then(|| {
+        Diagnostic::warning(
+            "measure::directions",
+            "the columns dir1 to dir6 hold 0 and 1 and no -1: 0 says that a direction is not known",
+        )
+        .help("write -1 where a joint came from above; play shows by that alone")
+    })
 }
 
 /// What is said of rows that are left out as copies.
@@ -194,15 +227,28 @@ impl RowCheck {
             self.used.len(),
             Axis::at(joint)
         );
+        let whole_turns = out
+            .iter()
+            .filter_map(|(i, _)| rows.get(*i))
+            .all(|row| beyond(&less_whole_turns(row, robot)).is_none());
         if out.len() as f64 > OUT_OF_RANGE_SHARE * self.used.len() as f64 {
             let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| *joint).collect();
             let columns: Vec<String> =
                 columns.into_iter().map(|joint| robot.column(Axis::at(joint))).collect();
             let lines = out.iter().filter_map(|(i, _)| rows.get(*i)).map(|row| row.line).collect();
-            self.fault =
-                Some(Fault::in_rows(FaultKind::JointsOutOfRange, &columns.join(", "), lines, |_, _| {
-                    format!("{what}: another robot, another joint convention, or columns in another order")
-                }));
+            self.fault = Some(Fault::in_rows(
+                FaultKind::JointsOutOfRange,
+                &columns.join(", "),
+                lines,
+                |_, _| match whole_turns {
+                    true => format!(
+                        "{what}: less a whole turn all of them are in it; write them as the controller does, between its ends"
+                    ),
+                    false => format!(
+                        "{what}: another robot, another joint convention, or columns in another order"
+                    ),
+                },
+            ));
             return;
         }
         self.out_of_range = out.iter().map(|(i, _)| *i).collect();
@@ -326,6 +372,18 @@ mod tests {
             let checked = checked_with(&kept);
             assert_eq!((checked.used.len(), codes(&checked)), (20, vec![]), "{kept:?}");
         }
+    }
+
+    /// 200 and 340 deg are -160 and -20 deg less a turn, of which the second alone is in the 110 deg of the irb140's joint 2.
+    #[test]
+    fn joints_a_whole_turn_out_of_range_are_told_as_that() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let reason = |q2_deg: f64| {
+            let rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), q2_deg, f64::from(i))).collect();
+            check_rows(&file(&rows), &robot).fault.unwrap().reason
+        };
+        assert!(reason(340.0).contains("less a whole turn"), "{}", reason(340.0));
+        assert!(reason(200.0).contains("another robot"), "{}", reason(200.0));
     }
 
     #[test]

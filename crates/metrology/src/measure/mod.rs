@@ -32,11 +32,12 @@ mod touch;
 mod touch_times;
 
 pub use check::{RowCheck, check_cycles, check_rows};
+pub use codes::describe_code;
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
-    Fault, FaultKind, PartFault, PosedRow, describe_move, find_fault, find_in_cells, find_in_orientations,
-    find_in_rows, find_joint_columns, find_pose_names, tool_apart,
+    Fault, FaultKind, PartFault, PosedRow, describe_move, describe_remounting, find_apart, find_fault,
+    find_in_cells, find_in_columns, find_in_orientations, find_in_rows, find_pose_names, tool_apart,
 };
 pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,

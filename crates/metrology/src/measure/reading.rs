@@ -73,6 +73,14 @@ impl Reading {
         }
     }
 
+    /// The same to be changed.
+    pub(super) fn position_mut(&mut self) -> Option<&mut Vector3<f64>> {
+        match self {
+            Self::Point { position_m } | Self::Nest { position_m, .. } => Some(position_m),
+            Self::Touch { .. } | Self::Length { .. } => None,
+        }
+    }
+
     /// The numbers that an instrument gave; of a touch there is none.
     #[must_use]
     pub fn coordinates(&self) -> Option<Coordinates> {

@@ -6,7 +6,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{JointKind, Joints};
 
 /// Joints of one pose differ by less than this, radians.
-const SAME_POSE_RAD: f64 = 0.01;
+pub(super) const SAME_POSE_RAD: f64 = 0.01;
 
 /// One measured pose, SI.
 #[derive(Clone, Debug, PartialEq)]

@@ -17,6 +17,8 @@ const NEAR_K: f64 = 10.0;
 /// No arm is all as hot as this, in its coldest joint, °C: rooms for robots are of 5 to 45 °C (ISO 9283 tests at 20 °C, data
 /// sheets of ABB's arms end at 45 °C), and what warms it warms each joint by another amount.
 const HOT_C: f64 = 55.0;
+/// The seals and the grease of an arm end well below this, °C: where all joints are as hot the numbers are something else.
+const NO_ARM_C: f64 = 120.0;
 /// As cold as this, in the other unit, is a room, °C.
 const ROOM_C: [f64; 2] = [5.0, 45.0];
 /// Steps of time in seconds are between these many times the ones before, in minutes: 60, where the work goes on as before.
@@ -178,8 +180,11 @@ fn hot_arm(rows: &[&MeasurementRow]) -> Option<Fault> {
     let hot = |row: &MeasurementRow| coldest(row).is_some_and(|coldest| coldest > HOT_C);
     let which: Vec<&MeasurementRow> = rows.iter().copied().filter(|row| hot(row)).collect();
     let least = which.iter().filter_map(|row| coldest(row)).reduce(f64::min)?;
-    let (name, _) =
-        units.into_iter().find(|(_, celsius)| (ROOM_C[0]..=ROOM_C[1]).contains(&celsius(least)))?;
+    let is_room = |celsius: &Celsius| (ROOM_C[0]..=ROOM_C[1]).contains(&celsius(least));
+    let unit = units.into_iter().find(|(_, celsius)| is_room(celsius)).map(|(name, _)| name);
+    if unit.is_none() && least < NO_ARM_C {
+        return None;
+    }
     // An arm that warms up comes there by and by.
     let measured = || rows.iter().filter(|row| row.joint_temperature_c.is_some());
     let jumps = measured()
@@ -191,7 +196,8 @@ fn hot_arm(rows: &[&MeasurementRow]) -> Option<Fault> {
         let lines = which.iter().map(|row| row.line).collect();
         let column = format!("temp_j1_c to temp_j{joints}_c");
         Fault::in_rows(FaultKind::ColumnUnits, &column, lines, |count, which| {
-            format!("the joints are {least:.0} °C warm or more in {count} rows ({which}), as no arm is: the columns {column} are in {name} there")
+            let unit = unit.map_or("in another unit, or have lost a decimal point,".to_owned(), |name| format!("in {name}"));
+            format!("the joints are {least:.0} °C warm or more in {count} rows ({which}), as no arm is: the columns {column} are {unit} there")
         })
     })
 }

@@ -74,14 +74,22 @@ pub(super) fn refitted(
     let tried = starts.map(|q_rad| (q_rad, off_m(q_rad)));
     let (middle, _) =
         tried.reduce(|best, next| if next.1 < best.1 { next } else { best }).unwrap_or((low, 0.0));
+    let q_rad = narrowed([middle - step, middle + step], NARROWINGS, &mut off_m);
+    Refitted { q_rad, off_m: off_m(q_rad) }
+}
+
+/// Where `off_m` is least between two places, by so many `steps` of the golden section (Kiefer 1953).
+pub(super) fn narrowed(
+    [mut low, mut high]: [f64; 2],
+    steps: usize,
+    mut off_m: impl FnMut(f64) -> f64,
+) -> f64 {
     let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut low, mut high) = (middle - step, middle + step);
-    for _ in 0..NARROWINGS {
+    for _ in 0..steps {
         let [a, b] = [high - golden * (high - low), low + golden * (high - low)];
         if off_m(a) < off_m(b) { high = b } else { low = a }
     }
-    let q_rad = 0.5 * (low + high);
-    Refitted { q_rad, off_m: off_m(q_rad) }
+    0.5 * (low + high)
 }
 
 /// `stations` with joint `j` of each where it must have stood, base and target fitted with it in turn by `register`; `None` where that fits nothing.

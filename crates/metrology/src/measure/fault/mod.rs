@@ -1,19 +1,30 @@
 //! A file that contradicts itself or the robot: units, axes, columns, rows, robot and tool, tried one by one.
 
+mod change;
+mod coded;
 mod columns;
+mod far_rows;
 mod frozen;
+mod late;
+mod moved;
 mod orientation;
+mod pasted;
 mod rows;
 mod scale;
 mod trials;
 mod whole;
 
 pub use columns::{find_in_cells, find_pose_names};
+pub use far_rows::{PartFault, PosedRow};
+pub use moved::{describe_move, describe_remounting};
 pub use orientation::find_in_orientations;
-pub use rows::{PartFault, PosedRow, describe_move, find_in_rows};
-pub use whole::{find_fault, find_joint_columns, tool_apart};
+pub use rows::{find_apart, find_in_rows};
+pub use whole::{find_fault, find_in_columns, tool_apart};
 
 use serde::{Serialize, Serializer};
+
+/// A zero that is off, or has jumped, by more is no slip of a gear or a belt, radians: the column is another one.
+const FURTHEST_ZERO_RAD: f64 = 0.09;
 
 /// Kinds of contradictions that are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -138,3 +149,6 @@ fn in_words(lines: &[u64]) -> String {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

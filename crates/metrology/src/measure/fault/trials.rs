@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 
 /// Stations used for the trials.
 const TRIAL_STATIONS: usize = 80;
+/// Stations used where dozens of explanations are tried one after the other.
+const FEW_STATIONS: usize = 30;
 
 /// What most of the distances stay under, robust against a tenth of false rows: 1.5 times the middle of an even spread lies
 /// under 85 of 100, so that it is the middle one unless a part of the rows is far off.
@@ -20,13 +22,22 @@ pub(super) fn most_m(off_m: &mut [f64]) -> f64 {
 /// A few stations from all over the file, at steps of the golden section: every n-th of poses that come round again could
 /// be the same pose each time.
 pub(super) fn trial(stations: &[Station]) -> Vec<Station> {
+    spread(stations, TRIAL_STATIONS)
+}
+
+/// As [`trial`], fewer.
+pub(super) fn few(stations: &[Station]) -> Vec<Station> {
+    spread(stations, FEW_STATIONS)
+}
+
+fn spread(stations: &[Station], most: usize) -> Vec<Station> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let n = stations.len();
-    if n <= TRIAL_STATIONS {
+    if n <= most {
         return stations.to_vec();
     }
     let picked: BTreeSet<usize> =
-        (0..TRIAL_STATIONS).map(|k| ((k as f64 * GOLDEN).fract() * n as f64) as usize).collect();
+        (0..most).map(|k| ((k as f64 * GOLDEN).fract() * n as f64) as usize).collect();
     picked.into_iter().filter_map(|index| stations.get(index)).cloned().collect()
 }
 

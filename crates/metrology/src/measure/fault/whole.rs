@@ -1,108 +1,40 @@
 //! What is wrong with all rows at once: units, axes, columns, robot and tool, tried one by one.
 
-use super::trials::{left_m, most_left_m, most_m, trial};
-use super::{Fault, FaultKind, frozen, scale};
-use crate::measure::column_names::POINT;
+use super::FURTHEST_ZERO_RAD;
+use super::change::{Change, DEG_PER_GON, LENGTHS, TURN_RAD, changes};
+use super::trials::{few, left_m, most_m, trial};
+use super::{Fault, FaultKind, frozen, pasted, scale};
 use crate::measure::{MIDDLE_OF_3D, Reading, Registration, Station, register};
-use nalgebra::{Isometry3, Vector3};
+use nalgebra::Vector3;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Robot, SerialArm};
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+use std::f64::consts::{PI, TAU};
 
 /// A registered robot leaves less than this in the middle, however badly calibrated.
-const SOUND_M: f64 = 4e-3;
+pub(super) const SOUND_M: f64 = 4e-3;
 /// What is left beyond this with no explanation is no measurement of this robot.
 const HOPELESS_M: f64 = 10e-3;
 /// An explanation must leave this share of the distance or less.
 const EXPLAINED: f64 = 0.2;
+/// Of explanations that leave about as much the more usual one holds, which is tried first.
+const CLEARLY: f64 = 0.7;
+/// Zeros of a joint that are tried over a turn, before the best is narrowed down.
+const ZEROS: usize = 12;
+/// Steps of the golden section from there, each to 0.618 of the last: from 60 deg to under 0.01 deg.
+const ZERO_NARROWINGS: usize = 20;
 /// Nearer to the named tool than this it is the same, and no fault.
 const TOOL_M: f64 = 5e-3;
 /// What an arm's own errors may make the points miss a tool by that is held: over a few degrees a joint that is off moves them as a tool does.
 const HELD_M: f64 = 1.5e-3;
-/// The units that points come in beside millimetres.
-const LENGTHS: [(f64, &str); 4] =
-    [(1000.0, "metres"), (304.8, "feet"), (25.4, "inches"), (10.0, "centimetres")];
-/// Degrees of a gon, of which a turn has 400.
-const DEG_PER_GON: f64 = 0.9;
 
-/// What may have happened to a row, undone.
-pub(super) struct Change {
-    /// Kind of the fault.
-    pub kind: FaultKind,
-    /// Column, or columns, that it is in.
-    pub column: String,
-    /// What is wrong, as half a sentence.
-    pub description: String,
-    /// Takes the suspected fault out of a row.
-    pub change: Box<dyn Fn(&mut Station)>,
-}
-
-/// What may have happened to rows or to a column: another unit, another sign.
+/// One column, or two, in another unit, order or sign or from another zero, where that is what makes the points fit.
 #[must_use]
-pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
-    let mut all = Vec::new();
-    for (factor, name) in LENGTHS {
-        all.push(Change {
-            kind: FaultKind::PositionUnits,
-            column: POINT.join(", "),
-            description: format!("the measured points are in {name}, the columns say mm"),
-            change: Box::new(move |s| s.reading = s.reading.scaled(factor)),
-        });
-        for (k, axis) in POINT.into_iter().enumerate() {
-            all.push(Change {
-                kind: FaultKind::ColumnUnits,
-                column: axis.to_owned(),
-                description: format!("column {axis} is in {name}"),
-                change: Box::new(move |s| on_axis(s, k, factor)),
-            });
-        }
-    }
-    for (k, axis) in POINT.into_iter().enumerate() {
-        all.push(Change {
-            kind: FaultKind::SwappedAxes,
-            column: axis.to_owned(),
-            description: format!("column {axis} has the other sign"),
-            change: Box::new(move |s| on_axis(s, k, -1.0)),
-        });
-    }
-    let turning: Vec<usize> = (0..arm.joints.len()).filter(|&j| !arm.joints[j].kind.slides()).collect();
-    for &j in &turning {
-        let column = arm.column(Axis::at(j));
-        all.push(Change {
-            kind: FaultKind::ColumnUnits,
-            description: format!("column {column} is in radians"),
-            column,
-            change: Box::new(move |s| s.q_rad[j] = deg_from_rad(s.q_rad[j])),
-        });
-        let column = arm.column(Axis::at(j));
-        all.push(Change {
-            kind: FaultKind::JointColumns,
-            description: format!("column {column} has the other sign"),
-            column,
-            change: Box::new(move |s| s.q_rad[j] = -s.q_rad[j]),
-        });
-    }
-    all.push(Change {
-        kind: FaultKind::JointUnits,
-        column: arm.columns(),
-        description: "the joints are in radians, the columns say degrees".to_owned(),
-        change: Box::new(move |s| turning.iter().for_each(|&j| s.q_rad[j] = deg_from_rad(s.q_rad[j]))),
-    });
-    all
-}
-
-fn on_axis(station: &mut Station, k: usize, factor: f64) {
-    if let Reading::Point { position_m } | Reading::Nest { position_m, .. } = &mut station.reading {
-        position_m[k] *= factor;
-    }
-}
-
-/// Joint columns in another order or counted the other way, where that is what makes the points fit.
-#[must_use]
-pub fn find_joint_columns(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<Fault> {
-    let stations = trial(stations);
+pub fn find_in_columns(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<Fault> {
+    let stations = few(stations);
     let left_m = left_m(robot, &stations, targets).filter(|left_m| *left_m > SOUND_M)?;
-    Trial { robot, stations, targets, left_m }.joints()
+    let trial = Trial { robot, stations, targets, left_m };
+    trial.cells().or_else(|| trial.zero())
 }
 
 /// Looks for a reason why `registration` leaves what it leaves.
@@ -121,16 +53,17 @@ pub fn find_fault(
     if left_m > SOUND_M {
         let trial = Trial { robot, stations: trial(stations), targets, left_m };
         let found = trial
-            .units()
-            .or_else(|| trial.axes())
-            .or_else(|| trial.columns())
-            .or_else(|| trial.joints())
+            .cells()
             .or_else(|| trial.other_robot())
-            .or_else(|| trial.frozen_joint(stations));
+            .or_else(|| trial.frozen_joint(stations))
+            .or_else(|| trial.zero());
         if found.is_some() {
             return found;
         }
         if left_m > HOPELESS_M {
+            if let Some(fault) = pasted::find(robot, stations) {
+                return Some(fault);
+            }
             return Some(Fault::of_all(
                 FaultKind::NothingFits,
                 None,
@@ -190,52 +123,8 @@ pub fn tool_apart(
     is_apart.then_some(ToolApart { fitted_m, apart_m, held_m })
 }
 
-fn explains(left_m: Option<f64>, before_m: f64) -> bool {
+pub(super) fn explains(left_m: Option<f64>, before_m: f64) -> bool {
     left_m.is_some_and(|left_m| left_m < (EXPLAINED * before_m).min(2.0 * SOUND_M))
-}
-
-/// Every row with the point of the row before, or after; `poses` are the flange's.
-#[must_use]
-pub(super) fn all_shifted(stations: &[Station], poses: &[Isometry3<f64>], targets: usize) -> Option<Fault> {
-    let last = stations.len().min(poses.len()).checked_sub(1)?;
-    let left = |joints: usize, points: usize| {
-        most_left_m(&stations[points..last + points], &poses[joints..last + joints], targets)
-    };
-    let as_read_m = left(0, 0).filter(|left_m| *left_m > SOUND_M)?;
-    [(0, 1, "before"), (1, 0, "after")].into_iter().find_map(|(joints, points, side)| {
-        explains(left(joints, points), as_read_m).then(|| {
-            Fault::of_all(
-                FaultKind::RowsShifted,
-                Some("x_mm, y_mm, z_mm"),
-                format!("in every row the point is that of the row {side}: points and joints are shifted by one row"),
-            )
-        })
-    })
-}
-
-/// Every row with one joint's angle of the row before, or after.
-#[must_use]
-pub(super) fn joint_shifted(robot: &SerialArm, stations: &[Station], targets: usize) -> Option<Fault> {
-    let as_read_m = left_m(robot, stations, targets).filter(|left_m| *left_m > SOUND_M)?;
-    let last = stations.len().checked_sub(1)?;
-    let shifted = |j: usize, joint: usize, row: usize| -> Vec<Station> {
-        let mut shifted = stations[row..last + row].to_vec();
-        for (station, other) in shifted.iter_mut().zip(&stations[joint..]) {
-            station.q_rad[j] = other.q_rad[j];
-        }
-        shifted
-    };
-    let sides = [(1, 0, "before"), (0, 1, "after")];
-    let tried = (0..robot.joints.len()).flat_map(|j| sides.map(|(joint, row, side)| (j, joint, row, side)));
-    let (left, j, side) = tried
-        .filter_map(|(j, joint, row, side)| Some((left_m(robot, &shifted(j, joint, row), targets)?, j, side)))
-        .reduce(|best, next| if next.0 < best.0 { next } else { best })?;
-    explains(Some(left), as_read_m).then(|| {
-        let column = robot.column(Axis::at(j));
-        let reason =
-            format!("in every row column {column} is that of the row {side}: it is shifted by one row");
-        Fault::of_all(FaultKind::RowsShifted, Some(&column), reason)
-    })
 }
 
 /// A part of the stations on which changes of the file are tried.
@@ -262,13 +151,18 @@ impl Trial<'_> {
         self.turning().for_each(|j| station.q_rad[j] = deg_from_rad(station.q_rad[j]));
     }
 
+    /// Units, axes and columns of all rows.
+    fn cells(&self) -> Option<Fault> {
+        self.units().or_else(|| self.axes()).or_else(|| self.columns())
+    }
+
     fn units(&self) -> Option<Fault> {
         let largest_rad = self
             .stations
             .iter()
             .flat_map(|s| self.turning().map(|j| s.q_rad[j]))
             .fold(0.0, |a: f64, q| a.max(q.abs()));
-        let radians = largest_rad < rad_from_deg(7.0);
+        let radians = largest_rad < rad_from_deg(TURN_RAD);
         let columns = self.robot.columns();
         let joints = || Some(columns.as_str());
         if radians && explains(self.with(|s| self.in_degrees(s)), self.left_m) {
@@ -318,49 +212,16 @@ impl Trial<'_> {
         })
     }
 
-    /// One column in another unit.
+    /// One column, or two, in another unit, with the other sign, in each other's place.
     fn columns(&self) -> Option<Fault> {
-        let one = changes(self.robot).into_iter().filter(|change| change.kind == FaultKind::ColumnUnits);
-        let tried = one.filter_map(|change| self.with(&change.change).map(|left_m| (left_m, change)));
-        let (left_m, change) = tried.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        let of_columns =
+            |change: &Change| matches!(change.kind, FaultKind::ColumnUnits | FaultKind::JointColumns);
+        let tried = changes(self.robot).into_iter().filter(of_columns);
+        let tried = tried.filter_map(|change| self.with(&change.change).map(|left_m| (left_m, change)));
+        let (left_m, change) =
+            tried.reduce(|best, next| if next.0 < CLEARLY * best.0 { next } else { best })?;
         explains(Some(left_m), self.left_m)
             .then(|| Fault::of_all(change.kind, Some(&change.column), change.description))
-    }
-
-    fn joints(&self) -> Option<Fault> {
-        let mut tried: Vec<(Option<f64>, String, String)> = Vec::new();
-        let joints = self.robot.joints.len();
-        for a in 0..joints {
-            let flipped = self.with(|s| s.q_rad[a] = -s.q_rad[a]);
-            tried.push((
-                flipped,
-                format!("joint {} is counted the other way round", Axis::at(a)),
-                self.robot.column(Axis::at(a)),
-            ));
-            for b in (a + 1..joints).filter(|&b| self.robot.joints[a].kind == self.robot.joints[b].kind) {
-                let swapped = self.with(|s| s.q_rad.swap(a, b));
-                let columns =
-                    format!("{}, {}", self.robot.column(Axis::at(a)), self.robot.column(Axis::at(b)));
-                tried.push((
-                    swapped,
-                    format!("the columns of joints {} and {} are swapped", Axis::at(a), Axis::at(b)),
-                    columns,
-                ));
-            }
-        }
-        let elbow = self.turning().filter(|j| [1, 2].contains(j)).count() == 2;
-        for (sign, verb) in [(1.0, "added"), (-1.0, "taken off")].into_iter().filter(|_| elbow) {
-            let coupled = self.with(|s| s.q_rad[2] += sign * s.q_rad[1]);
-            let description = format!("joint 3 is counted from the horizontal: joint 2 has to be {verb}");
-            tried.push((coupled, description, "q3_deg".to_owned()));
-        }
-        let known = tried
-            .into_iter()
-            .filter_map(|(left, description, column)| left.map(|left_m| (left_m, description, column)));
-        let (left_m, description, column) =
-            known.reduce(|best, next| if next.0 < best.0 { next } else { best })?;
-        explains(Some(left_m), self.left_m)
-            .then(|| Fault::of_all(FaultKind::JointColumns, Some(&column), description))
     }
 
     /// A column that is the same in all rows, of a joint that moved.
@@ -374,6 +235,31 @@ impl Trial<'_> {
             })?;
             let is_it = explains(left_m(self.robot, &free, self.targets), self.left_m);
             is_it.then(|| frozen::one_joint(self.robot, j, of_arm().map(|s| s.line).collect()))
+        })
+    }
+
+    /// One joint that is counted from elsewhere.
+    fn zero(&self) -> Option<Fault> {
+        let left_m = |j: usize, by_rad: f64| self.with(|s| s.q_rad[j] += by_rad).unwrap_or(f64::INFINITY);
+        let step_rad = TAU / ZEROS as f64;
+        // The zeros of the first and the last joint are base and target.
+        let inner = self.turning().filter(|j| (1..self.robot.joints.len() - 1).contains(j));
+        let tried = inner.flat_map(|j| (0..ZEROS).map(move |k| (j, k as f64 * step_rad - PI)));
+        let (_, j, near_rad) = tried
+            .map(|(j, by_rad)| (left_m(j, by_rad), j, by_rad))
+            .reduce(|best, next| if next.0 < best.0 { next } else { best })?;
+        let around = [near_rad - step_rad, near_rad + step_rad];
+        let by_rad = frozen::narrowed(around, ZERO_NARROWINGS, |by_rad| left_m(j, by_rad));
+        // What is less may be a cause: it is weighed against the others.
+        let is_another = by_rad.abs() > FURTHEST_ZERO_RAD || self.left_m > HOPELESS_M;
+        (is_another && explains(Some(left_m(j, by_rad)), self.left_m)).then(|| {
+            let column = self.robot.column(Axis::at(j));
+            let reason = format!(
+                "column {column} is off by {:+.1} deg in all rows: joint {} is counted from another zero, or its revolution counter is",
+                -deg_from_rad(by_rad),
+                Axis::at(j)
+            );
+            Fault::of_all(FaultKind::JointColumns, Some(&column), reason)
         })
     }
 
@@ -402,6 +288,7 @@ impl Trial<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Isometry3;
 
     /// By hand: 100 stations of noise 0.1 mm. Poses all over the reach tell the target to a hundredth of that times 1.3, so that one 6 mm away
     /// is missed by 4.6 mm at each; poses within some degrees tell it to 0.1 mm, and miss one 10 mm away by 1 mm, as an arm that is off may.

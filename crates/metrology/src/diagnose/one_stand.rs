@@ -1,0 +1,182 @@
+//! Measurements as one stand of the instrument sees them, with one target in each row and no codes in the place of readings.
+
+use super::options::DiagnosisOptions;
+use super::outcome::Warning;
+use crate::measure::{
+    Fault, FaultKind, Measurements, PartFault, PosedRow, RowCheck, Station, alone, describe_code,
+    describe_move, describe_remounting, find_in_cells, find_in_columns, find_in_rows,
+};
+use nalgebra::{Isometry3, Point3};
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::{Joints, SerialArm};
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Changes of one file that are undone one after the other: an instrument that is moved more often is none that was set up.
+const MOST_CHANGES: usize = 8;
+
+/// Measurements as one stand of the instrument sees them.
+pub(super) struct OneStand<'a> {
+    pub measurements: Cow<'a, Measurements>,
+    /// Rows to use, as indices.
+    pub used: Vec<usize>,
+    /// That the instrument was moved in between, or the target, and what was left out.
+    pub warnings: Vec<Warning>,
+    /// That one joint stands elsewhere in a part of the rows.
+    pub elsewhere: Option<JointElsewhere>,
+    /// The rows from which on the instrument stood elsewhere than before, as indices into the file's.
+    first_of_stands: BTreeSet<usize>,
+}
+
+impl OneStand<'_> {
+    pub(super) fn targets(&self) -> usize {
+        self.measurements.targets.len().max(1)
+    }
+
+    pub(super) fn rows(&self, robot: &SerialArm) -> Vec<PosedRow> {
+        each_row(&self.measurements, &self.used, robot)
+    }
+
+    fn line(&self, of_used: usize) -> u64 {
+        let row = self.used.get(of_used).and_then(|&row| self.measurements.rows.get(row));
+        row.map_or(0, |row| row.line)
+    }
+
+    fn warn(&mut self, code: &'static str, message: String) {
+        self.warnings.push(Warning { code, message });
+    }
+
+    /// In `rows` of the used ones the instrument was elsewhere: their readings in the frame of the others.
+    fn moved(&mut self, rows: Range<usize>, first_from_second: &Isometry3<f64>) {
+        let to = (rows.end < self.used.len()).then(|| self.line(rows.end - 1));
+        self.warn("measure::instrument-moved", describe_move(first_from_second, self.line(rows.start), to));
+        let measurements = self.measurements.to_mut();
+        for &index in self.used.get(rows.clone()).unwrap_or_default() {
+            let Some(row) = measurements.rows.get_mut(index) else { continue };
+            let Some(position_m) = row.reading.position_m() else { continue };
+            row.reading =
+                row.reading.with_coordinates_m((first_from_second * Point3::from(position_m)).coords);
+            row.orientation = row.orientation.map(|turn| first_from_second.rotation * turn);
+        }
+        // Where it was put back it is a stand of its own again.
+        self.first_of_stands.extend([rows.start, rows.end].iter().filter_map(|&k| self.used.get(k)));
+    }
+
+    /// Numbers the stands of the instrument.
+    fn number_stands(&mut self) {
+        if self.first_of_stands.is_empty() {
+            return;
+        }
+        for (index, row) in self.measurements.to_mut().rows.iter_mut().enumerate() {
+            row.stand = self.first_of_stands.range(..=index).count();
+        }
+    }
+
+    /// In some rows of the used ones the target sat elsewhere by `by_m`: there it is one of its own.
+    fn remounted(&mut self, rows: Range<usize>, by_m: f64) {
+        let lines = [self.line(rows.start), self.line(rows.end.saturating_sub(1))];
+        self.warn("measure::target-moved", describe_remounting(by_m, lines));
+        let measurements = self.measurements.to_mut();
+        let target = measurements.targets.len().max(1);
+        measurements.targets.resize(target, String::new());
+        measurements.targets.push(format!("from line {}", lines[0]));
+        for &index in self.used.get(rows).unwrap_or_default() {
+            if let Some(row) = measurements.rows.get_mut(index) {
+                row.target = target;
+            }
+        }
+    }
+
+    /// Some of the used rows hold a code where a reading should be.
+    fn leave_out(&mut self, rows: &[usize], column: &str, value: f64) {
+        let lines: Vec<u64> = rows.iter().map(|&i| self.line(i)).collect();
+        self.warn("measure::code-for-none", describe_code(column, value, &lines));
+        let coded: BTreeSet<usize> = rows.iter().filter_map(|&i| self.used.get(i)).copied().collect();
+        self.used.retain(|row| !coded.contains(row));
+    }
+}
+
+/// One joint that stands elsewhere than the file says in some rows, further than a registration bears.
+pub(super) struct JointElsewhere {
+    /// The joint, counted from 0.
+    joint: usize,
+    /// The rows, as indices into the file's.
+    rows: BTreeSet<usize>,
+    /// Where it stands less where the file says, radians.
+    by_rad: f64,
+}
+
+impl JointElsewhere {
+    /// By how much each joint stands elsewhere at each station.
+    pub(super) fn turns(&self, stations: &[Station], joints: usize) -> Vec<Joints> {
+        let at = |station: &Station| {
+            let has = station.rows.iter().all(|row| self.rows.contains(row));
+            Joints::from_fn(joints, |j| if has && j == self.joint { self.by_rad } else { 0.0 })
+        };
+        stations.iter().map(at).collect()
+    }
+}
+
+/// Looks for what the rows alone can tell, and takes those of a moved instrument into one frame.
+pub(super) fn from_one_stand<'a>(
+    measurements: &'a Measurements,
+    robot: &SerialArm,
+    checked: &RowCheck,
+    options: &DiagnosisOptions,
+) -> Result<OneStand<'a>, Box<Fault>> {
+    let targets = measurements.targets.len().max(1);
+    let rows = || each_row(measurements, &checked.used, robot);
+    let of_some_rows = || match find_in_rows(robot, &rows(), targets, options.tool_m) {
+        Some(PartFault::Fault(fault)) => Some(fault),
+        _ => None,
+    };
+    // What is behind a fault that shows in the cells.
+    let meant = |fault: Fault| match fault.kind {
+        FaultKind::JointsOutOfRange => {
+            let stations: Vec<Station> = rows().iter().map(|row| row.station.clone()).collect();
+            find_in_columns(robot, &stations, targets).or_else(of_some_rows).unwrap_or(fault)
+        }
+        // Points that are late lie apart at the joints of repeats.
+        FaultKind::FrozenJoints => {
+            of_some_rows().filter(|found| found.kind == FaultKind::RowsShifted).unwrap_or(fault)
+        }
+        _ => fault,
+    };
+    let fault = checked.fault.clone().or_else(|| find_in_cells(measurements, &checked.used, robot));
+    if let Some(fault) = fault.map(meant) {
+        return Err(Box::new(fault));
+    }
+    let mut seen = OneStand {
+        measurements: Cow::Borrowed(measurements),
+        used: checked.used.clone(),
+        warnings: Vec::new(),
+        elsewhere: None,
+        first_of_stands: BTreeSet::new(),
+    };
+    for _ in 0..MOST_CHANGES {
+        match find_in_rows(robot, &seen.rows(robot), seen.targets(), options.tool_m) {
+            None => break,
+            Some(PartFault::Fault(fault)) => return Err(Box::new(fault)),
+            Some(PartFault::Moved { rows, first_from_second }) => seen.moved(rows, &first_from_second),
+            Some(PartFault::Remounted { rows, by_m }) => seen.remounted(rows, by_m),
+            Some(PartFault::Coded { rows, column, value }) => seen.leave_out(&rows, &column, value),
+            Some(PartFault::JointElsewhere { joint, rows, by_rad }) => {
+                let rows = seen.used.get(rows).unwrap_or_default().iter().copied().collect();
+                seen.elsewhere = Some(JointElsewhere { joint, rows, by_rad });
+                break;
+            }
+        }
+    }
+    seen.number_stands();
+    Ok(seen)
+}
+
+/// Each row on its own, with the nominal arm's flange pose.
+fn each_row(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Vec<PosedRow> {
+    let chain = SerialChain::nominal(robot);
+    alone(measurements, used)
+        .into_iter()
+        .map(|station| PosedRow { pose: station.pose(&chain), station })
+        .collect()
+}
