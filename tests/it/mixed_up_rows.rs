@@ -143,7 +143,7 @@ fn a_column_sorted_by_itself_is_named() {
 
 #[test]
 fn a_column_pasted_over_another_is_named_with_it() {
-    for (from, to, kind) in [("x_mm", "y_mm", "swapped_axes"), ("q2_deg", "q3_deg", "joint_columns")] {
+    for (from, to, kind) in [("x_mm", "y_mm", "nothing_fits"), ("q2_deg", "q3_deg", "joint_columns")] {
         let mut sheet = Sheet::new();
         let (from_at, to_at) = (sheet.at(from), sheet.at(to));
         sheet.rows.iter_mut().for_each(|row| row[to_at] = row[from_at].clone());

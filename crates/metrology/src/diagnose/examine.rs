@@ -111,7 +111,7 @@ impl Unusable {
     /// Where nothing fits, the rows that do not go with the others, if they are some.
     fn of_rows(self, seen: &OneStand<'_>, robot: &SerialArm, options: &DiagnosisOptions) -> Self {
         match self {
-            Self::Fault(fault) if fault.kind == FaultKind::NothingFits => {
+            Self::Fault(fault) if fault.kind == FaultKind::NothingFits && fault.column.is_none() => {
                 let apart = find_apart(robot, &seen.rows(robot), seen.targets(), options.tool_m);
                 Self::Fault(apart.map_or(fault, Box::new))
             }

@@ -134,6 +134,9 @@ impl From<MeasureError> for Diagnostic {
     }
 }
 
+/// Units as people write them under a header.
+const UNITS: [&str; 8] = ["deg", "\u{b0}", "rad", "mm", "m", "min", "s", "kg"];
+
 /// What is likely the matter with a cell that is no number, or nothing.
 pub(super) fn number_hint(text: &str) -> &'static str {
     let digits = text.trim_start_matches(['-', '+']);
@@ -150,8 +153,8 @@ pub(super) fn number_hint(text: &str) -> &'static str {
         ": its minus is another character; write a hyphen"
     } else if digits.starts_with(|c: char| c.is_ascii_digit()) && digits.ends_with(char::is_alphabetic) {
         ": write the number alone; its unit is that of the column's name"
-    } else if digits.contains(char::is_alphabetic) {
-        ": a second header or a line of units is none of measurements; begin it with #"
+    } else if UNITS.iter().any(|unit| text.trim_matches(['[', ']', '(', ')']).eq_ignore_ascii_case(unit)) {
+        ": a line of units is none of measurements; begin it with #"
     } else {
         ""
     }

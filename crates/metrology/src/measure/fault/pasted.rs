@@ -40,7 +40,7 @@ pub(super) fn find(robot: &SerialArm, stations: &[Station]) -> Option<Fault> {
         values: arm.iter().map(|station| station.q_rad[j]).collect(),
     });
     let coordinates = POINT.into_iter().enumerate().map(|(k, name)| Column {
-        kind: FaultKind::SwappedAxes,
+        kind: FaultKind::NothingFits,
         name: name.to_owned(),
         values: arm.iter().filter_map(|station| Some(station.reading.position_m()?[k])).collect(),
     });
