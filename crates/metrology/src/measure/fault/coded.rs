@@ -48,7 +48,7 @@ impl FarRows<'_> {
             }
         }
         let is_code = |which: &[usize]| {
-            let far = which.iter().filter(|i| self.far.binary_search(i).is_ok()).count();
+            let far = which.iter().filter(|i| self.is_far(**i)).count();
             let runs = 1 + which.windows(2).filter(|pair| pair[1] != pair[0] + 1).count();
             which.len() >= FEWEST
                 && far as f64 >= FAR_SHARE * which.len() as f64
@@ -60,7 +60,7 @@ impl FarRows<'_> {
         let rows: BTreeSet<usize> = coded.iter().flat_map(|(_, which)| which.iter().copied()).collect();
         let values: BTreeSet<u64> = coded.iter().map(|((_, bits), _)| *bits).collect();
         let one_value = values.first().filter(|_| values.len() == 1)?;
-        let far: Vec<usize> = rows.iter().copied().filter(|i| self.far.binary_search(i).is_ok()).collect();
+        let far: Vec<usize> = rows.iter().copied().filter(|i| self.is_far(*i)).collect();
         if !self.are_most(&far) {
             return None;
         }

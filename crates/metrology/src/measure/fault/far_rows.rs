@@ -1,4 +1,6 @@
 //! Rows that do not go with a registration that others agree with, and what may be said of them.
+//!
+//! The registration is looked for in parts of the file: of all rows it may be nobody's.
 
 use super::{Fault, FaultKind};
 use crate::measure::initial_guess::with_fixed_points_beyond;
@@ -47,7 +49,7 @@ pub enum PartFault {
     },
     /// These rows (indices into `rows`) hold one and the same number where they have no reading.
     Coded {
-        /// The rows, ascending.
+        /// The rows in the file's order, which others lie between.
         rows: Vec<usize>,
         /// The columns that it stands in.
         column: String,
@@ -130,6 +132,10 @@ impl<'a> FarRows<'a> {
         let limit_m = FAR_M.max(FAR_TIMES * middle_m);
         let far = (0..rows.len()).filter(|&i| part.off_m[i] > limit_m).collect();
         Self { robot, rows, registration: &part.registration, far, limit_m, middle_m }
+    }
+
+    pub(super) fn is_far(&self, i: usize) -> bool {
+        self.far.binary_search(&i).is_ok()
     }
 
     pub(super) fn lines(&self, which: &[usize]) -> Vec<u64> {

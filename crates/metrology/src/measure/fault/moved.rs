@@ -19,15 +19,6 @@ const OWN_SHARE: f64 = 0.5;
 /// Rounds of re-weighting of a target's place.
 const ROUNDS: usize = 8;
 
-/// One end of a stretch of far rows, beyond which the near ones begin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Border {
-    /// The near rows are before it.
-    First,
-    /// The near rows are behind it.
-    Last,
-}
-
 /// What was elsewhere, and what the rows' distances are in the middle once that is known, metres.
 struct Elsewhere {
     what: PartFault,
@@ -51,30 +42,26 @@ impl FarRows<'_> {
         best
     }
 
-    /// Rows of points in `stretch` that are nearly all far, the whole of it or a part of it beside its border: there may be several
+    /// Rows of points in `stretch` that are nearly all far, the whole of it and then parts of it beside the near rows: there may be several
     /// stands in it.
-    fn parts_of(&self, stretch: &Range<usize>) -> impl Iterator<Item = Vec<usize>> {
-        let border = if stretch.start == 0 { Border::Last } else { Border::First };
-        let points: Vec<usize> = stretch
-            .clone()
-            .filter(|&i| matches!(self.rows[i].station.reading, Reading::Point { .. }))
-            .filter(|_| stretch.len() < self.rows.len())
-            .collect();
+    fn parts_of(&self, stretch: &Range<usize>) -> Vec<Vec<usize>> {
+        // Of rows that are all far none says where the others stood.
+        if stretch.len() == self.rows.len() {
+            return Vec::new();
+        }
+        let is_point = |i: &usize| matches!(self.rows[*i].station.reading, Reading::Point { .. });
+        let points: Vec<usize> = stretch.clone().filter(is_point).collect();
         let count = points.len();
-        let sizes = std::iter::successors(Some(count), |size| Some(size / 2));
-        let part = move |size: usize| match border {
-            Border::First => points[..size].to_vec(),
-            Border::Last => points[count - size..].to_vec(),
+        let part = |size: usize| match stretch.start {
+            0 => points[count - size..].to_vec(),
+            _ => points[..size].to_vec(),
         };
-        sizes
-            .take_while(|size| *size >= FEWEST_OF_STAND)
-            .map(part)
-            .filter(|part| {
-                let far = part.iter().filter(|i| self.far.binary_search(i).is_ok()).count();
-                far as f64 >= FAR_SHARE * part.len() as f64 && self.has_poses(part)
-            })
-            .collect::<Vec<_>>()
-            .into_iter()
+        let is_stand = |part: &Vec<usize>| {
+            let far = part.iter().filter(|i| self.is_far(**i)).count();
+            far as f64 >= FAR_SHARE * part.len() as f64 && self.has_poses(part)
+        };
+        let sizes = std::iter::successors(Some(count), |size| Some(size / 2));
+        sizes.take_while(|size| *size >= FEWEST_OF_STAND).map(part).filter(is_stand).collect()
     }
 
     /// Whether enough poses are among these rows, some of which may repeat others.
@@ -98,7 +85,7 @@ impl FarRows<'_> {
     /// In a stretch of the file the instrument, or the one target on the flange, is elsewhere: what fits better of the two.
     pub(super) fn elsewhere(&self, targets: usize) -> Option<PartFault> {
         let stretch = self.stretch();
-        let whole = self.parts_of(&stretch).next()?;
+        let whole = self.parts_of(&stretch).into_iter().next()?;
         let found = [self.moved(&stretch, &whole, targets), self.remounted(&stretch, &whole, targets)];
         let found = found.into_iter().flatten();
         found
@@ -109,7 +96,8 @@ impl FarRows<'_> {
     /// The same in a part of the stretch beside the near rows, where there is more than one stand in it.
     pub(super) fn moved_in_part(&self, targets: usize) -> Option<PartFault> {
         let stretch = self.stretch();
-        self.parts_of(&stretch).find_map(|part| self.moved(&stretch, &part, targets)).map(|found| found.what)
+        let parts = self.parts_of(&stretch);
+        parts.iter().find_map(|part| self.moved(&stretch, part, targets)).map(|found| found.what)
     }
 
     /// In the stretch, or all over the file but there, all is elsewhere, rigidly, as `part` of the stretch says.

@@ -1,7 +1,6 @@
 //! Rows that the others contradict: from some row on in another unit, one row late, from another stand of the instrument.
 //!
-//! A registration of most of the file is looked for in parts of it; rows far off it are tried with what could have
-//! happened to them, one explanation at a time.
+//! Rows far off what most of the others agree with are tried with what could have happened to them, one explanation at a time.
 
 use super::change::{Change, changes};
 use super::far_rows::{FEWEST, FarRows, MOST, Part, PartFault, PosedRow, best_part};

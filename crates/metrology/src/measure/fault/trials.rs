@@ -25,7 +25,7 @@ pub(super) fn trial(stations: &[Station]) -> Vec<Station> {
     spread(stations, TRIAL_STATIONS)
 }
 
-/// As [`trial`], fewer.
+/// As [`trial`], for explanations that are tried by the dozen.
 pub(super) fn few(stations: &[Station]) -> Vec<Station> {
     spread(stations, FEW_STATIONS)
 }
