@@ -213,6 +213,51 @@ fn a_reading_written_out_and_read_in_again_is_a_reading() {
     }
 }
 
+/// What is read in the call itself comes to the routine as it does by way of a variable.
+#[test]
+fn a_reading_handed_over_in_the_call_is_a_reading() {
+    let routines = "ENDPROC
+PROC both(robtarget a,INOUT robtarget b)
+  b:=a;
+ENDPROC
+PROC opt(\\robtarget a)
+  IF Present(a) p:=a;
+ENDPROC
+PROC placed(rec a)
+  p:=a.place;
+ENDPROC
+FUNC robtarget here()
+  RETURN CRobT();
+ENDFUNC
+FUNC bool kept(robtarget a)
+  p:=a;
+  RETURN TRUE;
+ENDFUNC
+PROC mem(robtarget a)
+  p:=a;";
+    for (call, kept) in [
+        ("mem CRobT();", true),
+        ("mem here();", true),
+        ("mem Offs(here(),0,0,1);", true),
+        ("%\"mem\"% CRobT();", true),
+        ("both CRobT(),p;", true),
+        ("opt \\a:=CRobT();", true),
+        ("placed [CRobT(),3];", true),
+        ("ok:=kept(CRobT());", true),
+        ("both CRobT(),q;\np:=Offs(q0,0,0,n);", false),
+        ("mem Offs(q0,0,0,n);", false),
+    ] {
+        let data = format!(
+            "RECORD rec\nrobtarget place;\nnum n;\nENDRECORD\nVAR robtarget p;\nVAR robtarget q;\nVAR bool ok;\nVAR num n;\nCONST robtarget q0:={};",
+            at(1, 2, 3)
+        );
+        let program =
+            main_of(&data, &format!("{call}\nn:=GInput(gi1);\nMoveL p,v100,fine,tool0;\n{routines}"));
+        let code = if kept { "keep::own-position" } else { "keep::runtime-target" };
+        assert_eq!(codes(&program), [code], "{call}");
+    }
+}
+
 /// External axes and a configuration that are taken of a reading hold nothing of the arm's drift.
 #[test]
 fn external_axes_of_a_reading_are_no_reading() {

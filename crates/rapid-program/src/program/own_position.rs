@@ -7,6 +7,7 @@ use super::call_arguments::{MatchedArgument, match_arguments};
 use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::ids::{DatumId, IdSet, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
+use super::late_bound::reached;
 use super::names::{ByNumber, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
@@ -80,8 +81,8 @@ impl OwnPositions {
         let mut found = self;
         let late = ParameterFlow::new(index);
         let sources = sources_where(index, &|ctx, expr| tells_the_pose(index, ctx, expr)).with(late.into);
-        let mut handed_back = handed_back(index);
-        handed_back.extend(late.out_of);
+        let handed_back = handed_back(index);
+        let worked_out = worked_out_arguments(index);
         // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
         let mut set: IdSet<DatumId> = found.data.keys().copied().collect();
         loop {
@@ -114,6 +115,11 @@ impl OwnPositions {
                 handed_back.iter().filter(|flow| set.contains(flow.from)).copied().collect();
             set.extend(back.iter().map(|flow| flow.to));
             found.add_from(&back);
+            let handed = worked_out
+                .iter()
+                .filter_map(|&(ctx, param, value)| Some((param, found.read_at(index, ctx, value)?)));
+            let handed: Vec<(DatumId, Span)> = handed.collect();
+            found.add(handed);
             found.add_from(sources.as_slice());
             if before == (found.data.len(), found.routines.len(), set.len()) {
                 let of_arguments = found.routines.keys().filter(|&&id| found.is_of_arguments(index, id));
@@ -326,30 +332,55 @@ fn in_all<'a>(index: &Index<'_>, routine: &RoutineEntry<'a>, visit: &mut dyn FnM
 /// What a routine's parameter by reference has become goes into what was handed over.
 fn handed_back(index: &Index<'_>) -> Vec<ValueFlow> {
     let mut out = Vec::new();
-    let mut enter = |ctx: Ctx, callee: TextRange, args: &[Arg]| {
-        let Some(name) = index.name_at(ctx.file, callee) else { return };
-        let (Resolved::Here(callee) | Resolved::Elsewhere(callee)) = index.routine(name, ctx) else { return };
-        for MatchedArgument { param, value, handed_on } in match_arguments(index, ctx, callee, args) {
-            let by_value = matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
-            let root = value.and_then(root_of).map(|(root, _)| root).or(handed_on);
-            if let Some(root) = root.filter(|_| !by_value)
-                && let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx)
-            {
-                out.push(ValueFlow { to: datum, from: param });
-            }
+    every_argument(index, &mut |ctx, MatchedArgument { param, value, handed_on }| {
+        let by_value = matches!(index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
+        let root = value.and_then(root_of).map(|(root, _)| root).or(handed_on);
+        if let Some(root) = root.filter(|_| !by_value)
+            && let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx)
+        {
+            out.push(ValueFlow { to: datum, from: param });
         }
-    };
+    });
+    out
+}
+
+/// The arguments that functions have a part in, `Offs(CRobT(), 0, 0, z)`, with the parameters that take them: what a function gives comes
+/// from no datum.
+fn worked_out_arguments<'a>(index: &Index<'a>) -> Vec<(Ctx, DatumId, &'a Expr)> {
+    let mut out = Vec::new();
+    every_argument(index, &mut |ctx, MatchedArgument { param, value, .. }| {
+        let Some(value) = value else { return };
+        let mut is_worked_out = false;
+        every_call(value, &mut |_, _| is_worked_out = true);
+        if is_worked_out {
+            out.push((ctx, param, value));
+        }
+    });
+    out
+}
+
+/// Calls `visit` with every argument that a routine of the program is handed, by its name or by one that is worked out.
+fn every_argument<'a>(index: &Index<'a>, visit: &mut dyn FnMut(Ctx, MatchedArgument<'a>)) {
     for routine in &index.routines {
+        let ctx = routine.ctx;
+        let mut enter = |callees: Vec<RoutineIndex>, args: &'a [Arg]| {
+            let arguments = callees.into_iter().flat_map(|callee| match_arguments(index, ctx, callee, args));
+            arguments.for_each(|argument| visit(ctx, argument));
+        };
+        let named = |callee: TextRange| match index.routine(index.name_at(ctx.file, callee)?, ctx) {
+            Resolved::Here(callee) | Resolved::Elsewhere(callee) => Some(callee),
+            Resolved::Twice(..) | Resolved::Nowhere => None,
+        };
         in_all(index, routine, &mut |stmt| {
-            if let StmtKind::Call(call) = &stmt.kind
-                && let Callee::Name(name) = call.callee
-            {
-                enter(routine.ctx, name, &call.args);
+            if let StmtKind::Call(call) = &stmt.kind {
+                match &call.callee {
+                    Callee::Name(name) => enter(named(*name).into_iter().collect(), &call.args),
+                    Callee::Late(name) => enter(reached(index, ctx, name, &call.args), &call.args),
+                }
             }
             for expr in expressions_of(stmt) {
-                every_call(expr, &mut |name, args| enter(routine.ctx, name, args));
+                every_call(expr, &mut |name, args| enter(named(name).into_iter().collect(), args));
             }
         });
     }
-    out
 }
