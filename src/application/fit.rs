@@ -9,6 +9,7 @@ use rapid_program::compensate::tabulate::{TabulateError, tabulate};
 use rapid_program::compensate::targets::NamedPose;
 use rapid_program::compensate::{self, CompensateError};
 use rapid_program::program::{Overrides, Program};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, rad_from_deg};
@@ -34,7 +35,7 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// A fit of touches by the flange's centre; the robot stood in the longest pause between two.
+    /// A fit of touches by the flange's centre; the robot stood in the long pauses between two.
     #[must_use]
     pub fn new(robot: Robot) -> Self {
         Self { robot, options: FitOptions::default() }
@@ -89,6 +90,12 @@ impl Fitted {
         let there = || warmup::forecast_at_targets(&self.warm_up, &self.robot, targets, &others);
         let forecast = (!targets.is_empty()).then(there);
         Self { forecast, ..self }
+    }
+
+    /// What a person should look at in the touches.
+    #[must_use]
+    pub fn warnings(&self) -> &[Diagnostic] {
+        &self.warm_up.warnings
     }
 
     /// The fit as people read it.

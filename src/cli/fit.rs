@@ -6,6 +6,7 @@ use super::program_input::ProgramInput;
 use super::sealed::{Language, Sealed};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
+use crate::report::LocatedDiagnostic;
 use driftpost::application::{Fit, Fitted};
 use metrology::diagnose::warmup::{FitOptions, Standstill};
 use nalgebra::Vector3;
@@ -29,7 +30,7 @@ pub struct Args {
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub tool: Option<String>,
 
-    /// The robot stood from one minute to another; repeatable, or none [default: the longest pause].
+    /// The robot stood from one minute to another; repeatable, or none [default: the long pauses between touches].
     #[arg(long, value_name = "FROM:TO|none")]
     pub stop: Vec<String>,
 
@@ -89,7 +90,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
-    let found = at_work(args, job.run(&touches).map_err(Diagnostic::from)?)?;
+    let fitted = job.run(&touches).map_err(Diagnostic::from)?;
+    console.explain(&LocatedDiagnostic::all(fitted.warnings().iter().cloned(), &[]), true);
+    let found = at_work(args, fitted)?;
 
     if let Some(file) = table_out {
         file.write(found.table_csv().as_bytes())?;

@@ -31,7 +31,10 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
         mm_from_m(w.sigma_m)
     );
     for stop in &w.stops {
-        let _ = writeln!(out, "the robot stood from minute {:.0} to {:.0}", stop.from_min, stop.to_min);
+        let by_pause =
+            if w.stops_are_named { "" } else { ", by the pause between touches (--stop FROM:TO says when)" };
+        let _ =
+            writeln!(out, "the robot stood from minute {:.0} to {:.0}{by_pause}", stop.from_min, stop.to_min);
     }
     let tau = w.growth.tau_min().unwrap_or(0.0);
     let law = w.growth.to_string();

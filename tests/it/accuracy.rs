@@ -152,3 +152,63 @@ fn one_place_on_the_flange_is_not_that_of_several_reflectors() {
     let found = accuracy(folder.path(), &csv, &["--limit-ap-mm", "0.001"]);
     assert_eq!(found.code, 0, "each place is fitted: {}{}", found.out, found.err);
 }
+
+/// Five poses, ten cycles each, of the nominal arm with a few micrometres of scatter; `change` alters a row's joints and point, degrees and mm.
+fn cycles(change: impl Fn(usize, &mut [f64; 6], &mut [f64; 3])) -> String {
+    let poses = [
+        [10.0, 20.0, -10.0, 15.0, 40.0, 20.0],
+        [-35.0, 40.0, -30.0, -50.0, 60.0, 90.0],
+        [55.0, -10.0, 20.0, 70.0, -45.0, -30.0],
+        [-70.0, 30.0, 5.0, -20.0, 80.0, 10.0],
+        [25.0, 5.0, -40.0, 100.0, 30.0, -80.0],
+    ];
+    let mut csv = format!("pose_id,{JOINTS},x_mm,y_mm,z_mm\n");
+    for cycle in 0..10 {
+        for (k, pose) in poses.iter().enumerate() {
+            let (mut q_deg, mut point_mm) = (*pose, command_mm(*pose, [20.0, 10.0, 100.0]));
+            point_mm[cycle % 3] += 0.004 * ((cycle * 7 + k * 3) % 5) as f64;
+            change(5 * cycle + k, &mut q_deg, &mut point_mm);
+            let [x, y, z] = point_mm;
+            writeln!(csv, "P{k},{},{x:.5},{y:.5},{z:.5}", joints(q_deg)).unwrap();
+        }
+    }
+    csv
+}
+
+/// Points in metres repeat a thousand times better than they do.
+#[test]
+fn a_file_in_other_units_or_columns_is_no_go_and_no_no_go() {
+    let folder = tempfile::tempdir().unwrap();
+    let limits = ["--limit-rp-mm", "0.05"];
+    let sound = accuracy(folder.path(), &cycles(|_, _, _| {}), &limits);
+    assert!(sound.code == 0 && sound.out.ends_with("\nGO\n"), "{}{}", sound.out, sound.err);
+    type Change = fn(usize, &mut [f64; 6], &mut [f64; 3]);
+    let faults: [(Change, &str); 4] = [
+        (|_, _, point| point.iter_mut().for_each(|mm| *mm *= 1e-3), "the measured points are in metres"),
+        (|_, q, _| q[2] = q[2].to_radians(), "column q3_deg is in radians"),
+        (|_, q, _| q.swap(3, 4), "the columns of joints 4 and 5 are swapped"),
+        (|_, _, point| point.swap(0, 1), "mirrored"),
+    ];
+    for (change, reason) in faults {
+        let found = accuracy(folder.path(), &cycles(change), &limits);
+        assert!(found.code == 2 && found.err.contains("measure::fault"), "{reason}: {}", found.out);
+        assert!(found.err.contains(reason), "{reason}: {}", found.err);
+    }
+}
+
+#[test]
+fn a_reading_that_no_arm_made_is_named_by_its_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = cycles(|row, _, point| {
+        if row == 21 {
+            point[2] += 28.0
+        }
+    });
+    let found = accuracy(folder.path(), &csv, &["--limit-rp-mm", "0.05"]);
+    assert_eq!(found.code, 1);
+    assert!(
+        found.err.contains("measure::far-cycle") && found.err.contains("line 23: up to 28.0 mm"),
+        "{}",
+        found.err
+    );
+}

@@ -155,6 +155,41 @@ fn accuracy_is_the_standards_and_go_is_an_exit_code() {
     assert_eq!(run(&["accuracy", &single, "--limit-ap-mm", "0.2"]).0, 0);
 }
 
+/// The same rows but for `change` of the three coordinates, mm, of each.
+fn with_points(text: &str, change: impl Fn(usize, &mut [f64; 3])) -> String {
+    let first = text.lines().next().unwrap().split(',').position(|name| name == "x_mm").unwrap();
+    let changed = text.lines().enumerate().map(|(k, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if k > 0 {
+            let mut point_mm: [f64; 3] = std::array::from_fn(|i| cells[first + i].parse().unwrap());
+            change(k, &mut point_mm);
+            point_mm.iter().enumerate().for_each(|(i, mm)| cells[first + i] = mm.to_string());
+        }
+        cells.join(",")
+    });
+    changed.collect::<Vec<_>>().join("\n")
+}
+
+/// A sound robot, measured again by an instrument that was pushed in between, or in metres.
+#[test]
+fn an_instrument_that_moved_within_a_file_and_other_units_are_no_unchanged_robot() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 1);
+    let before = write(folder.path(), "before.csv", &file);
+    let pushed = with_points(&file, |k, point_mm| {
+        if k > 20 {
+            point_mm[2] += 100.0
+        }
+    });
+    let pushed = write(folder.path(), "pushed.csv", &pushed);
+    let (_, _, answer) = run(&["compare-measurements", &before, &pushed, "--sigma-mm", "0.02"]);
+    assert!(answer.contains("measure::instrument-moved") && answer.contains("from line 22 on"), "{answer}");
+    let metres = with_points(&file, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
+    let metres = write(folder.path(), "metres.csv", &metres);
+    let (code, _, answer) = run(&["compare-measurements", &before, &metres]);
+    assert!(code == 2 && answer.contains("after: the measured points are in metres"), "{answer}");
+}
+
 /// Two readings of a sound robot a millimetre off, which no cause of the arm makes; the instrument was set up anew.
 #[test]
 fn single_poses_that_have_moved_and_rows_left_out_are_named() {

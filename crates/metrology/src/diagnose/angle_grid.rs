@@ -20,6 +20,9 @@ const PART_STEPS_DEG: [f64; 5] = [0.5, 0.1, 0.05, 0.02, 0.01];
 const FEWEST_OF_PART: usize = 12;
 /// Share of the rest's angles that lie on a part's step.
 const MOST_ON_STEP: f64 = 0.4;
+/// A joint that takes fewer angles, or each of them in more poses in the mean, is moved to postures unless most of its poses differ.
+const FEWEST_ANGLES: usize = 12;
+const MOST_POSES_AN_ANGLE: usize = 8;
 /// So unlikely it must be that angles lie on multiples of a step by chance, nats.
 const BY_CHANCE_NATS: f64 = -20.0;
 
@@ -34,7 +37,7 @@ pub(super) struct AngleGrid {
 
 impl AngleGrid {
     /// The coarsest step on which every joint stands, however many decimals it is written with and wherever its zero is; where there is
-    /// none, the coarsest on which some do, most of whose rows have an angle of their own.
+    /// none, the coarsest on which some do that take as many angles as no list of postures has.
     pub(super) fn of(measurements: &Measurements) -> Option<Self> {
         let rows = || measurements.rows.iter().filter(|row| row.reading.involves_arm());
         let kinds = measurements.joint_kinds.iter().enumerate();
@@ -44,6 +47,7 @@ impl AngleGrid {
         let moves = |j: usize| {
             let angles: BTreeSet<u64> = rows().map(|row| row.q_rad[j].to_bits()).collect();
             2 * angles.len() > poses.len()
+                || angles.len() >= FEWEST_ANGLES.max(poses.len() / MOST_POSES_AN_ANGLE)
         };
         let of_joint = |j: usize| JointAngles::of(rows().map(|row| deg_from_rad(row.q_rad[j])).collect());
         let own: Vec<(usize, JointAngles)> = turning.iter().map(|&j| (j, of_joint(j))).collect();
@@ -287,6 +291,19 @@ mod tests {
     fn joints_rounded_alone_are_told_from_those_that_are_not() {
         let grid = AngleGrid::of(&file(|k, j| multiple(k, j) * if j == 4 { 0.06 } else { 0.00317 })).unwrap();
         assert_eq!((grid.step_deg, grid.joints), (0.06, vec![4]));
+    }
+
+    /// Over a few degrees a rounded joint has few angles: 13 of 40 here; a joint that only stands at eight postures is none.
+    #[test]
+    fn a_joint_of_a_small_range_is_rounded_and_one_of_few_postures_is_not() {
+        let one = |angles: usize| {
+            AngleGrid::of(&file(move |k, j| {
+                if j == 3 { ((7 * k) % angles) as f64 * 0.3 } else { multiple(k, j) * 0.00317 }
+            }))
+        };
+        let grid = one(13).unwrap();
+        assert_eq!((grid.step_deg, grid.joints), (0.3, vec![3]));
+        assert!(one(8).is_none());
     }
 
     #[test]

@@ -5,8 +5,8 @@ use super::examine::diagnose;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict};
 use crate::measure::{
-    Channels, MeasurementRow, Measurements, Reading, RegisterError, Registration, STATED_FREEDOM, Station,
-    Stations, check_rows, gather, median, register,
+    Channels, Fault, MeasurementRow, Measurements, OneStand, Reading, RegisterError, Registration,
+    STATED_FREEDOM, Station, Stations, check_rows, from_one_stand, gather, median, register,
 };
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -134,9 +134,19 @@ pub fn compare_measurements(
     robot: &SerialArm,
     options: &DiagnosisOptions,
 ) -> Result<MeasurementComparison, CompareError> {
+    let before = FileSeen::new("before", before, robot)?;
+    let after = FileSeen::new("after", after, robot)?;
+    compared([&before, &after], robot, options)
+}
+
+fn compared(
+    files: [&FileSeen; 2],
+    robot: &SerialArm,
+    options: &DiagnosisOptions,
+) -> Result<MeasurementComparison, CompareError> {
     let chain = SerialChain::nominal(robot);
-    let (old, before_warnings) = stations(before, robot)?;
-    let (new, after_warnings) = stations(after, robot)?;
+    let [old, new] = files.map(FileSeen::stations);
+    let [before, after] = files.map(|file| &file.measurements);
     let pairs = paired(&old, &new, before, after, &chain);
     if pairs.len() < FEWEST {
         return Err(CompareError::TooFew { pairs: pairs.len() });
@@ -183,7 +193,7 @@ pub fn compare_measurements(
         diagnosis,
         beyond,
         is_changed: is_changed && !is_same,
-        warnings: [before_warnings, after_warnings],
+        warnings: files.map(|file| file.warnings.clone()),
     })
 }
 
@@ -228,15 +238,34 @@ fn base_shift_m(pairs: &[Pair<'_>], was: &Registration, base_moved: &Isometry3<f
     rms_m(&pairs.iter().map(shift).collect::<Vec<_>>())
 }
 
-/// The stations of a file whose rows do not contradict the robot, and what is to be said of those left out.
-fn stations(
-    measurements: &Measurements,
-    robot: &SerialArm,
-) -> Result<(Stations, Vec<Diagnostic>), CompareError> {
-    let checked = check_rows(measurements, robot);
-    match checked.fault {
-        Some(fault) => Err(CompareError::Fault { reason: fault.reason }),
-        None => Ok((gather(measurements, &checked.used, None), checked.warnings)),
+/// A file whose rows do not contradict the robot.
+struct FileSeen {
+    /// Without temperatures, which nothing here rests on.
+    measurements: Measurements,
+    /// Rows to use, as indices.
+    used: Vec<usize>,
+    /// What is to be said of those left out, and of an instrument or a target that was moved in between.
+    warnings: Vec<Diagnostic>,
+}
+
+impl FileSeen {
+    fn new(name: &str, file: &Measurements, robot: &SerialArm) -> Result<Self, CompareError> {
+        let contradicted = |fault: Fault| CompareError::Fault { reason: format!("{name}: {}", fault.reason) };
+        let mut file = file.clone();
+        file.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
+        let checked = check_rows(&file, robot);
+        let seen = from_one_stand(&file, robot, &checked, None).map_err(|fault| contradicted(*fault))?;
+        // Where the tool is each time is what is asked.
+        if let Some(fault) = seen.fault(robot, None) {
+            return Err(contradicted(fault));
+        }
+        let OneStand { used, warnings, measurements, .. } = seen;
+        let warnings = checked.warnings.into_iter().chain(warnings).collect();
+        Ok(Self { used, warnings, measurements: measurements.into_owned() })
+    }
+
+    fn stations(&self) -> Stations {
+        gather(&self.measurements, &self.used, None)
     }
 }
 

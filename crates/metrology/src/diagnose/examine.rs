@@ -3,19 +3,16 @@
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
 use super::evaluate::{Evaluation, Prepared, evaluate};
-use super::linearise::{linearise, turned};
+use super::linearise::linearise;
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
-use super::one_stand::{JointElsewhere, OneStand, from_one_stand};
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use crate::measure::{
-    Fault, FaultKind, MIDDLE_OF_3D, Measurements, Reading, RegisterError, Registration, RowCheck, Stations,
-    check_rows, find_apart, find_fault, find_in_orientations, find_pose_names, gather, register,
+    Fault, MIDDLE_OF_3D, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, StandError,
+    Stations, check_rows, find_pose_names, from_one_stand, gather, turned,
 };
-use nalgebra::Isometry3;
 use robot_model::deform::identified::{FoundBy, Identified};
-use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
 use std::collections::BTreeSet;
@@ -65,13 +62,12 @@ fn examine_in_pool(
     let checked = check_rows(measurements, robot);
     let mut warnings: Vec<Warning> =
         measurements.warnings.iter().chain(&checked.warnings).map(Warning::from).collect();
-    let seen = from_one_stand(measurements, robot, &checked, options).map_err(Unusable::from);
+    let seen = from_one_stand(measurements, robot, &checked, options.tool_m).map_err(Unusable::from);
     let evaluation = seen.and_then(|seen| {
-        warnings.extend(seen.warnings.iter().cloned());
+        warnings.extend(seen.warnings.iter().map(Warning::from));
         let stations = usable_stations(&seen, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
-        evaluated(measured, seen.elsewhere.as_ref(), options, wants_model)
-            .map_err(|unusable| unusable.of_rows(&seen, robot, options))
+        evaluated(measured, &seen, options, wants_model)
     });
     let mut evaluation =
         evaluation.unwrap_or_else(|unusable| Evaluation::without_model(unusable.diagnosis()));
@@ -107,18 +103,16 @@ impl From<RegisterError> for Unusable {
     }
 }
 
-impl Unusable {
-    /// Where nothing fits, the rows that do not go with the others, if they are some.
-    fn of_rows(self, seen: &OneStand<'_>, robot: &SerialArm, options: &DiagnosisOptions) -> Self {
-        match self {
-            Self::Fault(fault) if fault.kind == FaultKind::NothingFits && fault.column.is_none() => {
-                let apart = find_apart(robot, &seen.rows(robot), seen.targets(), options.tool_m);
-                Self::Fault(apart.map_or(fault, Box::new))
-            }
-            _ => self,
+impl From<StandError> for Unusable {
+    fn from(error: StandError) -> Self {
+        match error {
+            StandError::Fault(fault) => Self::Fault(fault),
+            StandError::Register(error) => error.into(),
         }
     }
+}
 
+impl Unusable {
     /// What a diagnosis says of such a file.
     fn diagnosis(self) -> Findings {
         match self {
@@ -193,23 +187,15 @@ fn overstated_noise(
 /// Registers base and target, and evaluates what that leaves.
 fn evaluated(
     measured: MeasuredRobot<'_>,
-    elsewhere: Option<&JointElsewhere>,
+    seen: &OneStand<'_>,
     options: &DiagnosisOptions,
     wants_model: bool,
 ) -> Result<Evaluation, Unusable> {
     let MeasuredRobot { robot, stations, .. } = measured;
-    let chain = SerialChain::nominal(robot);
-    let turns =
-        elsewhere.map(|found| found.turns(&stations.stations, robot.joints.len())).unwrap_or_default();
+    let turns = seen.elsewhere.as_ref().map(|found| found.turns(&stations.stations, robot.joints.len()));
+    let turns = turns.unwrap_or_default();
     let standing = turned(&stations.stations, &turns);
-    let flange: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
-    if let Some(fault) = find_in_orientations(&standing, &flange, stations.targets, options.tool_m) {
-        return Err(fault.into());
-    }
-    let registration = register(&standing, &flange, stations.targets, options.tool_m)?;
-    if let Some(fault) = find_fault(robot, &standing, stations.targets, &registration, options.tool_m) {
-        return Err(fault.into());
-    }
+    let registration = seen.registered(&standing, stations.targets, robot, options.tool_m)?;
     let overstated = overstated_noise(stations, &registration, options);
     let options = &DiagnosisOptions { sigma_m: options.sigma_m.filter(|_| overstated.is_none()), ..*options };
     let linear = linearise(robot, stations, &registration, options.tool_m, turns)?;

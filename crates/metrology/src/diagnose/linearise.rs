@@ -2,11 +2,10 @@
 
 use super::dataset::{Dataset, Observation, Twist};
 use super::design::Design;
-use crate::measure::{RegisterError, Registration, Station, Stations, register};
+use crate::measure::{RegisterError, Registration, Stations, register, turned};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
 use robot_model::robot::{Joints, SerialArm};
-use std::borrow::Cow;
 
 /// Below this distance second-order terms are far under any instrument's noise, metres.
 const LINEAR_M: f64 = 2e-4;
@@ -48,7 +47,7 @@ pub(super) fn linearise(
     joint_turns: Vec<Joints>,
 ) -> Result<Linearised, RegisterError> {
     let channels = stations.channels;
-    let turned = turned(&stations.stations, &joint_turns);
+    let standing = turned(&stations.stations, &joint_turns);
     let chain = SerialChain::nominal(robot);
     let nominal_left: Vec<Twist> =
         stations.stations.iter().map(|s| Twist(nominal.residual(s, &s.pose(&chain)))).collect();
@@ -57,22 +56,22 @@ pub(super) fn linearise(
     let nominal = if joint_turns.is_empty() {
         nominal.clone()
     } else {
-        let poses: Vec<Isometry3<f64>> = turned.iter().map(|s| s.pose(&chain)).collect();
-        register(&turned, &poses, stations.targets, tool_m)?
+        let poses: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
+        register(&standing, &poses, stations.targets, tool_m)?
     };
     let mut registration = nominal.clone();
     let mut round = 0;
     loop {
         let chain = frames.chain(&offsets);
-        let poses: Vec<Isometry3<f64>> = turned.iter().map(|s| s.pose(&chain)).collect();
+        let poses: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
         if round > 0 {
-            registration = register(&turned, &poses, stations.targets, tool_m)?;
+            registration = register(&standing, &poses, stations.targets, tool_m)?;
         }
         let observations: Vec<Observation> =
             stations.stations.iter().map(|s| Observation::new(robot, &chain, &registration, s)).collect();
         let dataset = Dataset::new(robot, observations, channels);
         let left: Vec<Twist> =
-            turned.iter().zip(&poses).map(|(s, pose)| Twist(registration.residual(s, pose))).collect();
+            standing.iter().zip(&poses).map(|(s, pose)| Twist(registration.residual(s, pose))).collect();
         let residuals = restored(&dataset, &left, &offsets);
         if round == ROUNDS || nominal.median_m < LINEAR_M {
             return Ok(Linearised {
@@ -91,18 +90,6 @@ pub(super) fn linearise(
         }
         round += 1;
     }
-}
-
-/// The stations with their joints where causes have taken them; without `joint_turns` as they are.
-pub(super) fn turned<'s>(stations: &'s [Station], joint_turns: &[Joints]) -> Cow<'s, [Station]> {
-    if joint_turns.is_empty() {
-        return Cow::Borrowed(stations);
-    }
-    let mut turned = stations.to_vec();
-    for (station, turn) in turned.iter_mut().zip(joint_turns) {
-        station.q_rad.iter_mut().zip(turn).for_each(|(q, turn)| *q += turn);
-    }
-    Cow::Owned(turned)
 }
 
 /// The residuals as joints of the file would leave them, to first order where the joints stand.

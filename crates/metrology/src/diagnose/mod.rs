@@ -37,7 +37,6 @@ mod no_model;
 mod noise_fault;
 mod normal_equations;
 mod observation;
-mod one_stand;
 mod options;
 mod outcome;
 mod outlier_history;

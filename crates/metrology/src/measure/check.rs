@@ -27,6 +27,8 @@ pub struct RowCheck {
     pub used: Vec<usize>,
     /// Rows that are left out because the robot cannot have their joints, as indices.
     pub out_of_range: Vec<usize>,
+    /// Each row is a cycle of its own: poses that are commanded again and again.
+    pub are_cycles: bool,
     /// Whether the time column can be trusted.
     pub time_usable: bool,
     /// What makes the whole file useless.
@@ -50,7 +52,9 @@ pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
 #[must_use]
 pub fn check_cycles(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
     let rows = &measurements.rows;
-    checked(measurements, robot, (0..rows.len()).collect(), equal_cycles(&distinct(rows).copies))
+    let all = (0..rows.len()).collect();
+    let checked = checked(measurements, robot, all, equal_cycles(&distinct(rows).copies));
+    RowCheck { are_cycles: true, ..checked }
 }
 
 /// The rows that `used` names without those that the robot cannot be at.

@@ -13,6 +13,7 @@ mod gaps;
 mod initial_guess;
 mod iso9283;
 mod join;
+mod one_stand;
 mod performance;
 mod pose_performance;
 mod read;
@@ -37,12 +38,15 @@ pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
     Fault, FaultKind, PartFault, PosedRow, describe_move, describe_remounting, find_apart, find_fault,
-    find_in_cells, find_in_columns, find_in_orientations, find_in_rows, find_pose_names, tool_apart,
+    find_in_cells, find_in_columns, find_in_orientations, find_in_rows, find_in_stamps, find_pose_names,
+    tool_apart,
 };
 pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
 };
 pub use join::{Joined, MatchBy, join};
+pub(crate) use one_stand::turned;
+pub use one_stand::{JointElsewhere, OneStand, StandError, from_one_stand};
 pub use performance::{ComparisonFrame, Performance, PerformanceError, WorstPerformance, performance};
 pub use pose_performance::{PerformanceAtTime, PosePerformance};
 pub use reading::{Coordinates, Reading};

@@ -4,15 +4,23 @@ use super::pose_performance::{PosePerformance, pose_performance};
 use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
-    FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_cycles, gather,
-    register, register_with,
+    Fault, FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_cycles,
+    from_one_stand, gather, median, register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
-use std::borrow::Cow;
+use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Cycles without which nothing is said of one of them.
+const FEWEST_CYCLES: usize = 5;
+/// A cycle is far off by so many times the middle distance, and by so much at least, metres.
+const FAR_TIMES: f64 = 20.0;
+const FAR_M: f64 = 1e-3;
+/// Lines that a message lists at most.
+const LISTED: usize = 12;
 
 /// Why a file's performance cannot be judged.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -142,8 +150,14 @@ pub fn performance(
     if compared != ComparisonFrame::Fitted {
         one_target(measurements)?;
     }
-    let measurements = &with_usable_times(measurements, checked.time_usable);
-    let used = in_order_of_time(measurements, &checked.used);
+    let measurements = with_usable_times(measurements, checked.time_usable);
+    let seen = from_one_stand(&measurements, robot, &checked, None).map_err(contradicted)?;
+    // A tool that is named wrongly is part of what is judged.
+    if let Some(fault) = seen.fault(robot, None) {
+        return Err(contradicted(Box::new(fault)));
+    }
+    let measurements = &*seen.measurements;
+    let used = in_order_of_time(measurements, &seen.used);
     let gathered = gather(measurements, &used, None);
     let chain = SerialChain::nominal(robot);
     let registration = match registered(&gathered.stations, gathered.targets, &chain, compared) {
@@ -152,14 +166,19 @@ pub fn performance(
         Err(error) => return Err(error.into()),
     };
     let poses = pose_by_pose(measurements, &used, &chain, registration.as_ref());
+    let far = far_cycles(measurements, &used);
     let left_out = checked.out_of_range.iter().filter_map(|&row| measurements.rows.get(row));
     Ok(Performance {
         multi_directional_m: multi_directional_m(&poses),
         poses,
         registration,
         lines_left_out: left_out.map(|row| row.line).collect(),
-        warnings: checked.warnings,
+        warnings: checked.warnings.into_iter().chain(seen.warnings).chain(far).collect(),
     })
+}
+
+fn contradicted(fault: Box<Fault>) -> PerformanceError {
+    PerformanceError::Fault { reason: fault.reason }
 }
 
 /// Refuses points of several targets, of which one has a known place.
@@ -176,11 +195,12 @@ fn one_target(measurements: &Measurements) -> Result<(), PerformanceError> {
     Err(PerformanceError::SeveralTargets { targets: targets.into_iter().map(name).collect() })
 }
 
-/// The measurements without minutes where these cannot be trusted.
-fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Cow<'_, Measurements> {
-    let mut measurements = Cow::Borrowed(measurements);
-    if !time_usable {
-        measurements.to_mut().rows.iter_mut().for_each(|row| row.t_min = None);
+/// The measurements without minutes where these cannot be trusted, and without temperatures, which nothing here is judged by.
+fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Measurements {
+    let mut measurements = measurements.clone();
+    for row in &mut measurements.rows {
+        row.joint_temperature_c = None;
+        row.t_min = row.t_min.filter(|_| time_usable);
     }
     measurements
 }
@@ -191,6 +211,40 @@ fn in_order_of_time(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
     let mut used = used.to_vec();
     used.sort_by(|a, b| t_min(*a).total_cmp(&t_min(*b)));
     used
+}
+
+/// Single cycles that lie so far from the others of their pose that it is no arm that came there: a reading of something else.
+fn far_cycles(measurements: &Measurements, used: &[usize]) -> Option<Diagnostic> {
+    let mut of_pose: BTreeMap<(usize, usize), Vec<(u64, Vector3<f64>)>> = BTreeMap::new();
+    for (&row, pose) in used.iter().zip(pose_numbers(measurements, used)) {
+        let Some(row) = measurements.rows.get(row) else { continue };
+        if let Reading::Point { position_m } = row.reading {
+            of_pose.entry((pose, row.target)).or_default().push((row.line, position_m));
+        }
+    }
+    let far = of_pose.values().filter(|cycles| cycles.len() >= FEWEST_CYCLES).flat_map(|cycles| {
+        let middle =
+            Vector3::from_fn(|k, _| median(&mut cycles.iter().map(|(_, at)| at[k]).collect::<Vec<f64>>()));
+        let off_m: Vec<f64> = cycles.iter().map(|(_, at)| (at - middle).norm()).collect();
+        let limit_m = (FAR_TIMES * median(&mut off_m.clone())).max(FAR_M);
+        let is_far = cycles.iter().zip(off_m).filter(move |(_, off_m)| *off_m > limit_m);
+        is_far.map(|((line, _), off_m)| (*line, off_m)).collect::<Vec<(u64, f64)>>()
+    });
+    let mut far: Vec<(u64, f64)> = far.collect();
+    far.sort_by_key(|(line, _)| *line);
+    let (_, furthest_m) = far.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let lines: Vec<u64> = far.iter().map(|(line, _)| *line).collect();
+    let shown = format!("{} {}", plural(lines.len(), "line"), first_few(&lines, LISTED));
+    Some(
+        Diagnostic::warning(
+            "measure::far-cycle",
+            format!(
+                "{shown}: up to {:.1} mm from the other cycles of the pose, and counted",
+                mm_from_m(furthest_m)
+            ),
+        )
+        .help("AP and RP are made by it: take the row out if the instrument, not the robot, was at fault"),
+    )
 }
 
 /// The performance of each pose from each side with each payload, in the order of their first rows.

@@ -53,6 +53,11 @@ impl Touches {
         Some(Self { touches, points, warnings: measurements.warnings.clone() })
     }
 
+    /// Minutes of the first and the last touch.
+    pub(crate) fn span_min(&self) -> [f64; 2] {
+        [self.touches.first(), self.touches.last()].map(|touch| touch.map_or(0.0, |touch| touch.t_min))
+    }
+
     /// Leaves out touches that repeat an earlier one to the last digit: a copied row makes the noise look smaller.
     pub(super) fn leave_out_copies(&mut self) {
         let mut copies: Vec<u64> = Vec::new();

@@ -3,18 +3,20 @@
 use super::fitted::{TouchedPoint, WarmUp};
 use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min};
 use super::parameters::{PARAMETERS, signature};
+use super::plausible;
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
 use super::touch_residuals::{false_lines, touch_residuals};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
-use crate::measure::{self, RegisterError, Station, Touch, Touches, register};
+use crate::measure::{self, Fault, RegisterError, Station, Touches, register};
 use nalgebra::{DMatrix, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::Robot;
+use robot_model::units::min_from_days;
 use std::collections::BTreeSet;
 
 /// A pose that moved by more than this between two touches of one point is another pose, radians.
@@ -25,6 +27,8 @@ const NEGLIGIBLE_NATS: f64 = 14.0;
 
 /// Where more of the touches than this look false, all of them count.
 pub(super) const MOST_ASIDE: f64 = 0.15;
+/// Nobody touches points for longer, days.
+const LONGEST_DAYS: f64 = 3.0;
 /// Fits without what looked false in the one before, at most.
 const MOST_ROUNDS: usize = 12;
 
@@ -64,7 +68,12 @@ pub enum FitError {
     NoDrift {
         /// ln evidence of a drift over none.
         gain_nats: f64,
+        /// Minutes from the first to the last touch.
+        span_min: f64,
     },
+    /// The touches contradict themselves or the robot.
+    #[error("{}", .0.reason)]
+    Fault(Box<Fault>),
     /// The instrument cannot be registered.
     #[error(transparent)]
     Register(#[from] RegisterError),
@@ -79,6 +88,7 @@ impl FitError {
             Self::OtherPose { .. } => "fit::other-pose",
             Self::NoTime { .. } => "fit::no-time",
             Self::NoDrift { .. } => "fit::no-drift",
+            Self::Fault(_) => "measure::fault",
             Self::Register(error) => error.code(),
         }
     }
@@ -86,8 +96,18 @@ impl FitError {
 
 impl From<FitError> for Diagnostic {
     fn from(error: FitError) -> Self {
-        Self::error(error.code(), error.to_string())
-            .help("touch a few fixed points, each always in the same pose, every 5 minutes or so over two to three hours")
+        let message = Self::error(error.code(), error.to_string());
+        match error {
+            FitError::Fault(_) => return message,
+            FitError::NoDrift { span_min, .. } if span_min > min_from_days(LONGEST_DAYS) => {
+                let days = span_min / min_from_days(1.0);
+                return message.help(format!(
+                    "the touches go over {days:.0} days: t_min counts minutes from the cold start, not seconds"
+                ));
+            }
+            _ => {}
+        }
+        message.help("touch a few fixed points, each always in the same pose, every 5 minutes or so over two to three hours")
     }
 }
 
@@ -96,7 +116,7 @@ impl From<FitError> for Diagnostic {
 pub struct FitOptions {
     /// Place of the touching point in the flange's frame, metres, to about a millimetre.
     pub tool_m: Vector3<f64>,
-    /// When the robot stood; `None` = the longest pause between touches.
+    /// When the robot stood; `None` = in the long pauses between touches.
     pub stops: Option<Vec<Standstill>>,
 }
 
@@ -113,15 +133,16 @@ struct FittedHistory {
 /// Too few touches, a point in two poses, all at one time, poses that cannot be registered.
 pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<WarmUp, FitError> {
     let chain = Chain::nominal(robot);
-    let observed = observed_m(touches, robot, &chain, options)?;
+    if let Some(fault) = plausible::find_in_joints(touches, robot) {
+        return Err(FitError::Fault(Box::new(fault)));
+    }
+    let Observed { moved_m: observed, warning } = observed(touches, robot, &chain, options)?;
     let points = grouped(touches, &chain, &observed, &options.tool_m)?;
-    let first_min = touches.touches.first().map_or(0.0, |t| t.t_min);
-    let last_min = touches.touches.last().map_or(0.0, |t| t.t_min);
+    let [first_min, last_min] = touches.span_min();
     if last_min - first_min < 20.0 {
         return Err(FitError::NoTime { span_min: last_min - first_min });
     }
-    let mut stops =
-        Standstill::merged(options.stops.clone().unwrap_or_else(|| history::longest_pause(touches)));
+    let mut stops = Standstill::merged(options.stops.clone().unwrap_or_else(|| history::pauses(touches)));
     // Of one after the last touch the touches tell nothing.
     stops.retain(|stop| stop.from_min < last_min);
     let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
@@ -152,9 +173,13 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         gain_nats = gain_nats.min(of(&without_drift)?.gain_nats);
     }
     if gain_nats < ALARM_NATS {
-        return Err(FitError::NoDrift { gain_nats });
+        return Err(FitError::NoDrift { gain_nats, span_min: last_min - first_min });
     }
-    Ok(found.warm_up)
+    let mut warm_up = found.warm_up;
+    let found_in_touches = plausible::warnings(touches, robot, &warm_up, options.tool_m);
+    warm_up.warnings = warning.into_iter().chain(found_in_touches).collect();
+    warm_up.stops_are_named = options.stops.is_some();
+    Ok(warm_up)
 }
 
 /// The touches that look false where nothing is taken to have moved; none where they are many.
@@ -219,13 +244,7 @@ fn fit_without(
     let covariance = covariance_about(&chosen, &fits, &weights);
     let mut settled = [0.0; PARAMETERS];
     settled.copy_from_slice(chosen.mean.as_slice());
-    let touched = |p: &Point| TouchedPoint {
-        name: touches.points.get(p.index).cloned().unwrap_or_default(),
-        q_rad: p.q_rad,
-        settled_m: p.sums(&history, stops).settled_m(),
-    };
     let residuals = touch_residuals(all, aside, &touches.points, &history, stops, &settled);
-    let minute = |touch: Option<&Touch>| touch.map_or(0.0, |touch| touch.t_min);
     let warm_up = WarmUp {
         growth: history.law,
         tau_sigma_min: spread(|h| h.law.tau_min(), history.law.tau_min().unwrap_or(0.0)),
@@ -236,12 +255,23 @@ fn fit_without(
         settled,
         covariance,
         prior: chosen.prior,
-        points: points.iter().map(touched).collect(),
+        points: points.iter().map(|p| touched(p, &touches.points, &history, stops)).collect(),
         residuals,
-        span_min: [minute(touches.touches.first()), minute(touches.touches.last())],
+        span_min: touches.span_min(),
         touches: touches.touches.len() - aside.len(),
+        stops_are_named: false,
+        warnings: Vec::new(),
     };
     Ok(DriftFit { warm_up, gain_nats })
+}
+
+/// A point, and how far it moves by its own touches.
+fn touched(point: &Point, names: &[String], history: &ThermalHistory, stops: &[Standstill]) -> TouchedPoint {
+    TouchedPoint {
+        name: names.get(point.index).cloned().unwrap_or_default(),
+        q_rad: point.q_rad,
+        settled_m: point.sums(history, stops).settled_m(),
+    }
 }
 
 /// Laws with their time constants all over their ranges; `cooling`: with time constants of cooling, too.
@@ -320,20 +350,28 @@ fn share_of_other_law(weighed: &[WeighedHistory], likeliest: &WeighedHistory) ->
     other / all
 }
 
-/// How far each touch says the real tool is from where the nominal arm believes it, up to a constant of its point.
-fn observed_m(
+/// What touches say of the tip.
+struct Observed {
+    /// How far each touch says the real tool is from where the nominal arm believes it, up to a constant of its point, metres.
+    moved_m: Vec<Vector3<f64>>,
+    /// That the tip is elsewhere than named.
+    warning: Option<Diagnostic>,
+}
+
+fn observed(
     touches: &Touches,
     robot: &Robot,
     chain: &Chain,
     options: &FitOptions,
-) -> Result<Vec<Vector3<f64>>, FitError> {
+) -> Result<Observed, FitError> {
     let believed = |q_rad: &[f64; 6], tool_m: &Vector3<f64>| {
         let flange = chain.forward(q_rad);
         flange.translation.vector + flange.rotation * tool_m
     };
     if touches.touches.iter().all(|t| t.measured_m.is_none()) {
         // The point stands still: what the arm believes has moved is what it really moved by, the other way round.
-        return Ok(touches.touches.iter().map(|t| -believed(&t.q_rad, &options.tool_m)).collect());
+        let moved = touches.touches.iter().map(|t| -believed(&t.q_rad, &options.tool_m));
+        return Ok(Observed { moved_m: moved.collect(), warning: None });
     }
     let stations: Vec<Station> = touches
         .touches
@@ -345,10 +383,14 @@ fn observed_m(
             Station { t_min: Some(t.t_min), rows: vec![i], ..Station::bare(t.point, t.q_rad.into(), reading) }
         })
         .collect();
-    let chain = SerialChain::nominal(&robot.into());
+    let arm = robot.into();
+    let warning = plausible::check_points(&stations, &arm, options.tool_m)
+        .map_err(|fault| FitError::Fault(Box::new(fault)))?;
+    let chain = SerialChain::nominal(&arm);
     let poses: Vec<_> = stations.iter().map(|s| s.pose(&chain)).collect();
     let registration = register(&stations, &poses, 1, Some(options.tool_m))?;
-    Ok(stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose)).collect())
+    let moved = stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose));
+    Ok(Observed { moved_m: moved.collect(), warning })
 }
 
 fn grouped(

@@ -4,6 +4,7 @@ use super::history::Standstill;
 use super::parameters::PARAMETERS;
 use super::touch_residuals::TouchResidual;
 use nalgebra::{DMatrix, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::{
     Estimate, FoundBy, Growth, Identified, MeasuredRange, PayloadScaling, Term,
 };
@@ -24,6 +25,8 @@ pub struct WarmUp {
     pub tau_cool_min: Option<[f64; 2]>,
     /// The standstills that the fit assumed.
     pub stops: Vec<Standstill>,
+    /// Whether they were named; otherwise they are long pauses between touches.
+    pub stops_are_named: bool,
     /// Noise of one coordinate of a touch, metres.
     pub sigma_m: f64,
     /// Settled deformation, in the order of a table's rows: metres and radians.
@@ -40,6 +43,8 @@ pub struct WarmUp {
     pub span_min: [f64; 2],
     /// Number of touches used.
     pub touches: usize,
+    /// What a person should look at in the touches.
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// A point of the touches.

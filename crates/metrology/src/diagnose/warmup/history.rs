@@ -57,6 +57,8 @@ pub(super) struct WeighedHistory {
 const SHORTEST_STOP_MIN: f64 = 15.0;
 /// A stop is longer than so many usual pauses.
 const USUAL_PAUSES: f64 = 3.0;
+/// Rounds before and after a pause that it is compared with.
+const ROUNDS_ABOUT: usize = 3;
 
 /// Time constants tried: 6 to 300 minutes in steps of 10 %.
 pub(super) fn taus_min() -> impl Iterator<Item = f64> {
@@ -100,19 +102,40 @@ pub(super) fn finer_grid(coarse: &[WeighedHistory], likeliest: &WeighedHistory) 
     grid
 }
 
-/// The longest pause between touches, where it is long enough to be a stop.
-pub(super) fn longest_pause(touches: &Touches) -> Vec<Standstill> {
+/// The pauses between touches that are long enough to be stops: the longest, and every other one that is long beside those about it.
+pub(super) fn pauses(touches: &Touches) -> Vec<Standstill> {
     let times: Vec<f64> = touches.touches.iter().map(|t| t.t_min).collect();
-    let mut pauses: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
-    pauses.sort_by(f64::total_cmp);
-    let usual_min = pauses.get(pauses.len() / 2).copied().unwrap_or(0.0);
+    let mut between: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
+    between.sort_by(f64::total_cmp);
+    let usual_min = between.get(between.len() / 2).copied().unwrap_or(0.0);
+    let is_stop = |s: &Standstill| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN);
     let longest = times.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
-    longest
-        // The first round of touches after it takes its usual time.
-        .map(|w| Standstill { from_min: w[0], to_min: (w[1] - usual_min).max(w[0]) })
-        .filter(|s| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN))
-        .into_iter()
-        .collect()
+    let long = rounds_apart(touches).into_iter().filter_map(|[from_min, to_min]| {
+        let within = times.windows(2).filter(|w| w[0] >= from_min && w[1] <= to_min);
+        within.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))
+    });
+    let all = longest.into_iter().chain(long);
+    // The first round of touches after it takes its usual time.
+    let stops = all.map(|w| Standstill { from_min: w[0], to_min: (w[1] - usual_min).max(w[0]) });
+    Standstill::merged(stops.filter(is_stop).collect())
+}
+
+/// From when to when the point that is touched most often was not, where that is several times as long as in the rounds before and after:
+/// rounds that are further apart in some part of the day are none.
+fn rounds_apart(touches: &Touches) -> Vec<[f64; 2]> {
+    let of = |point: usize| touches.touches.iter().filter(move |touch| touch.point == point);
+    let Some(point) = (0..touches.points.len()).max_by_key(|&point| of(point).count()) else {
+        return Vec::new();
+    };
+    let minutes: Vec<f64> = of(point).map(|touch| touch.t_min).collect();
+    let apart: Vec<f64> = minutes.windows(2).map(|w| w[1] - w[0]).collect();
+    let is_long = |&k: &usize| {
+        let about = k.saturating_sub(ROUNDS_ABOUT)..(k + ROUNDS_ABOUT + 1).min(apart.len());
+        let mut others: Vec<f64> = about.filter(|i| *i != k).map(|i| apart[i]).collect();
+        others.sort_by(f64::total_cmp);
+        others.get(others.len() / 2).is_some_and(|usual_min| apart[k] > USUAL_PAUSES * usual_min)
+    };
+    (0..apart.len()).filter(is_long).map(|k| [minutes[k], minutes[k + 1]]).collect()
 }
 
 /// The share of the settled deformation at each minute, 0 cold to 1.
@@ -137,6 +160,33 @@ pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::Touch;
+
+    fn touched_at(minutes: impl IntoIterator<Item = f64>) -> Touches {
+        let touch = |(t_min, point): (f64, usize)| Touch {
+            line: 2,
+            point,
+            t_min: t_min + 0.3 * point as f64,
+            q_rad: [0.0; 6],
+            measured_m: None,
+        };
+        let rounds = minutes.into_iter().flat_map(|t_min| [(t_min, 0), (t_min, 1)]);
+        let points = vec!["P1".to_owned(), "P2".to_owned()];
+        Touches { touches: rounds.map(touch).collect(), points, warnings: Vec::new() }
+    }
+
+    #[test]
+    fn every_long_pause_is_a_stop_and_rounds_that_grow_rarer_are_none() {
+        let every = |from: u32, to: u32, step: usize| (from..=to).step_by(step).map(f64::from);
+        let two = touched_at(every(0, 60, 5).chain(every(105, 150, 5)).chain(every(200, 240, 5)));
+        let tenths = |min: f64| (10.0 * min).round() as u32;
+        let found: Vec<[u32; 2]> = pauses(&two).iter().map(|s| [s.from_min, s.to_min].map(tenths)).collect();
+        // The second touch of a round comes 0.3 min after the first, which is the usual pause.
+        assert_eq!(found, [[603, 1047], [1503, 1997]]);
+        let rarer = touched_at(every(0, 60, 5).chain(every(80, 180, 20)));
+        assert_eq!(pauses(&rarer).len(), 1, "the longest alone");
+        assert!(pauses(&touched_at(every(0, 120, 5))).is_empty());
+    }
 
     #[test]
     fn stops_that_overlap_or_meet_are_one() {

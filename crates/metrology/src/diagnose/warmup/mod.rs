@@ -10,6 +10,7 @@ mod fit;
 mod fitted;
 mod history;
 mod parameters;
+mod plausible;
 mod point;
 mod posterior;
 mod targets;

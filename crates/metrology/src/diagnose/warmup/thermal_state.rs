@@ -2,8 +2,9 @@
 
 use super::cold_reference;
 use super::fit::MOST_ASIDE;
+use super::plausible;
 use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints};
-use crate::measure::Touches;
+use crate::measure::{Fault, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter, TouchOutcome};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
@@ -32,6 +33,9 @@ pub enum StateError {
     /// No point moves as the arm warms, so touches tell nothing.
     #[error("no point moves by more than 0.02 mm as the arm warms: they tell nothing of it")]
     NoDrift,
+    /// The touches contradict themselves or the robot.
+    #[error("{}", .0.reason)]
+    Fault(Box<Fault>),
 }
 
 impl StateError {
@@ -42,14 +46,18 @@ impl StateError {
             Self::NoLaw => "state::no-law",
             Self::TooFew => "state::too-few",
             Self::NoDrift => "state::no-drift",
+            Self::Fault(_) => "measure::fault",
         }
     }
 }
 
 impl From<StateError> for Diagnostic {
     fn from(error: StateError) -> Self {
-        Self::error(error.code(), error.to_string())
-            .help("touch a fixed point with the cold arm, and again every half hour of work or so")
+        let message = Self::error(error.code(), error.to_string());
+        if matches!(error, StateError::Fault(_)) {
+            return message;
+        }
+        message.help("touch a fixed point with the cold arm, and again every half hour of work or so")
     }
 }
 
@@ -138,6 +146,9 @@ pub fn thermal_state(
     arm: WarmingArm<'_>,
     options: &StateOptions,
 ) -> Result<RobotState, StateError> {
+    if let Some(fault) = plausible::find_in_joints(touches, robot) {
+        return Err(StateError::Fault(Box::new(fault)));
+    }
     let law = arm.law;
     let first = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
     let nominal = Chain::nominal(robot);

@@ -97,17 +97,22 @@ pub fn find_pose_names(measurements: &Measurements, used: &[usize]) -> Option<Fa
 
 /// Minutes up to some row and seconds from there on: the stamps leap by so much that they go on where they were as minutes.
 fn seconds(rows: &[&MeasurementRow]) -> Option<Fault> {
-    let stamps_min: Option<Vec<f64>> = rows.iter().map(|row| row.t_min).collect();
-    let stamps_min = stamps_min?;
-    let step = |k: usize| stamps_min[k] - stamps_min[k - 1];
+    let stamps: Option<Vec<(f64, u64)>> = rows.iter().map(|row| Some((row.t_min?, row.line))).collect();
+    find_in_stamps(&stamps?)
+}
+
+/// The same of minutes with their lines.
+#[must_use]
+pub fn find_in_stamps(stamps: &[(f64, u64)]) -> Option<Fault> {
+    let step = |k: usize| stamps[k].0 - stamps[k - 1].0;
     let usual = |steps: std::ops::Range<usize>| {
         let mut steps: Vec<f64> = steps.map(step).filter(|step| *step > 0.0).collect();
         steps.sort_by(f64::total_cmp);
         steps.get(steps.len() / 2).copied()
     };
-    let n = stamps_min.len();
+    let n = stamps.len();
     let leaps = |from: &usize| {
-        let on = min_from_s(stamps_min[*from]) - stamps_min[from - 1];
+        let on = min_from_s(stamps[*from].0) - stamps[from - 1].0;
         let Some((before, after)) = usual(1..*from).zip(usual(from + 1..n)) else { return false };
         let times = after / before;
         (0.0..LATER_STEPS * before).contains(&on)
@@ -115,7 +120,7 @@ fn seconds(rows: &[&MeasurementRow]) -> Option<Fault> {
             && (SECONDS_A_MINUTE[0]..SECONDS_A_MINUTE[1]).contains(&times)
     };
     let from = (FEWEST_STAMPS..n.saturating_sub(FEWEST_STAMPS)).find(leaps)?;
-    let lines = rows.get(from..)?.iter().map(|row| row.line).collect();
+    let lines = stamps.get(from..)?.iter().map(|(_, line)| *line).collect();
     Some(Fault::in_rows(FaultKind::ColumnUnits, "t_min", lines, |count, which| {
         format!(
             "column t_min is in seconds in {count} rows ({which}): as minutes they go on where the rows before end"

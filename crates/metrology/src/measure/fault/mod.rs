@@ -14,7 +14,7 @@ mod scale;
 mod trials;
 mod whole;
 
-pub use columns::{find_in_cells, find_pose_names};
+pub use columns::{find_in_cells, find_in_stamps, find_pose_names};
 pub use far_rows::{PartFault, PosedRow};
 pub use moved::{describe_move, describe_remounting};
 pub use orientation::find_in_orientations;

@@ -1,12 +1,12 @@
 //! Measurements as one stand of the instrument sees them, with one target in each row and no codes in the place of readings.
 
-use super::options::DiagnosisOptions;
-use super::outcome::Warning;
-use crate::measure::{
-    Fault, FaultKind, Measurements, PartFault, PosedRow, RowCheck, Station, alone, describe_code,
-    describe_move, describe_remounting, find_in_cells, find_in_columns, find_in_rows,
+use super::{
+    Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, Registration, RowCheck, Station,
+    Stations, alone, describe_code, describe_move, describe_remounting, find_apart, find_fault,
+    find_in_cells, find_in_columns, find_in_orientations, find_in_rows, gather, register,
 };
-use nalgebra::{Isometry3, Point3};
+use nalgebra::{Isometry3, Point3, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 use std::borrow::Cow;
@@ -17,12 +17,13 @@ use std::ops::Range;
 const MOST_CHANGES: usize = 8;
 
 /// Measurements as one stand of the instrument sees them.
-pub(super) struct OneStand<'a> {
+pub struct OneStand<'a> {
+    /// The file, each reading in the frame of the first stand.
     pub measurements: Cow<'a, Measurements>,
     /// Rows to use, as indices.
     pub used: Vec<usize>,
     /// That the instrument was moved in between, or the target, and what was left out.
-    pub warnings: Vec<Warning>,
+    pub warnings: Vec<Diagnostic>,
     /// That one joint stands elsewhere in a part of the rows.
     pub elsewhere: Option<JointElsewhere>,
     /// The rows from which on the instrument stood elsewhere than before, as indices into the file's.
@@ -30,11 +31,11 @@ pub(super) struct OneStand<'a> {
 }
 
 impl OneStand<'_> {
-    pub(super) fn targets(&self) -> usize {
+    fn targets(&self) -> usize {
         self.measurements.targets.len().max(1)
     }
 
-    pub(super) fn rows(&self, robot: &SerialArm) -> Vec<PosedRow> {
+    fn rows(&self, robot: &SerialArm) -> Vec<PosedRow> {
         each_row(&self.measurements, &self.used, robot)
     }
 
@@ -43,8 +44,47 @@ impl OneStand<'_> {
         row.map_or(0, |row| row.line)
     }
 
+    /// Base and targets as `standing` has them, whose joints are where they stood; they are of these rows.
+    ///
+    /// # Errors
+    /// A contradiction with the robot, with the rows that do not go with the others if they are some; poses that register nothing.
+    pub fn registered(
+        &self,
+        standing: &[Station],
+        targets: usize,
+        robot: &SerialArm,
+        tool_m: Option<Vector3<f64>>,
+    ) -> Result<Registration, StandError> {
+        let chain = SerialChain::nominal(robot);
+        let flange: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
+        if let Some(fault) = find_in_orientations(standing, &flange, targets, tool_m) {
+            return Err(StandError::Fault(Box::new(fault)));
+        }
+        let registration = register(standing, &flange, targets, tool_m)?;
+        match find_fault(robot, standing, targets, &registration, tool_m) {
+            None => Ok(registration),
+            Some(fault) if fault.kind == FaultKind::NothingFits && fault.column.is_none() => {
+                let apart = find_apart(robot, &self.rows(robot), self.targets(), tool_m);
+                Err(StandError::Fault(Box::new(apart.unwrap_or(fault))))
+            }
+            Some(fault) => Err(StandError::Fault(Box::new(fault))),
+        }
+    }
+
+    /// What contradicts the robot in these rows; `None` too where they are too few to say so.
+    #[must_use]
+    pub fn fault(&self, robot: &SerialArm, tool_m: Option<Vector3<f64>>) -> Option<Fault> {
+        let Stations { stations, targets, .. } = gather(&self.measurements, &self.used, None);
+        let turns = self.elsewhere.as_ref().map(|found| found.turns(&stations, robot.joints.len()));
+        let standing = turned(&stations, &turns.unwrap_or_default());
+        match self.registered(&standing, targets, robot, tool_m) {
+            Err(StandError::Fault(fault)) => Some(*fault),
+            Err(StandError::Register(_)) | Ok(_) => None,
+        }
+    }
+
     fn warn(&mut self, code: &'static str, message: String) {
-        self.warnings.push(Warning { code, message });
+        self.warnings.push(Diagnostic::warning(code, message));
     }
 
     /// In `rows` of the used ones the instrument was elsewhere: their readings in the frame of the others.
@@ -97,8 +137,19 @@ impl OneStand<'_> {
     }
 }
 
+/// Why the rows of one stand are not registered.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StandError {
+    /// They contradict themselves or the robot.
+    #[error("{}", .0.reason)]
+    Fault(Box<Fault>),
+    /// Too few poses, or too alike ones.
+    #[error(transparent)]
+    Register(#[from] RegisterError),
+}
+
 /// One joint that stands elsewhere than the file says in some rows, further than a registration bears.
-pub(super) struct JointElsewhere {
+pub struct JointElsewhere {
     /// The joint, counted from 0.
     joint: usize,
     /// The rows, as indices into the file's.
@@ -108,8 +159,9 @@ pub(super) struct JointElsewhere {
 }
 
 impl JointElsewhere {
-    /// By how much each joint stands elsewhere at each station.
-    pub(super) fn turns(&self, stations: &[Station], joints: usize) -> Vec<Joints> {
+    /// By how much each joint stands elsewhere at each station, radians.
+    #[must_use]
+    pub fn turns(&self, stations: &[Station], joints: usize) -> Vec<Joints> {
         let at = |station: &Station| {
             let has = station.rows.iter().all(|row| self.rows.contains(row));
             Joints::from_fn(joints, |j| if has && j == self.joint { self.by_rad } else { 0.0 })
@@ -118,16 +170,20 @@ impl JointElsewhere {
     }
 }
 
-/// Looks for what the rows alone can tell, and takes those of a moved instrument into one frame.
-pub(super) fn from_one_stand<'a>(
+/// Looks for what the rows alone can tell, and takes those of a moved instrument into one frame; `tool_m` is where the target is, in the
+/// flange's frame, where that is known.
+///
+/// # Errors
+/// A file whose rows or columns contradict themselves or the robot.
+pub fn from_one_stand<'a>(
     measurements: &'a Measurements,
     robot: &SerialArm,
     checked: &RowCheck,
-    options: &DiagnosisOptions,
+    tool_m: Option<Vector3<f64>>,
 ) -> Result<OneStand<'a>, Box<Fault>> {
     let targets = measurements.targets.len().max(1);
     let rows = || each_row(measurements, &checked.used, robot);
-    let of_some_rows = || match find_in_rows(robot, &rows(), targets, options.tool_m) {
+    let of_some_rows = || match find_in_rows(robot, &rows(), targets, tool_m) {
         Some(PartFault::Fault(fault)) => Some(fault),
         _ => None,
     };
@@ -143,7 +199,12 @@ pub(super) fn from_one_stand<'a>(
         }
         _ => fault,
     };
-    let fault = checked.fault.clone().or_else(|| find_in_cells(measurements, &checked.used, robot));
+    // Joints that were commanded are the same each time, wherever the arm has gone.
+    let in_cells = || {
+        find_in_cells(measurements, &checked.used, robot)
+            .filter(|fault| !(checked.are_cycles && fault.kind == FaultKind::FrozenJoints))
+    };
+    let fault = checked.fault.clone().or_else(in_cells);
     if let Some(fault) = fault.map(meant) {
         return Err(Box::new(fault));
     }
@@ -155,7 +216,7 @@ pub(super) fn from_one_stand<'a>(
         first_of_stands: BTreeSet::new(),
     };
     for _ in 0..MOST_CHANGES {
-        match find_in_rows(robot, &seen.rows(robot), seen.targets(), options.tool_m) {
+        match find_in_rows(robot, &seen.rows(robot), seen.targets(), tool_m) {
             None => break,
             Some(PartFault::Fault(fault)) => return Err(Box::new(fault)),
             Some(PartFault::Moved { rows, first_from_second }) => seen.moved(rows, &first_from_second),
@@ -179,4 +240,16 @@ fn each_row(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> V
         .into_iter()
         .map(|station| PosedRow { pose: station.pose(&chain), station })
         .collect()
+}
+
+/// The stations with their joints where causes, or the file, have taken them; without `joint_turns` as they are.
+pub(crate) fn turned<'s>(stations: &'s [Station], joint_turns: &[Joints]) -> Cow<'s, [Station]> {
+    if joint_turns.is_empty() {
+        return Cow::Borrowed(stations);
+    }
+    let mut turned = stations.to_vec();
+    for (station, turn) in turned.iter_mut().zip(joint_turns) {
+        station.q_rad.iter_mut().zip(turn).for_each(|(q, turn)| *q += turn);
+    }
+    Cow::Owned(turned)
 }
