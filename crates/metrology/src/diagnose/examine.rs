@@ -184,6 +184,20 @@ fn overstated_noise(
     })
 }
 
+/// That what sags was weighed with masses that nobody stated.
+fn guessed_masses(robot: &SerialArm, diagnosis: &Findings) -> Option<Warning> {
+    let sags = diagnosis.causes.iter().any(|cause| cause.effect.needs_load());
+    (sags && robot.geometry().links.is_none()).then(|| Warning {
+        code: "diagnose::link-masses",
+        message: format!(
+            "the masses of the links of {} are not known and are guessed from its size: what sags otherwise than the guess says can be taken \
+             for another cause beside it (link_bending, joint_gain, a gear line of the same joint), and the size of a spring is as far off as the \
+             guess; [[link]] with mass_kg and com_mm in the robot file gives them",
+            robot.name
+        ),
+    })
+}
+
 /// Registers base and target, and evaluates what that leaves.
 fn evaluated(
     measured: MeasuredRobot<'_>,
@@ -201,6 +215,8 @@ fn evaluated(
     let linear = linearise(robot, stations, &registration, options.tool_m, turns)?;
     let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
     let mut evaluation = evaluate(&Prepared { measured, linear: &linear, noise, options }, wants_model);
+    let guessed = guessed_masses(robot, &evaluation.diagnosis);
+    evaluation.diagnosis.warnings.extend(guessed);
     let contradicted = contradicted_noise(stations, options);
     evaluation.diagnosis.warnings.splice(0..0, contradicted.or(overstated));
     evaluation.diagnosis.tool_mm = registration.tools_m.first().map(|t| [t.x, t.y, t.z].map(mm_from_m));
