@@ -127,6 +127,7 @@ impl Reader<'_> {
             time_s: None,
             conf_monitored: None,
             grip: None,
+            uneven_turn: None,
         };
         self.program.motions.push(Motion {
             file: self.file.id,

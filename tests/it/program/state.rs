@@ -350,6 +350,33 @@ fn displacements_keep_motion_until_they_are_off() {
     }
 }
 
+/// ABB's reference manual, CirPathMode: with the wrist's axes the tool is not turned to what is written, with CirPointOri it is at the
+/// circle point; whether it turns there is seen from the poses.
+#[test]
+fn the_way_in_which_arcs_turn_the_tool_is_followed() {
+    let arc = "MoveC p,p,v100,fine,t\\WObj:=w;\n";
+    let read = |body: &str| {
+        let read = main_of(&data(), body);
+        let uneven = |at: usize| read.motions[at].setup.uneven_turn.is_some();
+        (codes(&read), (0..read.motions.len()).map(uneven).collect::<Vec<_>>())
+    };
+    for option in ["Wrist45", "Wrist46", "Wrist56"] {
+        let body = format!("{arc}CirPathMode\\{option};\n{arc}{MOVE}CirPathMode\\PathFrame;\n{arc}");
+        // What is in force where main ends is in force where it begins anew.
+        assert_eq!(
+            read(&body),
+            (vec!["-", "keep::circle-orientation", "-", "-"], vec![false; 4]),
+            "{option}"
+        );
+    }
+    let body = format!("CirPathMode\\CirPointOri;\n{arc}{MOVE}CirPathMode \\ObjectFrame;\n{arc}");
+    assert_eq!(read(&body), (vec!["-"; 3], vec![true, false, false]));
+    let body = format!("{arc}IF DI1=1 CirPathMode\\CirPointOri;\n{arc}");
+    assert_eq!(read(&body), (vec!["-"; 2], vec![true, true]));
+    let body = format!("{arc}IF DI1=1 CirPathMode\\Wrist45;\n");
+    assert_eq!(read(&body).0, ["keep::circle-orientation"]);
+}
+
 #[test]
 fn confl_and_confj() {
     let body = format!(

@@ -142,7 +142,7 @@ impl Corrector<'_> {
     /// The plan of a motion that is not known well enough: what can be asked at run time is.
     fn at_run_time(&self, motion: &Motion, why: &Arc<SkipReason>) -> MotionCorrection {
         match self.asked_at_run_time(motion) {
-            _ if AS_ASKED.contains(&why.code) => skipped(Arc::clone(why)),
+            _ if NOT_ASKED.contains(&why.code) => skipped(Arc::clone(why)),
             Some(Ok(planned)) => MotionCorrection::without_figures(planned),
             Some(Err(why)) => skipped(Arc::new(why)),
             None => skipped(Arc::clone(why)),
@@ -175,8 +175,9 @@ impl Corrector<'_> {
     }
 }
 
-/// Reasons of the options: what they leave alone is not asked at run time either.
-const AS_ASKED: [&str; 3] = ["keep::as-asked", "keep::moveabsj", "keep::absolute-accuracy"];
+/// Reasons that hold at run time too: those of the options, and that nobody knows how the tool is turned on an arc.
+const NOT_ASKED: [&str; 4] =
+    ["keep::as-asked", "keep::moveabsj", "keep::absolute-accuracy", "keep::circle-orientation"];
 
 /// Whether run time tells which of a few values the target is, and no index does.
 fn is_one_of_several(motion: &Motion) -> bool {

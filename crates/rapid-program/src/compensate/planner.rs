@@ -1,7 +1,7 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
-use super::circle_points::turn_with_arcs;
+use super::circle_points::{skip_uneven_turns, turn_with_arcs};
 use super::correct::Moments;
 use super::corrector::{CorrectedMotions, Corrector, SIDE_BY_SIDE};
 use super::drift::ProgramPoints;
@@ -121,6 +121,7 @@ fn resolve_motions(
         messages.add(None, Diagnostic::warning(error.code(), text).help(help));
     }
     conditions::fill(program, model, &mut resolved);
+    skip_uneven_turns(program, model, &mut resolved);
     skip_unknown_branches((program, start_rad.is_some()), model, options.tolerance_m, &mut resolved);
     skip_other_later_frames(program, model, options.tolerance_m, &mut resolved);
     skip_what_no_array_holds(program, options, &mut resolved);

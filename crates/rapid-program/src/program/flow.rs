@@ -100,6 +100,10 @@ pub(super) enum Blocker {
     LockedAxis,
     /// Motion together with others: SyncMoveOn.
     MultiMove,
+    /// On arcs the tool passes the circle point as that is written: CirPathMode\CirPointOri.
+    CirclePointOrientation,
+    /// On arcs two axes of the wrist alone turn the tool: CirPathMode\Wrist45 and its kin.
+    WristOnArcs,
     /// An external axis, counted from 0, that may carry the robot's base has been placed away from 0, and stays there where a target names no
     /// place for it.
     PlacedAxis(u8),
@@ -119,12 +123,14 @@ pub(super) fn placed_axis(index: &Index<'_>, axis: u8, (at, known): (Span, bool)
 }
 
 /// All blockers, in the order in which a state has them.
-pub(super) const BLOCKERS: [Blocker; 11] = [
+pub(super) const BLOCKERS: [Blocker; 13] = [
     Blocker::Displacement,
     Blocker::ExternalOffset,
     Blocker::SoftServo,
     Blocker::LockedAxis,
     Blocker::MultiMove,
+    Blocker::CirclePointOrientation,
+    Blocker::WristOnArcs,
     Blocker::PlacedAxis(0),
     Blocker::PlacedAxis(1),
     Blocker::PlacedAxis(2),

@@ -115,6 +115,8 @@ pub struct MotionSetup {
     pub conf_monitored: Option<bool>,
     /// The load that GripLoad put on the tool, its centre in the tool's frame; `None` = not known.
     pub grip: Option<LoadData>,
+    /// Of an arc: why it stays as it is where its tool turns (`CirPathMode\CirPointOri`).
+    pub uneven_turn: Option<Arc<SkipReason>>,
 }
 
 /// Tool and work object that a motion may have from the second pass of its program on.

@@ -10,6 +10,7 @@ mod skip_reasons;
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
 use super::finite_set::{FiniteSet, FiniteSets};
+use super::flow::Blocker;
 use super::ids::{DatumId, IdSet, Slot, Table};
 use super::index::{Ctx, Index};
 use super::module_facts::facts;
@@ -138,6 +139,12 @@ fn conf_monitored(state: &State, path: Path) -> Option<bool> {
         Path::Joint => state.conf_j,
         Path::AbsJoint => Some(false),
     }
+}
+
+/// Why an arc on which the tool turns stays as it is in this state.
+fn uneven_turn(state: &State, path: Path) -> Option<Arc<SkipReason>> {
+    let why = state.held(Blocker::CirclePointOrientation).filter(|_| path == Path::Circular)?;
+    Some(Arc::new(SkipReason { code: "keep::circle-orientation", ..(**why).clone() }))
 }
 
 /// What is in force at a motion; `None` where no way leads to it.
@@ -275,7 +282,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         let MotionTargets { targets, reached, read_elsewhere } =
             self.targets(&args, (ctx, form.path, at), &mut reasons);
         // Motion settings may be other ones in a later pass than in the first.
-        reasons.add_state(seen.any, &args, leaves_axes(&targets, form.path));
+        reasons.add_state(seen.any, (&args, form.path), leaves_axes(&targets, form.path));
         let known: &dyn TrackedValues = match seen.first {
             Some(state) => &View { state, tracked: self.tracked },
             None => &Constant,
@@ -295,9 +302,8 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             speed,
             time_s,
             zone,
-            conf_monitored: seen.any.and_then(|state| conf_monitored(state, form.path)),
             grip,
-            ..self.setup_as_written(site, &args, ctx)
+            ..self.setup_as_written(site, &args, (ctx, seen.any))
         };
         let (skip_reason, known_at_run_time) = reasons.reported();
         self.note_frames((seen, skip_reason.is_none()), &args, ctx, Span { file: ctx.file, range });
@@ -337,8 +343,14 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         self.made_of_pers.extend(self.first_pers(motion, args, ctx));
     }
 
-    /// What the text of a motion says of its setup: which kind it is, in which loops it stands, and the names of its frames.
-    fn setup_as_written(&self, site: &MotionSite<'a>, args: &MoveArgs<'a>, ctx: Ctx) -> MotionSetup {
+    /// What the text of a motion says of its setup: which kind it is, in which loops it stands, the names of its frames, and which settings
+    /// of its path are in force there.
+    fn setup_as_written(
+        &self,
+        site: &MotionSite<'a>,
+        args: &MoveArgs<'a>,
+        (ctx, state): (Ctx, Option<&State>),
+    ) -> MotionSetup {
         let index = self.evaluator.index;
         let text = |expr: Option<&Expr>| expr.map(|expr| index.text(ctx.file, expr.range));
         let handed_on = args.conditional("wobj").map(|parameter| index.text(ctx.file, parameter));
@@ -358,8 +370,9 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             speed: None,
             time_s: None,
             zone: None,
-            conf_monitored: None,
+            conf_monitored: state.and_then(|state| conf_monitored(state, site.form.path)),
             grip: None,
+            uneven_turn: state.and_then(|state| uneven_turn(state, site.form.path)),
         }
     }
 

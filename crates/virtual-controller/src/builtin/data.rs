@@ -37,7 +37,6 @@ pub(super) const NO_EFFECT: &[&str] = &[
     "iodisable",
     "aliasio",
     "tpshow",
-    "circpathmode",
     "jointpathmode",
     "nop",
 ];
@@ -82,6 +81,13 @@ pub(super) const INSTRUCTIONS: &[Instruction] = &[
     }),
     instruction!("gripload", (load: LoadData), |vm, args| {
         vm.machine.gripped = payload(load.0.get(..4).unwrap_or_default());
+        Ok(())
+    }),
+    instruction!("cirpathmode", (), |vm, args| {
+        // Arcs are executed with the tool turned evenly: of another way it is said that it is not followed.
+        let options = args.names().filter(|name| !matches!(&***name, "pathframe" | "objectframe"));
+        let not_followed = options.map(|name| format!("CirPathMode\\{name} (arcs turn the tool evenly)"));
+        vm.machine.log.unknown.extend(not_followed);
         Ok(())
     }),
     instruction!("stop", (), |vm, args| stop(vm)),

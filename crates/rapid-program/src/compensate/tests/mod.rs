@@ -69,6 +69,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         time_s: None,
         conf_monitored: Some(false),
         grip: None,
+        uneven_turn: None,
     };
     Motion {
         file: FileId(0),

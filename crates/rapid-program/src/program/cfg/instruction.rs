@@ -69,6 +69,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 FlowStep::Blocker(Blocker::MultiMove, active("the robot moves together with others"))
             }
             "syncmoveoff" | "syncmoveundo" => FlowStep::Blocker(Blocker::MultiMove, None),
+            "cirpathmode" => return self.circle_path_mode(call, at, out),
             "callbyvar" => {
                 self.call_by_number(call, out);
                 FlowStep::UnknownPosition
@@ -84,6 +85,31 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
         };
         out.push(Node::Step(step));
+    }
+
+    /// `CirPathMode`: an option that only run time tells is taken to be given.
+    fn circle_path_mode(&self, call: &CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
+        let options = call.args.iter().filter_map(|arg| match &arg.kind {
+            ArgKind::Named { name, .. } | ArgKind::Conditional { name, .. } => Some(self.text(*name)),
+            ArgKind::Positional(_) => None,
+        });
+        let (mut circle_point, mut wrist) = (None, None);
+        for option in options {
+            let written = as_text(option);
+            match lower_case(option).as_str() {
+                "pathframe" | "objectframe" => {}
+                "cirpointori" => {
+                    let what = "the tool passes circle points as they are written, and turns unevenly";
+                    circle_point = Some(self.why(at, format!("{what} (CirPathMode\\{written})")));
+                }
+                _ => {
+                    let what = "two axes of the wrist alone turn the tool on arcs, not to what is written";
+                    wrist = Some(self.why(at, format!("{what} (CirPathMode\\{written})")));
+                }
+            }
+        }
+        out.push(Node::Step(FlowStep::Blocker(Blocker::CirclePointOrientation, circle_point)));
+        out.push(Node::Step(FlowStep::Blocker(Blocker::WristOnArcs, wrist)));
     }
 
     /// What a program displacement that is set by `instruction` is.
@@ -155,6 +181,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 }
                 "singarea" => FlowStep::Blocker(Blocker::LockedAxis, named()),
                 "syncmoveon" | "syncmoveoff" => FlowStep::Blocker(Blocker::MultiMove, named()),
+                "cirpathmode" => FlowStep::Blocker(Blocker::WristOnArcs, named()),
                 _ => match self.slot(word) {
                     Some(slot) => {
                         let why = self.why(at, "text that was not understood names it".into());

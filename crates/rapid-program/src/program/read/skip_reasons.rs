@@ -3,7 +3,7 @@
 use crate::program::data::{ToolData, WobjData};
 use crate::program::flow::{BLOCKERS, Blocker};
 use crate::program::index::{Ctx, Index};
-use crate::program::motion::SkipReason;
+use crate::program::motion::{Path, SkipReason};
 use crate::program::motion_site::{MotionSite, MoveArgs};
 use crate::program::move_instructions::Special;
 use crate::program::state::State;
@@ -62,7 +62,12 @@ impl SkipReasons {
     }
 
     /// Those of what is in force there; `None`: no way leads there.
-    pub(super) fn add_state(&mut self, state: Option<&State>, args: &MoveArgs<'_>, leaves_axes: [bool; 6]) {
+    pub(super) fn add_state(
+        &mut self,
+        state: Option<&State>,
+        (args, path): (&MoveArgs<'_>, Path),
+        leaves_axes: [bool; 6],
+    ) {
         let Some(state) = state else {
             return self.add(skip("keep::unreachable", "no way through the program leads here".into()));
         };
@@ -74,6 +79,9 @@ impl SkipReasons {
         let does_not_hold = |hold: &Blocker| match hold {
             Blocker::ExternalOffset => no_offsets,
             Blocker::PlacedAxis(axis) => !leaves_axes[usize::from(*axis)],
+            Blocker::WristOnArcs => path != Path::Circular,
+            // Whether the tool turns on an arc is seen where its ends are placed.
+            Blocker::CirclePointOrientation => true,
             _ => false,
         };
         for (hold, held) in BLOCKERS.iter().zip(&state.blockers).filter(|(hold, _)| !does_not_hold(hold)) {
@@ -84,6 +92,7 @@ impl SkipReasons {
                     Blocker::SoftServo => "keep::soft-servo",
                     Blocker::LockedAxis => "keep::locked-axis",
                     Blocker::MultiMove => "keep::multimove",
+                    Blocker::CirclePointOrientation | Blocker::WristOnArcs => "keep::circle-orientation",
                     Blocker::PlacedAxis(_) => "keep::external-base",
                 };
                 self.add(SkipReason { code, reason: why.reason.clone(), because: why.because });

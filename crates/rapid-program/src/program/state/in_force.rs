@@ -38,7 +38,13 @@ pub(in crate::program) struct State {
 impl State {
     /// Whether a blocker is, or may be, in force.
     pub(in crate::program) fn is_in_force(&self, blocker: Blocker) -> bool {
-        BLOCKERS.iter().zip(&self.blockers).any(|(known, held)| *known == blocker && held.is_some())
+        self.held(blocker).is_some()
+    }
+
+    /// Why a blocker is, or may be, in force.
+    pub(in crate::program) fn held(&self, blocker: Blocker) -> Option<&Why> {
+        let held = BLOCKERS.iter().zip(&self.blockers).find(|(known, _)| **known == blocker);
+        held.and_then(|(_, held)| held.as_ref())
     }
 }
 
