@@ -94,6 +94,27 @@ ENDMODULE
     assert_eq!(json["messages_dropped"], 100);
 }
 
+/// RobotWare 7 writes UTF-8, RobotWare 6 ISO 8859-1: a name is shown as it is read there.
+#[test]
+fn a_name_with_an_umlaut_is_shown_as_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = "MODULE Door
+  CONST jointtarget jÖffnen:=[[0,10,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveAbsJ jÖffnen,v100,fine,tool0;
+  ENDPROC
+ENDMODULE
+";
+    let latin1: Vec<u8> = source.chars().map(|c| u8::try_from(c).unwrap()).collect();
+    for (name, bytes) in [("door.modx", source.as_bytes()), ("door.mod", &latin1)] {
+        let file = folder.path().join(name);
+        std::fs::write(&file, bytes).unwrap();
+        let run = driftpost(&["simulate", &file.display().to_string(), "--minutes", "60"]).output().unwrap();
+        let text = String::from_utf8(run.stdout).unwrap();
+        assert!(text.contains(&format!("{name}:4 jÖffnen ")), "{text}");
+    }
+}
+
 /// Joint 1 of an IRB 140 ends at 180 deg: a line behind the robot cannot cross there, whatever joints reach its other end.
 #[test]
 fn a_line_that_takes_joint_1_over_its_end_is_not_gone() {

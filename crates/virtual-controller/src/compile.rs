@@ -18,6 +18,11 @@ pub(super) fn latin1(file: &SourceFile, range: TextRange) -> String {
     file.text(range).iter().map(|&b| char::from(b)).collect()
 }
 
+/// The bytes of a range as a person reads them: UTF-8 where they are, else ISO 8859-1.
+pub(super) fn as_written(file: &SourceFile, range: TextRange) -> String {
+    std::str::from_utf8(file.text(range)).map_or_else(|_| latin1(file, range), str::to_owned)
+}
+
 /// A name in lower case.
 pub(super) fn lower_case_name(file: &SourceFile, range: TextRange) -> Name {
     latin1(file, range).to_lowercase().into()
@@ -203,7 +208,7 @@ impl<'f> Compiler<'f> {
                 self.push(op, range);
             }
             S::Opaque | S::Placeholder => {
-                let text: String = latin1(self.file, range).chars().take(60).collect();
+                let text: String = as_written(self.file, range).chars().take(60).collect();
                 self.push(Op::Unknown(text.trim().into()), range);
             }
             S::Empty | S::Comment => {}
@@ -213,7 +218,7 @@ impl<'f> Compiler<'f> {
     fn call(&mut self, range: TextRange, call: &tree::CallStmt) {
         let callee = match &call.callee {
             tree::Callee::Name(n) => {
-                Callee::Name(lower_case_name(self.file, *n), latin1(self.file, *n).into())
+                Callee::Name(lower_case_name(self.file, *n), as_written(self.file, *n).into())
             }
             tree::Callee::Late(e) => Callee::Late(self.expr(e)),
         };
@@ -247,8 +252,8 @@ impl<'f> Compiler<'f> {
     }
 
     fn name(&self, range: TextRange) -> Expr {
-        let spelt = latin1(self.file, range);
-        let lower: Name = spelt.to_lowercase().into();
+        let spelt = as_written(self.file, range);
+        let lower = lower_case_name(self.file, range);
         let kind = match self.scope.get(&lower) {
             Some(&slot) => ExprKind::Local(slot),
             None => ExprKind::Name(NameRef { name: lower, spelt: spelt.into(), found: Cell::new(None) }),
@@ -284,7 +289,7 @@ impl<'f> Compiler<'f> {
             E::Call(call) => ExprKind::Call(Rc::new(Call {
                 callee: Callee::Name(
                     lower_case_name(self.file, call.name),
-                    latin1(self.file, call.name).into(),
+                    as_written(self.file, call.name).into(),
                 ),
                 args: self.args(&call.args),
             })),

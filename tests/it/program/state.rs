@@ -121,6 +121,9 @@ fn a_tool_or_work_object_that_is_handed_to_a_routine_that_is_not_given_is_not_kn
         "GoTo p,v100,z10,t\\WObj:=w",
         "Paint v20,t",
         "ArcLStart p,v100,sm1,wd1,fine,t",
+        "EGMMoveL id,p,v100,z10,t\\WObj:=w",
+        "EGMMoveC id,p,p,v100,z10,t\\WObj:=w",
+        "NutL p,v100,nut1,gun1,z10,t\\WObj:=w",
         "GetFrame",
         "TPWrite w.ufmec",
     ] {
@@ -347,6 +350,18 @@ fn displacements_keep_motion_until_they_are_off() {
         assert_eq!(codes(&main_of(&data(), &body)), ["-", expected, "-"], "{on}");
         let body = format!("IF DI1=1 {on}\n{MOVE}{off}");
         assert_eq!(codes(&main_of(&data(), &body)), [expected], "{on}");
+    }
+}
+
+/// ABB's manual of force control: FCPress1LStart presses and goes on pressing, FCPressEnd ends it.
+#[test]
+fn motion_between_the_beginning_and_the_end_of_pressing_is_kept() {
+    let start = "FCPress1LStart p,v100,\\Fz:=5,5,z10,t\\WObj:=w;\n";
+    for end in ["FCPressEnd p,v100,t\\WObj:=w;", "FCPressL p,v100,5,z10,t;\nFCDeact;"] {
+        let body = format!("{MOVE}{start}{MOVE}{end}\n{MOVE}");
+        let read = main_of(&data(), &body);
+        assert_eq!(codes(&read), ["-", "keep::instruction", "keep::soft-servo", "keep::instruction", "-"]);
+        assert_eq!((because_line(&read, 2), warnings(&read)), (7, vec![]));
     }
 }
 

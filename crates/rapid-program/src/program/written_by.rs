@@ -3,6 +3,7 @@
 
 use super::expressions::value_of;
 use super::index::{Ctx, Index};
+use super::move_instructions::move_form;
 use super::names::lower_case;
 use super::other_instructions::harmless;
 use rapid_syntax::tree::{Arg, ArgKind, Expr};
@@ -15,8 +16,9 @@ pub(super) fn written_by_instruction<'a>(
     args: &'a [Arg],
 ) -> Vec<&'a Expr> {
     let positions = written_arguments(name);
-    // What the controller's own do is known, what a routine that is not given does is a matter of its own.
-    let own = harmless(name);
+    // What the controller's own do is known, what a routine that is not given does is a matter of its own. A move of a family that
+    // hands back what it has read writes no more than other moves.
+    let own = harmless(name) && move_form(name).is_none();
     let all = own && hands_back(name);
     let option_is = |option: &str| if own { !is_read_option(option) } else { is_written_option(option) };
     written(index, ctx, args, |position| all || positions.contains(&position), option_is)

@@ -1,7 +1,7 @@
 //! Modules come into program memory, with all that they declare, and leave it.
 
 use super::{Datum, DatumOrigin, ItemIndex, LoadedProgram, Module, Routine, RoutineKind};
-use crate::compile::{latin1, lower_case_name};
+use crate::compile::{as_written, latin1, lower_case_name};
 use crate::ids::{ModuleId, RoutineId};
 use crate::value::{RecordType, Type};
 use rapid_syntax::SourceFile;
@@ -113,7 +113,7 @@ impl LoadedProgram {
             ModuleItem::Routine(r) => (r.name, r.scope),
             _ => return Ok(()),
         };
-        let (name, spelt) = (lower_case_name(file, range), latin1(file, range));
+        let (name, spelt) = (lower_case_name(file, range), as_written(file, range));
         let global = scope != Scope::Local;
         let clash = |what: &str| Err(format!("{spelt} is declared twice ({what})"));
         let Some(module) = self.modules.get(id.index()) else { return Ok(()) };

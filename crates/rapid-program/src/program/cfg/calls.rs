@@ -31,6 +31,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
             self.external_axes(motion, at, out);
             self.written(call, at, out);
+            self.force_control(motion, at, out);
             return;
         }
         match &call.callee {

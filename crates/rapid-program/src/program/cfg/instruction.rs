@@ -7,6 +7,7 @@ use crate::program::convert;
 use crate::program::data::LoadData;
 use crate::program::expressions::{root_of, words};
 use crate::program::flow::{Blocker, FlowStep, Node};
+use crate::program::motion::MotionId;
 use crate::program::names::{as_text, lower_case};
 use crate::program::other_instructions::{harmless, moves_arm};
 use crate::program::written_by::written_by_instruction;
@@ -85,6 +86,18 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
         };
         out.push(Node::Step(step));
+    }
+
+    /// What a motion with force control leaves in force: the first one switches it on, the last one off.
+    pub(super) fn force_control(&self, motion: MotionId, at: Span, out: &mut Vec<Node<'a>>) {
+        let held = match self.sites.motions.get(motion.index()).map(|site| site.form.name) {
+            Some("FCPress1LStart") => {
+                Some(self.why(at, "force control is active (FCPress1LStart)".to_owned()))
+            }
+            Some("FCPressEnd") => None,
+            _ => return,
+        };
+        out.push(Node::Step(FlowStep::Blocker(Blocker::SoftServo, held)));
     }
 
     /// `CirPathMode`: an option that only run time tells is taken to be given.
@@ -176,7 +189,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 "gripload" => FlowStep::Grip(None),
                 "pdispon" | "pdispset" | "pdispoff" => FlowStep::Blocker(Blocker::Displacement, named()),
                 "eoffson" | "eoffsset" | "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, named()),
-                "softact" | "softdeact" | "cssact" | "fcact" => {
+                "softact" | "softdeact" | "cssact" | "fcact" | "fcpress1lstart" => {
                     FlowStep::Blocker(Blocker::SoftServo, named())
                 }
                 "singarea" => FlowStep::Blocker(Blocker::LockedAxis, named()),
