@@ -150,3 +150,50 @@ fn what_robodk_says_of_kinematics_is_read_however_it_is_written() {
         assert_eq!(read.facts.kinematics.first().map(|k| k.is_nominal()), expected, "{comment}");
     }
 }
+
+/// A global PERS of one name and type is one datum for all tasks, whatever each says of it.
+#[test]
+fn data_that_tasks_declare_differently_are_named_where_motions_are_made_of_them() {
+    let frame = |x: &str| format!("[FALSE,TRUE,\"\",[[{x},60,180],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]");
+    let main = |data: &str, target: &str| {
+        format!("MODULE A\n{data}\nPROC main()\nMoveL {target},v100,fine,t\\WObj:=w;\nENDPROC\nENDMODULE\n")
+    };
+    let messages = |data: &str, target: &str, other: &str| {
+        let other = format!("MODULE B\n{other}\nPROC main()\nWaitTime 1;\nENDPROC\nENDMODULE\n");
+        let paths = ["RAPID/TASK1/PROGMOD/A.mod", "RAPID/TASK2/PROGMOD/B.mod"];
+        let read = program(&[(paths[0], &main(data, target)), (paths[1], &other)]);
+        let found = read.diagnostics.iter().filter(|found| found.code == "resolve::tasks-differ");
+        found.map(|found| found.message.clone()).collect::<Vec<_>>()
+    };
+    let own = format!(
+        "PERS tooldata t:={};\nPERS wobjdata w:={};\nPERS robtarget p{{2}}:=[{},{}];\nPERS num nUp:=12;",
+        tool(1),
+        frame("430.0"),
+        at(5, 0, 0),
+        at(6, 0, 0)
+    );
+    for (target, other, expected) in [
+        ("p{1}", format!("PERS wobjdata w:={};", frame("530")), "w.uframe.trans.x is 430 here, 530"),
+        ("p{1}", format!("PERS wobjdata w:={};", frame("430")), ""),
+        ("p{1}", format!("TASK PERS wobjdata w:={};", frame("530")), ""),
+        ("p{1}", format!("PERS wobjdata w:={};\nPROC set()\nw:=wobj0;\nENDPROC", frame("530")), ""),
+        (
+            "p{1}",
+            format!("PERS tooldata t:={};", tool(1).replace("TRUE", "FALSE")),
+            "t.robhold is TRUE here, FALSE",
+        ),
+        ("p{1}", "PERS tooldata t;".to_owned(), ""),
+        (
+            "p{2}",
+            format!("PERS robtarget p{{2}}:=[{},{}];", at(5, 0, 0), at(6, 0, 7)),
+            "p{2}.trans.z is 0 here, 7",
+        ),
+        ("Offs(p{1},0,0,nUp)", "PERS num nUp:=13;".to_owned(), "nUp is 12 here, 13"),
+        ("p{1}", "PERS num nUp:=13;".to_owned(), ""),
+    ] {
+        let found = messages(&own, target, &other);
+        assert_eq!(found.len(), usize::from(!expected.is_empty()), "{other}: {found:?}");
+        let expected = format!("{expected} in line 2 of RAPID/TASK2/PROGMOD/B.mod");
+        assert!(found.iter().all(|found| found.ends_with(&expected)), "{found:?}");
+    }
+}

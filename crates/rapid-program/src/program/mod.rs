@@ -45,6 +45,7 @@ mod read_as_data;
 mod record;
 mod repeated_moves;
 mod set_all_data;
+mod shared_values;
 mod speed_override;
 mod state;
 mod statements;

@@ -70,6 +70,7 @@ impl Program {
             let ways = ControlFlow::new(&mut evaluator, &sites, &of_targets, overrides.base_fixed);
             targets_on_ways(&mut evaluator, &sites, &ways, &of_targets, &found)
         };
+        diagnostics.extend(super::shared_values::warnings(&mut evaluator, &sites, &writes));
         let speed_override = speed_override(&mut evaluator);
         let order = order(&index, &sites, &control_flow);
         let mut facts = facts(&index, &control_flow.called());
@@ -86,9 +87,7 @@ impl Program {
         let settable = reader.settable_names();
         diagnostics.extend(super::position_tests::warning(&index, &reader.own_positions));
         diagnostics.extend(reader.into_warnings());
-        diagnostics.extend(other_tasks::not_given(&index, &overrides.other_tasks));
-        diagnostics.extend(super::loads::warnings(&index));
-        diagnostics.extend(super::set_all_data::warnings(&index));
+        diagnostics.extend(about_what_is_given(&index, overrides));
         diagnostics.extend(not_given.iter().map(|(name, at)| not_among_the_files(name, *at, &settable)));
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
@@ -107,6 +106,14 @@ impl Program {
             diagnostics,
         }
     }
+}
+
+/// Warnings about what is given and what is not, whatever motions make of it.
+fn about_what_is_given(index: &Index<'_>, overrides: &Overrides) -> Vec<Diagnostic> {
+    let mut warnings = other_tasks::not_given(index, &overrides.other_tasks);
+    warnings.extend(super::loads::warnings(index));
+    warnings.extend(super::set_all_data::warnings(index));
+    warnings
 }
 
 /// So many names are listed; behind them stands how many more there are.
