@@ -201,7 +201,8 @@ impl Destination {
         files::keep_apart(&[], &outputs)
     }
 
-    /// A `.pgf` that lists a changed module lists the new ones that are loaded with it, too.
+    /// A `.pgf` that lists a changed module lists the new ones that are loaded with it, too; a new system module only where it lists such
+    /// modules, as these are none of a program's.
     pub(super) fn list_with(
         &self,
         from: &Path,
@@ -213,12 +214,13 @@ impl Destination {
         let folder = from.parent().unwrap_or(Path::new(""));
         let listed: Vec<PathBuf> = modules_of_pgf(bytes).iter().map(|name| folder.join(name)).collect();
         let changed = emitted.iter().filter_map(|file| given.paths.get(file.source?.0 as usize));
-        if !changed.into_iter().any(|path| listed.contains(path)) {
-            return bytes.to_vec();
-        }
+        let changed: Vec<&PathBuf> = changed.filter(|path| listed.contains(path)).collect();
         let mut bytes = bytes.to_vec();
         for file in emitted.iter().filter(|file| file.source.is_none()) {
             let path = self.path_of(file, given);
+            if !changed.iter().any(|listed| is_system(listed) || !is_system(&path)) {
+                continue;
+            }
             let place = path.strip_prefix(to.parent().unwrap_or(Path::new(""))).unwrap_or(&path);
             bytes = pgf_with_module(&bytes, &place.to_string_lossy().replace('\\', "/"));
         }
@@ -229,6 +231,12 @@ impl Destination {
 /// Whether a path names a folder, be it there or not.
 pub fn is_folder(path: &Path) -> bool {
     path.is_dir() || path.to_string_lossy().ends_with(['/', std::path::MAIN_SEPARATOR])
+}
+
+/// Whether a file's name is that of a system module.
+fn is_system(path: &Path) -> bool {
+    let is = |system| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(system));
+    is("sys") || is("sysx")
 }
 
 /// Whether a file is a list of modules.

@@ -155,6 +155,58 @@ fn the_list_of_modules_names_the_core_too() {
     assert_eq!(bench.text("cell/cell.pgf"), with_core);
 }
 
+/// System modules stay where another program is loaded, program modules go (ABB, Technical reference manual RAPID Overview, system modules).
+#[test]
+fn a_core_beside_a_system_module_is_one_too() {
+    let cube = fs::read_to_string(CUBE).unwrap();
+    let second = cube.replace("Cube45()", "Second()").replace("rdkSpeed", "rdkFast");
+    let [plain, system] =
+        ["MOD_Second", "MOD_Second(SYSMODULE)"].map(|head| second.replace("MOD_Cube45", head));
+    let run = |arguments: &[&str]| {
+        let output = driftpost(arguments);
+        assert_eq!(output.status.code(), Some(0), "{} {}", out(&output), err(&output));
+    };
+    for (first, other, text, core) in [
+        ("A.mod", "SYSMOD/B.sys", &system, "SYSMOD/tcCore.sys"),
+        ("A.modx", "SYSMOD/B.sysx", &system, "SYSMOD/tcCore.sysx"),
+        ("A.mod", "sub/B.SYS", &plain, "sub/tcCore.sys"),
+        ("A.mod", "sub/B.mod", &system, "sub/tcCore.mod"),
+        ("Z.mod", "SYSMOD/B.mod", &plain, "SYSMOD/tcCore.mod"),
+    ] {
+        let bench = Bench::default();
+        let list = |modules: &str| format!("<Program>\n\t<Module>{modules}</Module>\n</Program>\n");
+        bench.file(&format!("cell/{first}"), &cube);
+        bench.file(&format!("cell/{other}"), text);
+        let program = list(first);
+        bench.file("cell/program.pgf", &program);
+        let both = list(&format!("{first}</Module>\n\t<Module>{other}"));
+        bench.file("cell/both.pgf", &both);
+        let [cell, made, back] = ["cell", "made", "back"].map(|name| bench.path(name).display().to_string());
+        run(&["compensate", &cell, "-o", &made, "--diff", "none"]);
+        let cores: Vec<String> = bench.files().into_iter().filter(|file| file.contains("tcCore")).collect();
+        assert_eq!(cores, [format!("made/{core}")]);
+        assert!(bench.text(&cores[0]).starts_with("MODULE tcCore(SYSMODULE)"), "{}", bench.text(&cores[0]));
+        let with_core = both.replace("\n</Program>", &format!("\n\t<Module>{core}</Module>\n</Program>"));
+        assert_eq!(bench.text("made/both.pgf"), with_core);
+        if !core.ends_with(".mod") {
+            assert_eq!(bench.text("made/program.pgf"), program, "system modules are none of a program's");
+        }
+        for (made, original) in [(&made, &cell), (&format!("{made}/both.pgf"), &format!("{cell}/both.pgf"))] {
+            run(&["simulate", made, "--original", original, "--minutes", "0,61", "--entry", "Second"]);
+        }
+        run(&["restore", &made, "-o", &back]);
+        let (restored, given): (Vec<String>, Vec<String>) = bench
+            .files()
+            .into_iter()
+            .filter(|file| !file.starts_with("made/"))
+            .partition(|file| file.starts_with("back/"));
+        assert_eq!(restored.len(), given.len());
+        for file in given {
+            assert_eq!(bench.text(&file.replacen("cell/", "back/", 1)), bench.text(&file), "{file}");
+        }
+    }
+}
+
 #[test]
 fn a_controllers_backup_goes_through_whole() {
     let bench = Bench::default();

@@ -6,7 +6,7 @@ use super::change::{changes, check_plan};
 use super::checksum::hex;
 use super::clock::Law;
 use super::context::{Changes, EmitContext};
-use super::core_module::core_file;
+use super::core_module::{core_file, is_system_module};
 use super::digest;
 use super::header;
 use super::hidden;
@@ -130,8 +130,8 @@ fn emitted_file(context: &EmitContext<'_>, id: FileId, changes: &Changes) -> Res
     Ok(EmittedFile { source: Some(id), path: file.path.clone(), bytes, replaced })
 }
 
-/// The first changed file of each of the controller's tasks, by the task's folder: a task sees nothing of another's
-/// modules and needs a clock of its own.
+/// The first changed file of each of the controller's tasks, the first system module where one is changed, by the task's folder: a task
+/// sees nothing of another's modules and needs a clock of its own.
 fn tasks<'p>(program: &'p Program, changed: &[FileId]) -> BTreeMap<Option<String>, &'p SourceFile> {
     let mut first = BTreeMap::new();
     for file in changed.iter().map(|id| program.file(*id)) {
@@ -140,7 +140,10 @@ fn tasks<'p>(program: &'p Program, changed: &[FileId]) -> BTreeMap<Option<String
             let end = path.find(task)? + task.len();
             path.get(..end).map(str::to_ascii_lowercase)
         });
-        first.entry(task).or_insert(file);
+        let known = first.entry(task).or_insert(file);
+        if is_system_module(file) && !is_system_module(known) {
+            *known = file;
+        }
     }
     first
 }
