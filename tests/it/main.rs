@@ -75,3 +75,4 @@ mod touch;
 mod tree_check;
 mod unusual;
 mod virtual_controller;
+mod warm_up_laws;

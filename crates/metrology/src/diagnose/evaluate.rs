@@ -6,6 +6,7 @@ use super::balancing::balancing;
 use super::dataset::Twist;
 use super::evidence::NuisanceModel;
 use super::false_row::false_rows;
+use super::finer_taus::with_finer_taus;
 use super::heldout;
 use super::identification::{Identification, misses_stated};
 use super::iterated_search::{SearchProblem, best_model};
@@ -84,12 +85,19 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     let Prepared { measured, linear, noise, .. } = *prepared;
     let folds = heldout::folds(&linear.dataset);
     let visible = visible(linear, prepared.measured.stations.targets, prepared.noise);
-    let problem =
+    let finer_candidates;
+    let mut problem =
         SearchProblem { linear, candidates: &visible.candidates, noise, targets: measured.stations.targets };
     let mut fitted = best_model(&problem);
     if let Some(turned) = about_found(prepared, &fitted).filter(|_| times > 0) {
         drop(fitted);
         return evaluate_about(&Prepared { linear: &turned, ..*prepared }, wants_model, times - 1);
+    }
+    if let Some(candidates) = with_finer_taus(&visible.candidates, &fitted) {
+        finer_candidates = candidates;
+        problem = SearchProblem { candidates: &finer_candidates, ..problem };
+        drop(fitted);
+        fitted = best_model(&problem);
     }
     let fault = rounding::find(measured, &fitted, FaultPrior::NoOtherFault);
     if let Some(fault) = fault.or_else(|| too_many_false(measured, &fitted)) {

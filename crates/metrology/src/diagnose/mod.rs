@@ -14,6 +14,7 @@ mod evaluate;
 mod evidence;
 mod examine;
 mod false_row;
+mod finer_taus;
 mod gear_lines;
 mod gear_spectrum;
 mod gp_alternative;

@@ -9,6 +9,7 @@ mod doubt;
 mod hidden_load;
 mod judge;
 mod judgement;
+mod law_spread;
 mod listing;
 mod noise;
 mod overtones;

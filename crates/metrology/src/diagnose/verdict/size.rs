@@ -1,6 +1,7 @@
 //! Causes with their sizes, fitted beside the others.
 
 use super::cause_group::CauseGroup;
+use super::law_spread::law_spread;
 use crate::diagnose::cause::Cause;
 use crate::diagnose::dataset::Twist;
 use crate::diagnose::design::Design;
@@ -46,14 +47,15 @@ pub(super) fn cause(
     let left_m = |fit: &LinearFit| left_rms_m(&workspace.design, &model.outliers, fit);
     let of_gap_m = (left_m(&without).powi(2) - left_m(&fit).powi(2)).max(0.0).sqrt();
     let candidate = &workspace.library.candidates[cause_group.best];
-    let (size, sigma) = size_of(candidate, &columns, &fit, model.peak.sigma_m);
+    let (size, sigma_of_fit) = size_of(candidate, &columns, &fit, model.peak.sigma_m);
     let moved: Vec<f64> = moved_by(linear, candidate, &columns, &fit);
     let mut cause = cause_unfitted(workspace, cause_group);
     cause.rms_of_gap_mm = Some(mm_from_m(of_gap_m));
     cause.size = Some(size);
-    cause.sigma = Some(sigma);
     cause.rms_mm = Some(mm_from_m(rms(&moved)));
     cause.rms_seen_mm = Some(mm_from_m(rms(&seen_m(&workspace.design, &groups, candidate, &columns, &fit))));
+    let at = i.unwrap_or(chosen.len());
+    cause.sigma = Some(sigma_of_fit.hypot(law_spread(fitted, &all, at, size)));
     cause
 }
 
@@ -114,7 +116,7 @@ pub(super) fn rms(values: &[f64]) -> f64 {
     (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt()
 }
 
-fn size_of(candidate: &Candidate, columns: &[usize], fit: &LinearFit, sigma_m: f64) -> (f64, f64) {
+pub(super) fn size_of(candidate: &Candidate, columns: &[usize], fit: &LinearFit, sigma_m: f64) -> (f64, f64) {
     let values: Vec<f64> = columns
         .iter()
         .zip(&candidate.prior_sigma)
