@@ -201,7 +201,7 @@ fn a_reading_that_no_arm_made_is_named_by_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let csv = cycles(|row, _, point| {
         if row == 21 {
-            point[2] += 28.0
+            point[2] += 28.0;
         }
     });
     let found = accuracy(folder.path(), &csv, &["--limit-rp-mm", "0.05"]);

@@ -131,19 +131,20 @@ fn touches_in_other_units_are_refused_and_doubtful_ones_are_named() {
     let csv = touches(&robot, &recipe(0.01, Deformation::paper().settled().0), &mut Rng::new(3, 0)).unwrap();
     let sound = Touches::from_csv(csv.as_bytes()).unwrap();
     let options = FitOptions { tool_m: Vector3::new(0.0, 0.0, 0.1), stops: None };
+    type Change<'c> = &'c dyn Fn(usize, &mut Touch);
     let first_q2 = |point| sound.touches.iter().find(|touch| touch.point == point).unwrap().q_rad[1];
-    let changed = |change: &dyn Fn(usize, &mut Touch)| {
+    let changed = |change: Change<'_>| {
         let mut touches = sound.clone();
         touches.touches.iter_mut().enumerate().for_each(|(k, touch)| change(k, touch));
         fit(&touches, &robot, &options)
     };
-    let refusals: [(&dyn Fn(usize, &mut Touch), &str); 3] = [
+    let refusals: [(Change<'_>, &str); 3] = [
         (&|_, touch| touch.q_rad = touch.q_rad.map(f64::to_radians), "are in radians"),
         (&|_, touch| touch.q_rad.swap(1, 2), "outside the range"),
         (
             &|k, touch| {
                 if k >= 90 {
-                    touch.t_min *= 60.0
+                    touch.t_min *= 60.0;
                 }
             },
             "t_min is in seconds in 95 rows",
@@ -155,7 +156,7 @@ fn touches_in_other_units_are_refused_and_doubtful_ones_are_named() {
         assert!(error.to_string().contains(reason), "{error}");
     }
     assert_eq!(changed(&|_, _| {}).unwrap().warnings, []);
-    let doubtful: [(&dyn Fn(usize, &mut Touch), &str, &str); 3] = [
+    let doubtful: [(Change<'_>, &str, &str); 3] = [
         (&|_, touch| touch.t_min += 480.0, "fit::minutes", "the first touch is at minute 480"),
         (
             &|_, touch| touch.q_rad[0] = ((100.0 * touch.q_rad[0].to_degrees()).round() / 100.0).to_radians(),

@@ -178,7 +178,7 @@ fn an_instrument_that_moved_within_a_file_and_other_units_are_no_unchanged_robot
     let before = write(folder.path(), "before.csv", &file);
     let pushed = with_points(&file, |k, point_mm| {
         if k > 20 {
-            point_mm[2] += 100.0
+            point_mm[2] += 100.0;
         }
     });
     let pushed = write(folder.path(), "pushed.csv", &pushed);

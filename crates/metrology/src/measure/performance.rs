@@ -151,10 +151,10 @@ pub fn performance(
         one_target(measurements)?;
     }
     let measurements = with_usable_times(measurements, checked.time_usable);
-    let seen = from_one_stand(&measurements, robot, &checked, None).map_err(contradicted)?;
+    let seen = from_one_stand(&measurements, robot, &checked, None).map_err(|fault| contradicted(*fault))?;
     // A tool that is named wrongly is part of what is judged.
     if let Some(fault) = seen.fault(robot, None) {
-        return Err(contradicted(Box::new(fault)));
+        return Err(contradicted(fault));
     }
     let measurements = &*seen.measurements;
     let used = in_order_of_time(measurements, &seen.used);
@@ -177,7 +177,7 @@ pub fn performance(
     })
 }
 
-fn contradicted(fault: Box<Fault>) -> PerformanceError {
+fn contradicted(fault: Fault) -> PerformanceError {
     PerformanceError::Fault { reason: fault.reason }
 }
 
@@ -215,7 +215,8 @@ fn in_order_of_time(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
 
 /// Single cycles that lie so far from the others of their pose that it is no arm that came there: a reading of something else.
 fn far_cycles(measurements: &Measurements, used: &[usize]) -> Option<Diagnostic> {
-    let mut of_pose: BTreeMap<(usize, usize), Vec<(u64, Vector3<f64>)>> = BTreeMap::new();
+    type Cycle = (u64, Vector3<f64>);
+    let mut of_pose: BTreeMap<(usize, usize), Vec<Cycle>> = BTreeMap::new();
     for (&row, pose) in used.iter().zip(pose_numbers(measurements, used)) {
         let Some(row) = measurements.rows.get(row) else { continue };
         if let Reading::Point { position_m } = row.reading {

@@ -1,7 +1,7 @@
 //! How far a drift's settled size is open because the law by which it settles is: the data weigh its time constants, and each has a size of
 //! its own.
 
-use super::size::size_of;
+use super::fitted_size::size_of;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::linear_fit::solve;

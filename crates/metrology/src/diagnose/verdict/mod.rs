@@ -6,6 +6,7 @@ mod carries;
 mod cause_group;
 mod cycles;
 mod doubt;
+mod fitted_size;
 mod hidden_load;
 mod judge;
 mod judgement;
