@@ -30,6 +30,19 @@ pub struct OneStand<'a> {
     first_of_stands: BTreeSet<usize>,
 }
 
+impl<'a> OneStand<'a> {
+    /// The rows that `used` names, as the file has them.
+    pub(super) fn as_it_is(measurements: &'a Measurements, used: Vec<usize>) -> Self {
+        Self {
+            measurements: Cow::Borrowed(measurements),
+            used,
+            warnings: Vec::new(),
+            elsewhere: None,
+            first_of_stands: BTreeSet::new(),
+        }
+    }
+}
+
 impl OneStand<'_> {
     fn targets(&self) -> usize {
         self.measurements.targets.len().max(1)
@@ -208,13 +221,7 @@ pub fn from_one_stand<'a>(
     if let Some(fault) = fault.map(meant) {
         return Err(Box::new(fault));
     }
-    let mut seen = OneStand {
-        measurements: Cow::Borrowed(measurements),
-        used: checked.used.clone(),
-        warnings: Vec::new(),
-        elsewhere: None,
-        first_of_stands: BTreeSet::new(),
-    };
+    let mut seen = OneStand::as_it_is(measurements, checked.used.clone());
     for _ in 0..MOST_CHANGES {
         match find_in_rows(robot, &seen.rows(robot), seen.targets(), tool_m) {
             None => break,

@@ -4,8 +4,8 @@ use super::pose_performance::{PosePerformance, pose_performance};
 use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
-    Fault, FreeParameters, Measurements, Reading, RegisterError, Registration, Station, check_cycles,
-    from_one_stand, gather, median, register, register_with,
+    Fault, FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
+    check_cycles, from_one_stand, gather, median, register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
@@ -19,6 +19,8 @@ const FEWEST_CYCLES: usize = 5;
 /// A cycle is far off by so many times the middle distance, and by so much at least, metres.
 const FAR_TIMES: f64 = 20.0;
 const FAR_M: f64 = 1e-3;
+/// Of more rows so many are asked whether they contradict the robot; each asks the others.
+const MOST_CHECKED: usize = 6000;
 /// Lines that a message lists at most.
 const LISTED: usize = 12;
 
@@ -151,11 +153,7 @@ pub fn performance(
         one_target(measurements)?;
     }
     let measurements = with_usable_times(measurements, checked.time_usable);
-    let seen = from_one_stand(&measurements, robot, &checked, None).map_err(|fault| contradicted(*fault))?;
-    // A tool that is named wrongly is part of what is judged.
-    if let Some(fault) = seen.fault(robot, None) {
-        return Err(contradicted(fault));
-    }
+    let seen = judged(&measurements, robot, &checked)?;
     let measurements = &*seen.measurements;
     let used = in_order_of_time(measurements, &seen.used);
     let gathered = gather(measurements, &used, None);
@@ -175,6 +173,31 @@ pub fn performance(
         lines_left_out: left_out.map(|row| row.line).collect(),
         warnings: checked.warnings.into_iter().chain(seen.warnings).chain(far).collect(),
     })
+}
+
+/// The rows that are judged: those of one stand of the instrument, which do not contradict the robot.
+fn judged<'a>(
+    measurements: &'a Measurements,
+    robot: &SerialArm,
+    checked: &RowCheck,
+) -> Result<OneStand<'a>, PerformanceError> {
+    let every = checked.used.len().div_ceil(MOST_CHECKED).max(1);
+    let some = RowCheck { used: checked.used.iter().copied().step_by(every).collect(), ..checked.clone() };
+    let seen = from_one_stand(measurements, robot, &some, None).map_err(|fault| contradicted(*fault))?;
+    // A tool that is named wrongly is part of what is judged.
+    if let Some(fault) = seen.fault(robot, None) {
+        return Err(contradicted(fault));
+    }
+    if every == 1 {
+        return Ok(seen);
+    }
+    // What was moved is not taken back in rows that were not looked at.
+    match seen.warnings.iter().find(|warning| warning.code.ends_with("-moved")) {
+        Some(moved) => {
+            Err(PerformanceError::Fault { reason: format!("{}; judge the parts apart", moved.message) })
+        }
+        None => Ok(OneStand::as_it_is(measurements, checked.used.clone())),
+    }
 }
 
 fn contradicted(fault: Fault) -> PerformanceError {

@@ -113,6 +113,10 @@ pub fn find_in_stamps(stamps: &[(f64, u64)]) -> Option<Fault> {
     let n = stamps.len();
     let leaps = |from: &usize| {
         let on = min_from_s(stamps[*from].0) - stamps[from - 1].0;
+        // Of nearly all rows this alone says no; the usual steps are asked of all rows before and after.
+        if on < 0.0 {
+            return false;
+        }
         let Some((before, after)) = usual(1..*from).zip(usual(from + 1..n)) else { return false };
         let times = after / before;
         (0.0..LATER_STEPS * before).contains(&on)
