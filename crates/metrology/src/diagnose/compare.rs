@@ -240,7 +240,7 @@ fn base_shift_m(pairs: &[Pair<'_>], was: &Registration, base_moved: &Isometry3<f
 
 /// A file whose rows do not contradict the robot.
 struct FileSeen {
-    /// Without temperatures, which nothing here rests on.
+    /// In the frame of one stand of the instrument.
     measurements: Measurements,
     /// Rows to use, as indices.
     used: Vec<usize>,
@@ -251,15 +251,16 @@ struct FileSeen {
 impl FileSeen {
     fn new(name: &str, file: &Measurements, robot: &SerialArm) -> Result<Self, CompareError> {
         let contradicted = |fault: Fault| CompareError::Fault { reason: format!("{name}: {}", fault.reason) };
-        let mut file = file.clone();
-        file.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
-        let checked = check_rows(&file, robot);
-        let seen = from_one_stand(&file, robot, &checked, None).map_err(|fault| contradicted(*fault))?;
+        // No change rests on temperatures.
+        let mut plain = file.clone();
+        plain.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
+        let checked = check_rows(file, robot);
+        let seen = from_one_stand(&plain, robot, &checked, None).map_err(|fault| contradicted(*fault))?;
         // Where the tool is each time is what is asked.
         if let Some(fault) = seen.fault(robot, None) {
             return Err(contradicted(fault));
         }
-        let OneStand { used, warnings, measurements, .. } = seen;
+        let OneStand { used, warnings, measurements, .. } = seen.with_temperatures_of(file);
         let warnings = checked.warnings.into_iter().chain(warnings).collect();
         Ok(Self { used, warnings, measurements: measurements.into_owned() })
     }

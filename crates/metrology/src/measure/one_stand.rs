@@ -44,6 +44,17 @@ impl<'a> OneStand<'a> {
 }
 
 impl OneStand<'_> {
+    /// The same with the temperatures of `file`, whose rows these are.
+    #[must_use]
+    pub(crate) fn with_temperatures_of<'b>(self, file: &Measurements) -> OneStand<'b> {
+        let mut measurements = self.measurements.into_owned();
+        for (row, of_file) in measurements.rows.iter_mut().zip(&file.rows) {
+            row.joint_temperature_c = of_file.joint_temperature_c;
+        }
+        let Self { used, warnings, elsewhere, first_of_stands, .. } = self;
+        OneStand { measurements: Cow::Owned(measurements), used, warnings, elsewhere, first_of_stands }
+    }
+
     fn targets(&self) -> usize {
         self.measurements.targets.len().max(1)
     }

@@ -12,6 +12,7 @@ use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::mm_from_m;
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Cycles without which nothing is said of one of them.
@@ -181,15 +182,18 @@ fn judged<'a>(
     robot: &SerialArm,
     checked: &RowCheck,
 ) -> Result<OneStand<'a>, PerformanceError> {
+    // Nothing here is judged by temperatures.
+    let mut plain = measurements.clone();
+    plain.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
     let every = checked.used.len().div_ceil(MOST_CHECKED).max(1);
     let some = RowCheck { used: checked.used.iter().copied().step_by(every).collect(), ..checked.clone() };
-    let seen = from_one_stand(measurements, robot, &some, None).map_err(|fault| contradicted(*fault))?;
+    let seen = from_one_stand(&plain, robot, &some, None).map_err(|fault| contradicted(*fault))?;
     // A tool that is named wrongly is part of what is judged.
     if let Some(fault) = seen.fault(robot, None) {
         return Err(contradicted(fault));
     }
     if every == 1 {
-        return Ok(seen);
+        return Ok(seen.with_temperatures_of(measurements));
     }
     // What was moved is not taken back in rows that were not looked at.
     match seen.warnings.iter().find(|warning| warning.code.ends_with("-moved")) {
@@ -218,12 +222,11 @@ fn one_target(measurements: &Measurements) -> Result<(), PerformanceError> {
     Err(PerformanceError::SeveralTargets { targets: targets.into_iter().map(name).collect() })
 }
 
-/// The measurements without minutes where these cannot be trusted, and without temperatures, which nothing here is judged by.
-fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Measurements {
-    let mut measurements = measurements.clone();
-    for row in &mut measurements.rows {
-        row.joint_temperature_c = None;
-        row.t_min = row.t_min.filter(|_| time_usable);
+/// The measurements without minutes where these cannot be trusted.
+fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Cow<'_, Measurements> {
+    let mut measurements = Cow::Borrowed(measurements);
+    if !time_usable {
+        measurements.to_mut().rows.iter_mut().for_each(|row| row.t_min = None);
     }
     measurements
 }
