@@ -7,6 +7,7 @@ mod named_on_reading;
 mod names;
 mod order;
 mod pages;
+mod pressing_and_arcs;
 mod robodk;
 mod searches;
 mod state;

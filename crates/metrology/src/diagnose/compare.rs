@@ -6,7 +6,7 @@ use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict};
 use crate::measure::{
     Channels, Fault, MeasurementRow, Measurements, OneStand, Reading, RegisterError, Registration,
-    STATED_FREEDOM, Station, Stations, check_rows, from_one_stand, gather, median, register,
+    STATED_FREEDOM, Station, Stations, check_rows, from_sound_file, gather, median, register,
 };
 use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -251,16 +251,9 @@ struct FileSeen {
 impl FileSeen {
     fn new(name: &str, file: &Measurements, robot: &SerialArm) -> Result<Self, CompareError> {
         let contradicted = |fault: Fault| CompareError::Fault { reason: format!("{name}: {}", fault.reason) };
-        // No change rests on temperatures.
-        let mut plain = file.clone();
-        plain.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
         let checked = check_rows(file, robot);
-        let seen = from_one_stand(&plain, robot, &checked, None).map_err(|fault| contradicted(*fault))?;
-        // Where the tool is each time is what is asked.
-        if let Some(fault) = seen.fault(robot, None) {
-            return Err(contradicted(fault));
-        }
-        let OneStand { used, warnings, measurements, .. } = seen.with_temperatures_of(file);
+        let OneStand { used, warnings, measurements, .. } =
+            from_sound_file(file, robot, &checked).map_err(contradicted)?;
         let warnings = checked.warnings.into_iter().chain(warnings).collect();
         Ok(Self { used, warnings, measurements: measurements.into_owned() })
     }

@@ -5,8 +5,8 @@
 
 use super::effects::{Candidate, CauseKey};
 use super::model::FittedModel;
+use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Growth;
-use robot_model::deform::{EffectKind, GrowthLaw};
 
 /// In more than these a second search takes a minute, and what the grid is off by shows in the size alone.
 const MOST_OBSERVATIONS: usize = 2000;
@@ -33,10 +33,7 @@ pub(super) fn with_finer_taus(candidates: &[Candidate], fitted: &FittedModel<'_>
 }
 
 fn tau_min(candidate: &Candidate) -> Option<f64> {
-    match candidate.variant.growth {
-        Growth::Law(law) => law.tau_min(),
-        _ => None,
-    }
+    candidate.warm_up_law()?.tau_min()
 }
 
 /// Time constants about one, for those of a coarse grid.
@@ -52,9 +49,8 @@ struct FinerTaus {
 
 impl FinerTaus {
     fn about(cause: &Candidate, candidates: &[Candidate]) -> Option<Self> {
-        let warms = matches!(cause.kind, EffectKind::ThermalJointDrift | EffectKind::ThermalLinkGrowth);
-        let Growth::Law(chosen) = cause.variant.growth else { return None };
-        let chosen_min = tau_min(cause).filter(|_| warms)?;
+        let chosen = cause.warm_up_law()?;
+        let chosen_min = chosen.tau_min()?;
         let key = cause.cause_key();
         let of_cause = candidates.iter().filter(|candidate| candidate.cause_key() == key);
         let mut coarse_min: Vec<f64> = of_cause.filter_map(tau_min).collect();
@@ -71,7 +67,7 @@ impl FinerTaus {
     fn of(&self, candidate: &Candidate) -> Candidate {
         let mut finer = candidate.clone();
         let at = tau_min(candidate).and_then(|tau| self.coarse_min.iter().position(|coarse| *coarse == tau));
-        if let (Growth::Law(law), Some(at)) = (candidate.variant.growth, at) {
+        if let (Some(law), Some(at)) = (candidate.warm_up_law(), at) {
             let steps = at as f64 - (self.coarse_min.len() / 2) as f64;
             let about_min = self.about_min(&law);
             finer.variant.growth = Growth::Law(law.with_tau_min(about_min * self.ratio.powf(steps)));

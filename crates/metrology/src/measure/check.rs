@@ -14,7 +14,7 @@ const MOST_ROWS: usize = 20_000;
 /// Beyond a joint's range by more than this is no reading of this robot, radians.
 const RANGE_SLACK_RAD: f64 = 0.02;
 /// Share of rows out of range from which on the whole file is doubted.
-const OUT_OF_RANGE_SHARE: f64 = 0.1;
+pub(crate) const OUT_OF_RANGE_SHARE: f64 = 0.1;
 /// Share of directions that are not known, of which nobody would write so many beside 1 alone.
 const UNKNOWN_SHARE: Range<f64> = 0.2..0.8;
 /// Share of steps back from which on the time column is doubted.
@@ -129,6 +129,15 @@ fn recorded(row: &MeasurementRow) -> Vec<u64> {
     key
 }
 
+/// The first joint, counted from 0, that `robot` cannot have where `q_rad` says.
+pub(crate) fn out_of_range(q_rad: &Joints, robot: &SerialArm) -> Option<usize> {
+    robot.joints.iter().zip(q_rad).position(|(joint, q_rad)| {
+        joint
+            .range_rad
+            .is_some_and(|[low, high]| *q_rad < low - RANGE_SLACK_RAD || *q_rad > high + RANGE_SLACK_RAD)
+    })
+}
+
 /// `row` with each joint that turns a whole turn back where that takes it nearer to 0.
 fn less_whole_turns(row: &MeasurementRow, robot: &SerialArm) -> MeasurementRow {
     let mut less = row.clone();
@@ -208,13 +217,7 @@ impl RowCheck {
 
     /// Leaves out rows with joints that the robot cannot take; where they are many, the file is at fault.
     fn leave_out_of_range(&mut self, rows: &[MeasurementRow], robot: &SerialArm) {
-        let beyond = |row: &MeasurementRow| {
-            robot.joints.iter().zip(row.q_rad).position(|(joint, q_rad)| {
-                joint.range_rad.is_some_and(|[low, high]| {
-                    q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD
-                })
-            })
-        };
+        let beyond = |row: &MeasurementRow| out_of_range(&row.q_rad, robot);
         let out: Vec<(usize, usize)> = self
             .used
             .iter()

@@ -32,6 +32,7 @@ mod timestamp;
 mod touch;
 mod touch_times;
 
+pub(crate) use check::{OUT_OF_RANGE_SHARE, out_of_range};
 pub use check::{RowCheck, check_cycles, check_rows};
 pub use codes::describe_code;
 pub use column_map::ColumnMap;
@@ -45,8 +46,8 @@ pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
 };
 pub use join::{Joined, MatchBy, join};
-pub(crate) use one_stand::turned;
 pub use one_stand::{JointElsewhere, OneStand, StandError, from_one_stand};
+pub(crate) use one_stand::{from_sound_file, turned};
 pub use performance::{ComparisonFrame, Performance, PerformanceError, WorstPerformance, performance};
 pub use pose_performance::{PerformanceAtTime, PosePerformance};
 pub use reading::{Coordinates, Reading};

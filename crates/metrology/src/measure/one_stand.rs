@@ -45,8 +45,7 @@ impl<'a> OneStand<'a> {
 
 impl OneStand<'_> {
     /// The same with the temperatures of `file`, whose rows these are.
-    #[must_use]
-    pub(crate) fn with_temperatures_of<'b>(self, file: &Measurements) -> OneStand<'b> {
+    fn with_temperatures_of(self, file: &Measurements) -> OneStand<'static> {
         let mut measurements = self.measurements.into_owned();
         for (row, of_file) in measurements.rows.iter_mut().zip(&file.rows) {
             row.joint_temperature_c = of_file.joint_temperature_c;
@@ -96,8 +95,7 @@ impl OneStand<'_> {
     }
 
     /// What contradicts the robot in these rows; `None` too where they are too few to say so.
-    #[must_use]
-    pub fn fault(&self, robot: &SerialArm, tool_m: Option<Vector3<f64>>) -> Option<Fault> {
+    fn fault(&self, robot: &SerialArm, tool_m: Option<Vector3<f64>>) -> Option<Fault> {
         let Stations { stations, targets, .. } = gather(&self.measurements, &self.used, None);
         let turns = self.elsewhere.as_ref().map(|found| found.turns(&stations, robot.joints.len()));
         let standing = turned(&stations, &turns.unwrap_or_default());
@@ -249,6 +247,26 @@ pub fn from_one_stand<'a>(
     }
     seen.number_stands();
     Ok(seen)
+}
+
+/// The rows of one stand of a file that contradicts neither itself nor the robot. Temperatures are not asked: neither performance nor change
+/// rests on them.
+///
+/// # Errors
+/// What it contradicts.
+pub(crate) fn from_sound_file(
+    measurements: &Measurements,
+    robot: &SerialArm,
+    checked: &RowCheck,
+) -> Result<OneStand<'static>, Fault> {
+    let mut plain = measurements.clone();
+    plain.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
+    let seen = from_one_stand(&plain, robot, checked, None).map_err(|fault| *fault)?;
+    // Where the tool is, is what is judged.
+    match seen.fault(robot, None) {
+        Some(fault) => Err(fault),
+        None => Ok(seen.with_temperatures_of(measurements)),
+    }
 }
 
 /// Each row on its own, with the nominal arm's flange pose.

@@ -4,8 +4,8 @@ use super::pose_performance::{PosePerformance, pose_performance};
 use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
-    Fault, FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
-    check_cycles, from_one_stand, gather, median, register, register_with,
+    FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
+    check_cycles, from_sound_file, gather, median, register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
@@ -182,18 +182,12 @@ fn judged<'a>(
     robot: &SerialArm,
     checked: &RowCheck,
 ) -> Result<OneStand<'a>, PerformanceError> {
-    // Nothing here is judged by temperatures.
-    let mut plain = measurements.clone();
-    plain.rows.iter_mut().for_each(|row| row.joint_temperature_c = None);
     let every = checked.used.len().div_ceil(MOST_CHECKED).max(1);
     let some = RowCheck { used: checked.used.iter().copied().step_by(every).collect(), ..checked.clone() };
-    let seen = from_one_stand(&plain, robot, &some, None).map_err(|fault| contradicted(*fault))?;
-    // A tool that is named wrongly is part of what is judged.
-    if let Some(fault) = seen.fault(robot, None) {
-        return Err(contradicted(fault));
-    }
+    let seen = from_sound_file(measurements, robot, &some)
+        .map_err(|fault| PerformanceError::Fault { reason: fault.reason })?;
     if every == 1 {
-        return Ok(seen.with_temperatures_of(measurements));
+        return Ok(seen);
     }
     // What was moved is not taken back in rows that were not looked at.
     match seen.warnings.iter().find(|warning| warning.code.ends_with("-moved")) {
@@ -202,10 +196,6 @@ fn judged<'a>(
         }
         None => Ok(OneStand::as_it_is(measurements, checked.used.clone())),
     }
-}
-
-fn contradicted(fault: Fault) -> PerformanceError {
-    PerformanceError::Fault { reason: fault.reason }
 }
 
 /// Refuses points of several targets, of which one has a known place.

@@ -4,8 +4,8 @@ use super::rigid::Motion;
 use crate::diagnose::dataset::{DataPoint, Dataset, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use crate::diagnose::time_course::TimeCourse;
-use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, PayloadScaling};
+use robot_model::deform::{EffectKind, GrowthLaw};
 use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
 
@@ -152,6 +152,15 @@ impl Candidate {
     pub(crate) fn cause_key(&self) -> CauseKey {
         let EffectVariant { joint, joint_b, .. } = self.variant;
         CauseKey { kind: self.kind, joint, joint_b }
+    }
+
+    /// The law by which it warms up over time; `None` of what follows temperatures, and of what is no warm-up.
+    #[must_use]
+    pub(crate) fn warm_up_law(&self) -> Option<GrowthLaw> {
+        match (self.kind, self.variant.growth) {
+            (EffectKind::ThermalJointDrift | EffectKind::ThermalLinkGrowth, Growth::Law(law)) => Some(law),
+            _ => None,
+        }
     }
 
     /// Whether it stands for one effect in all joints at once: what the search looks at together, and never names so.

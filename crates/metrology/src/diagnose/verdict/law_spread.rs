@@ -2,14 +2,11 @@
 //! its own.
 
 use super::fitted_size::size_of;
-use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::linear_fit::solve;
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::search::{ChosenCause, cause_columns};
-use robot_model::deform::EffectKind;
-use robot_model::deform::identified::Growth;
 
 /// Laws that are less likely do not count.
 const NEGLIGIBLE: f64 = 0.003;
@@ -56,26 +53,23 @@ fn among_laws(fitted: &FittedModel<'_>, all: &[ChosenCause], at: usize) -> Among
     let FittedModel { model, workspace, .. } = fitted;
     let Workspace { design, library, .. } = workspace;
     let best = &library.candidates[all[at].candidate];
-    let warms = matches!(best.kind, EffectKind::ThermalJointDrift | EffectKind::ThermalLinkGrowth);
-    let law_of = |candidate: &Candidate| match candidate.variant.growth {
-        Growth::Law(law) => Some(law),
-        _ => None,
-    };
-    let Some(law) = law_of(best).filter(|_| warms) else { return AmongLaws::default() };
+    let Some(law) = best.warm_up_law() else { return AmongLaws::default() };
     let groups = design.all_groups();
     let nuisance = NuisanceModel::new(design, &groups, &cause_columns(all, Some(at)), model.noise);
     let numbered = || library.candidates.iter().enumerate();
-    let of_cause = || numbered().filter(|(_, c)| law_of(c).is_some() && c.cause_key() == best.cause_key());
+    let of_cause =
+        || numbered().filter(|(_, c)| c.warm_up_law().is_some() && c.cause_key() == best.cause_key());
     let weighed: Vec<(usize, f64)> =
         of_cause().map(|(c, _)| (c, library.gain(&nuisance, &groups, c) + library.log_prior[c])).collect();
     let total = log_sum(weighed.iter().map(|(_, weight)| *weight));
     let shares = weighed.into_iter().map(|(c, weight)| (c, (weight - total).exp()));
     let tau_min = law.tau_min().unwrap_or_default();
     let alike = of_cause().filter(|(_, c)| {
-        c.variant.refined == best.variant.refined && law_of(c).is_some_and(|other| other.is_same_kind(&law))
+        c.variant.refined == best.variant.refined
+            && c.warm_up_law().is_some_and(|other| other.is_same_kind(&law))
     });
     let taus: Vec<(usize, f64)> =
-        alike.filter_map(|(c, other)| Some((c, law_of(other)?.tau_min()?))).collect();
+        alike.filter_map(|(c, other)| Some((c, other.warm_up_law()?.tau_min()?))).collect();
     let below = taus.iter().filter(|(_, tau)| *tau < tau_min).max_by(|a, b| a.1.total_cmp(&b.1));
     let above = taus.iter().filter(|(_, tau)| *tau > tau_min).min_by(|a, b| a.1.total_cmp(&b.1));
     AmongLaws {

@@ -2,7 +2,7 @@
 
 use super::fitted::{TouchedPoint, WarmUp};
 use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min};
-use super::parameters::{PARAMETERS, signature};
+use super::parameters::{PARAMETERS, signature, tip_m};
 use super::plausible;
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
@@ -364,13 +364,9 @@ fn observed(
     chain: &Chain,
     options: &FitOptions,
 ) -> Result<Observed, FitError> {
-    let believed = |q_rad: &[f64; 6], tool_m: &Vector3<f64>| {
-        let flange = chain.forward(q_rad);
-        flange.translation.vector + flange.rotation * tool_m
-    };
     if touches.touches.iter().all(|t| t.measured_m.is_none()) {
         // The point stands still: what the arm believes has moved is what it really moved by, the other way round.
-        let moved = touches.touches.iter().map(|t| -believed(&t.q_rad, &options.tool_m));
+        let moved = touches.touches.iter().map(|t| -tip_m(chain, &t.q_rad, &options.tool_m));
         return Ok(Observed { moved_m: moved.collect(), warning: None });
     }
     let stations: Vec<Station> = touches

@@ -6,6 +6,13 @@ use robot_model::kinematics::Chain;
 /// Parameters: six for each of the six joint frames.
 pub const PARAMETERS: usize = 36;
 
+/// Where the arm has a point of the tool, `tool_m` from the flange, base axes, metres.
+#[must_use]
+pub(super) fn tip_m(chain: &Chain, q_rad: &[f64; 6], tool_m: &Vector3<f64>) -> Vector3<f64> {
+    let flange = chain.forward(q_rad);
+    flange.translation.vector + flange.rotation * tool_m
+}
+
 /// The shift of the tool's point per unit of each parameter (metres, radians), base axes: 3 x 36, six columns for each joint's
 /// frame.
 #[must_use]

@@ -1,8 +1,10 @@
 //! Touches that contradict themselves, the robot or their units: a fit of them would be a table for another arm.
 
 use super::fitted::WarmUp;
+use super::parameters::tip_m;
 use crate::measure::{
-    Fault, FaultKind, Station, Touch, Touches, find_fault, find_in_stamps, register, tool_apart,
+    Fault, FaultKind, OUT_OF_RANGE_SHARE, Station, Touch, Touches, find_fault, find_in_stamps, out_of_range,
+    register, tool_apart,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -12,10 +14,6 @@ use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
-/// Beyond a joint's range by more than this is no reading of this robot, radians.
-const RANGE_SLACK_RAD: f64 = 0.02;
-/// Touches out of range beyond this share are no slips of single ones.
-const OUT_OF_RANGE_SHARE: f64 = 0.1;
 /// Poses of two points are apart where a joint is by more than this, degrees: poses in radians are, and no two points are touched in the
 /// zero pose.
 const APART_DEG: f64 = 0.5;
@@ -45,12 +43,8 @@ pub(super) fn find_in_joints(touches: &Touches, robot: &Robot) -> Option<Fault> 
         );
         return Some(Fault::of_all(FaultKind::JointUnits, Some("q1_deg to q6_deg"), reason));
     }
-    let is_beyond = |touch: &&Touch| {
-        let ranges = robot.joints.iter().map(|joint| joint.range_rad).zip(touch.q_rad);
-        ranges.into_iter().any(|(range, q_rad)| {
-            range.is_some_and(|[low, high]| q_rad < low - RANGE_SLACK_RAD || q_rad > high + RANGE_SLACK_RAD)
-        })
-    };
+    let arm = SerialArm::from(robot);
+    let is_beyond = |touch: &&Touch| out_of_range(&touch.q_rad.into(), &arm).is_some();
     let beyond: Vec<u64> = all.iter().filter(is_beyond).map(|touch| touch.line).collect();
     if beyond.len() as f64 > OUT_OF_RANGE_SHARE * all.len() as f64 {
         return Some(Fault::in_rows(
@@ -134,16 +128,12 @@ fn rounded(touches: &Touches, robot: &Robot, warm_up: &WarmUp, tool_m: Vector3<f
     let steps: Vec<(usize, f64)> = (0..6).filter_map(|j| Some((j, written_step_deg(touches, j)?))).collect();
     let coarsest_deg = steps.iter().map(|(_, step_deg)| *step_deg).reduce(f64::max)?;
     let chain = Chain::nominal(robot);
-    let tip_m = |q_rad: &[f64; 6]| {
-        let flange = chain.forward(q_rad);
-        flange.translation.vector + flange.rotation * tool_m
-    };
     let square_m2 = |touch: &Touch| {
         let of_joint = |(j, step_deg): &(usize, f64)| {
             let mut moved = touch.q_rad;
             moved[*j] += rad_from_deg(*step_deg);
             // Even over a step: the variance is a twelfth of its square.
-            (tip_m(&moved) - tip_m(&touch.q_rad)).norm_squared() / 12.0
+            (tip_m(&chain, &moved, &tool_m) - tip_m(&chain, &touch.q_rad, &tool_m)).norm_squared() / 12.0
         };
         steps.iter().map(of_joint).sum::<f64>()
     };

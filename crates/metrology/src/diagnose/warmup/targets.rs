@@ -2,7 +2,7 @@
 //! further point would help most.
 
 use super::fitted::WarmUp;
-use super::parameters::signature;
+use super::parameters::{signature, tip_m};
 use nalgebra::{DMatrix, Matrix3xX, Vector3};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -123,12 +123,9 @@ fn next(
             best = Some((after, place));
         }
     }
-    best.map(|(after, place)| {
-        let flange = chain.forward(&place.q_rad);
-        SuggestedPoint {
-            q_rad: place.q_rad,
-            at_m: flange.translation.vector + flange.rotation * place.tool_m,
-            rms_m: after.max(0.0).sqrt(),
-        }
+    best.map(|(after, place)| SuggestedPoint {
+        q_rad: place.q_rad,
+        at_m: tip_m(chain, &place.q_rad, &place.tool_m),
+        rms_m: after.max(0.0).sqrt(),
     })
 }

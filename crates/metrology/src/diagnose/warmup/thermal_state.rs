@@ -2,6 +2,7 @@
 
 use super::cold_reference;
 use super::fit::MOST_ASIDE;
+use super::parameters::tip_m;
 use super::plausible;
 use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints};
 use crate::measure::{Fault, Touches};
@@ -153,10 +154,7 @@ pub fn thermal_state(
     let first = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
     let nominal = Chain::nominal(robot);
     let conditions = Conditions::default();
-    let tip_m = |q_rad: &[f64; 6]| {
-        let flange = nominal.forward(q_rad);
-        flange.translation.vector + flange.rotation * options.tool_m
-    };
+    let tip_m = |q_rad: &[f64; 6]| tip_m(&nominal, q_rad, &options.tool_m);
     // Where the controller takes the tip to be goes the other way than the tip drifts.
     let along_m = |q_rad: &[f64; 6]| {
         let [cold, settled] =
