@@ -55,8 +55,9 @@
 //! Features: `cli` (default; the command line), `link` (default; a controller's Robot Web Services), `mcap` (recordings for Foxglove and Rerun).
 //! Without the default ones the library brings no terminal and no network.
 //!
-//! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (compensation),
-//! [`virtual_controller`], [`metrology`] and [`exam`]. What jobs take and give of them is reached through [`parts`].
+//! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (what a program
+//! means), [`rapid_compensation`] (what it becomes), [`virtual_controller`], [`measurements`] (files of poses), [`metrology`] (what they say of
+//! the arm) and [`exam`]. What jobs take and give of them is reached through [`parts`].
 
 #![allow(unreachable_pub, reason = "modules are private, and hand out by name what is public")]
 
@@ -72,7 +73,7 @@ mod report;
 /// The crates whose types jobs take as options and give in results, so that `driftpost` alone is enough of a dependency.
 ///
 /// ```
-/// use driftpost::parts::rapid_program::compensate::FormChoice;
+/// use driftpost::parts::rapid_compensation::compensate::FormChoice;
 /// use driftpost::parts::virtual_controller::Scenario;
 /// use driftpost::{Compensation, Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};
 ///
@@ -91,7 +92,10 @@ mod report;
 pub mod parts {
     #[cfg(feature = "link")]
     pub use robot_link;
-    pub use {exam, metrology, nalgebra, rapid_program, rapid_syntax, robot_model, virtual_controller};
+    pub use {
+        exam, measurements, metrology, nalgebra, rapid_compensation, rapid_program, rapid_syntax,
+        robot_model, virtual_controller,
+    };
 }
 
 /// The `driftpost` program, for whoever brings it under a name of its own.
@@ -105,7 +109,7 @@ pub use application::{
     Arm, ClosedLoop, Compensated, Compensation, Course, Diagnosed, Diagnosis, Exam, Fit, Fitted, Named,
     ProgramFiles, Question, Refusal, Simulated, Simulation,
 };
-pub use metrology::measure::{Measurements, Touches};
+pub use measurements::{Measurements, Touches};
 pub use rapid_syntax::diagnostic::{Diagnostic, Severity};
 pub use report::{ColorMode, LocatedDiagnostic, Page, ResultPage, write_messages, write_page};
 pub use robot_model::deform::Deformation;

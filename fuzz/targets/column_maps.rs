@@ -1,6 +1,6 @@
 //! Any file of measurements under any column map is read or refused.
 
-use metrology::measure::{ColumnMap, Measurements};
+use measurements::{ColumnMap, Measurements};
 
 /// A column map and, behind a zero byte, the file of measurements that it is for.
 pub fn column_maps(data: &[u8]) {

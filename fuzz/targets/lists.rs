@@ -1,7 +1,7 @@
 //! Any list of targets, or of joints that a post-processor knows, is read or refused.
 
 use nalgebra::UnitQuaternion;
-use rapid_program::compensate::{JointsHint, targets};
+use rapid_compensation::compensate::{JointsHint, targets};
 
 /// Targets with and without orientations of their own, and joints: poses of finite numbers or an error.
 pub fn lists(data: &[u8]) {

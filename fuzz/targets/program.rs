@@ -4,8 +4,8 @@
 
 use crate::tree_check::check;
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::restore;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::restore;
 use rapid_syntax::parse;
 use std::sync::LazyLock;
 

@@ -1,7 +1,7 @@
 //! Pose accuracy, repeatability and drift after ISO 9283, held to limits.
 
 use crate::report::accuracy as report;
-use metrology::measure::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
+use measurements::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
 use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, plural};
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;

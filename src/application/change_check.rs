@@ -1,8 +1,8 @@
 //! What has changed between two measurements of one robot.
 
 use crate::report::changed as report;
+use measurements::Measurements;
 use metrology::diagnose::{CompareError, DiagnosisOptions, MeasurementComparison, compare_measurements};
-use metrology::measure::Measurements;
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
 use std::io::{self, Write};

@@ -1,11 +1,11 @@
 //! A compensated program, and the reasons why there is none.
 
 use crate::report::{self, CompensationJson, JointRow, LocatedDiagnostic, MotionRows, Review};
-use rapid_program::compensate::plan::{Plan, Totals};
-use rapid_program::compensate::{CompensateError, FormChoice, Options, joints_every_minute};
-use rapid_program::emit::{EmitError, EmittedFile};
-use rapid_program::program::Program;
-use rapid_program::program::motion::SkipReason;
+use rapid_compensation::compensate::plan::{Plan, Totals};
+use rapid_compensation::compensate::{CompensateError, FormChoice, Options, joints_every_minute};
+use rapid_compensation::emit::{EmitError, EmittedFile};
+use rapid_program::Program;
+use rapid_program::motion::SkipReason;
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;

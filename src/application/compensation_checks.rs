@@ -2,7 +2,7 @@
 
 use super::compensation::{Compensation, PAPER_ROBOT};
 use super::named::model_of_another_robot;
-use rapid_program::program::{Program, is_of_task};
+use rapid_program::{Program, is_of_task};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, is_or_are};
 use robot_model::robot::Robot;

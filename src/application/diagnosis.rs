@@ -1,8 +1,8 @@
 //! Diagnosis of a robot from measured poses.
 
 use crate::report::{ControllerData, DiagnosisPage, diagnosis, plots, rapid_data, value, write_pretty};
+use measurements::{FaultKind, Measurements, check_rows};
 use metrology::diagnose::{self, DiagnosisOptions, diagnose, diagnose_and_identify, gear_spectra};
-use metrology::measure::{FaultKind, Measurements, check_rows};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;

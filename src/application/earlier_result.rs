@@ -1,7 +1,7 @@
 //! What a file is that stands where a result is to go, as far as its bytes tell.
 
-use rapid_program::emit::is_as_written;
-use rapid_program::program::module_facts::EMITTED_MARK;
+use rapid_compensation::emit::is_as_written;
+use rapid_program::module_facts::EMITTED_MARK;
 
 /// A module that was emitted by an earlier run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,8 +3,8 @@
 use super::compensation::PAPER_ROBOT;
 use super::named::{Named, sha256};
 use super::program_files::ProgramFiles;
-use rapid_program::emit::{Provenance, made_with};
-use rapid_program::program::{Overrides, is_of_task};
+use rapid_compensation::emit::{Provenance, made_with};
+use rapid_program::{Overrides, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;

@@ -2,13 +2,13 @@
 
 use super::program_files::ProgramFiles;
 use crate::report::fit as report;
+use measurements::Touches;
 use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
-use metrology::measure::Touches;
 use nalgebra::Vector3;
-use rapid_program::compensate::tabulate::{TabulateError, tabulate};
-use rapid_program::compensate::targets::NamedPose;
-use rapid_program::compensate::{self, CompensateError};
-use rapid_program::program::{Overrides, Program};
+use rapid_compensation::compensate::tabulate::{TabulateError, tabulate};
+use rapid_compensation::compensate::targets::NamedPose;
+use rapid_compensation::compensate::{self, CompensateError};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;

@@ -2,7 +2,7 @@
 
 use super::program_files::{ProgramFiles, check_modules};
 use crate::report::{self, LocatedDiagnostic};
-use rapid_program::program::{Overrides, Program};
+use rapid_program::{Overrides, Program};
 use std::io::{self, Write};
 
 /// Lists a program's motions, and which of them can be compensated as far as their text tells.

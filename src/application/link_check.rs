@@ -2,9 +2,9 @@
 
 use super::loading::link_message;
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
-use rapid_program::compensate::CompensateError;
-use rapid_program::compensate::commanded::{Commanded, commanded};
-use rapid_program::program::Program;
+use rapid_compensation::compensate::CompensateError;
+use rapid_compensation::compensate::commanded::{Commanded, commanded};
+use rapid_program::Program;
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_link::{Configuration, Frame, LinkError, Session, Unit};
 use robot_model::robot::Robot;

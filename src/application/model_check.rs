@@ -2,8 +2,8 @@
 
 use super::named::model_of_another_robot;
 use crate::report::validation as report;
+use measurements::{Channels, Measurements, check_rows};
 use metrology::diagnose::{RefitScope, ValidateError, Validation, validate};
-use metrology::measure::{Channels, Measurements, check_rows};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;

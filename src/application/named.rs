@@ -1,6 +1,6 @@
 //! A robot, a deformation or an identified model with the name and hash that an emitted program says of it.
 
-use rapid_program::emit::Provenance;
+use rapid_compensation::emit::Provenance;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{Deformation, GrowthLaw};

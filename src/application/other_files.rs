@@ -1,8 +1,8 @@
 //! A program with what lies beside its modules, and what differs there between two.
 
 use super::program_files::ProgramFiles;
-use rapid_program::emit::{RestoreError, restore};
-use rapid_program::program::{modules_of_pgf, pgf_with_module};
+use rapid_compensation::emit::{RestoreError, restore};
+use rapid_program::{modules_of_pgf, pgf_with_module};
 use rapid_syntax::diagnostic::Diagnostic;
 
 /// Reads a file that is no module, by its place.

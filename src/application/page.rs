@@ -3,7 +3,7 @@
 use super::compensated::{Compensated, Refusal};
 use super::compensation::Compensation;
 use crate::report::{CompensationPage, SourceReview};
-use rapid_program::compensate::{TcpDrift, tcp_drift};
+use rapid_compensation::compensate::{TcpDrift, tcp_drift};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
 use std::io::{self, Write};

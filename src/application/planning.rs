@@ -5,6 +5,7 @@ use metrology::plan::{
     MeasurementPlan, PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv,
 };
 use nalgebra::Vector3;
+use rapid_program::MEASURING_MODULE;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{Axis, Robot, RobotError, SerialArm};
 use robot_model::units::m_from_mm;
@@ -133,7 +134,7 @@ impl Planned {
     /// A RAPID module that drives to the poses; `None` where it was not asked for.
     #[must_use]
     pub fn rapid(&self) -> Option<String> {
-        self.six_axis.as_ref().map(|robot| rapid(&self.plan, robot))
+        self.six_axis.as_ref().map(|robot| rapid(&self.plan, robot, MEASURING_MODULE))
     }
 
     /// The JSON of the contract.

@@ -1,6 +1,6 @@
 //! The files of a program as bytes: where they stand on a disk is of no matter here.
 
-use rapid_program::program::task_of;
+use rapid_program::task_of;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use rapid_syntax::tree::{FileItem, ModuleItem};

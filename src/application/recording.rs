@@ -3,8 +3,8 @@
 use super::compensated::Compensated;
 use crate::report::{LoggedCorrection, Recording, RecordingMoment};
 use nalgebra::{Isometry3, Translation3, Vector3};
-use rapid_program::compensate::plan::Status;
-use rapid_program::compensate::{DriftPoint, TcpDrift, tcp_drift};
+use rapid_compensation::compensate::plan::Status;
+use rapid_compensation::compensate::{DriftPoint, TcpDrift, tcp_drift};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::ArmDeviation;
 use robot_model::kinematics::{Chain, FrameOffsets};

@@ -2,8 +2,8 @@
 
 use super::program_files::ProgramFiles;
 use crate::report::restored as report;
-use rapid_program::emit::{Altered, RestoreError, Restored, altered_core, restore};
-use rapid_program::program::pgf_without_module;
+use rapid_compensation::emit::{Altered, RestoreError, Restored, altered_core, restore};
+use rapid_program::pgf_without_module;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::Path;
 

@@ -3,9 +3,9 @@
 use super::emitted_settings::EmittedSettings;
 use super::program_files::{ProgramFiles, check_names};
 use crate::report::simulation;
-use rapid_program::compensate::CompensateError;
-use rapid_program::emit::renamed;
-use rapid_program::program::{Overrides, task_of};
+use rapid_compensation::compensate::CompensateError;
+use rapid_compensation::emit::renamed;
+use rapid_program::{Overrides, task_of};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::units::m_from_mm;

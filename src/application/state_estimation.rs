@@ -1,10 +1,10 @@
 //! How warm a robot is, as touches of fixed points tell it.
 
 use crate::report::state as report;
+use measurements::Touches;
 use metrology::diagnose::warmup::{
     RobotState, Standstill, StateError, StateOptions, WarmingArm, thermal_state,
 };
-use metrology::measure::Touches;
 use nalgebra::Vector3;
 use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw};

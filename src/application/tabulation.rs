@@ -1,8 +1,8 @@
 //! Joints of a list of targets at every minute of warm-up: the reference paper's offline method.
 
 use crate::report::tabulation as report;
-use rapid_program::compensate::tabulate::{MinuteErrors, MinuteTable, TabulateError, tabulate};
-use rapid_program::compensate::targets::NamedPose;
+use rapid_compensation::compensate::tabulate::{MinuteErrors, MinuteTable, TabulateError, tabulate};
+use rapid_compensation::compensate::targets::NamedPose;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::Configuration;
 use robot_model::robot::Robot;

@@ -1,7 +1,7 @@
 //! The tasks of a controller: those of its configuration, and those of which it is said which robot moves them.
 
 use super::program_files::ProgramFiles;
-use rapid_program::program::{Overrides, Program};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::Diagnostic;
 
 /// The tasks of the section `CAB_TASKS` of a backup's SYS.cfg; `None` where it has no such section.

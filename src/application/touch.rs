@@ -1,8 +1,8 @@
 //! What `tcTouch` is to touch, as it is asked for, and what that means in a program.
 
-use rapid_program::compensate::{TouchReference, TouchingArm};
-use rapid_program::emit::{Touch, TouchBy, TouchFrames};
-use rapid_program::program::{Overrides, Program};
+use rapid_compensation::compensate::{TouchReference, TouchingArm};
+use rapid_compensation::emit::{Touch, TouchBy, TouchFrames};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::Diagnostic;
 
 /// A fixed point at which a program measures its thermal state.

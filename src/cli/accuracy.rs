@@ -8,7 +8,7 @@ use super::validate::RefitScopeName;
 use super::{Console, Outcome, files};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::AccuracyCheck;
-use metrology::measure::ComparisonFrame;
+use measurements::ComparisonFrame;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;

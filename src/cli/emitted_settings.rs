@@ -4,7 +4,7 @@ use super::files;
 use super::model;
 use crate::application::sha256;
 use driftpost::application::{EmittedSettings, Named, Origin};
-use rapid_program::emit::Provenance;
+use rapid_compensation::emit::Provenance;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;

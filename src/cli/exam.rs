@@ -3,7 +3,7 @@
 use super::{Console, Outcome, files, model};
 use driftpost::application::{Exam, Question};
 use exam::generate::Task;
-use metrology::measure::Measurements;
+use measurements::Measurements;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
 

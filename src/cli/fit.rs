@@ -10,7 +10,7 @@ use crate::report::LocatedDiagnostic;
 use driftpost::application::{Fit, Fitted};
 use metrology::diagnose::warmup::{FitOptions, Standstill};
 use nalgebra::Vector3;
-use rapid_program::compensate::targets;
+use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;
 use std::path::PathBuf;

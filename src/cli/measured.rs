@@ -4,7 +4,7 @@ use super::model::in_file;
 use super::{Console, files, model};
 use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
-use metrology::measure::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
+use measurements::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
 use rapid_syntax::diagnostic::{counted, first_few, plural};
 use std::path::{Path, PathBuf};

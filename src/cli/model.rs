@@ -3,7 +3,7 @@
 use super::{files, suggest};
 use crate::application::{check_base, check_bases};
 use driftpost::application::Named;
-use rapid_program::compensate::JointsHint;
+use rapid_compensation::compensate::JointsHint;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{DeformError, Deformation, GrowthLaw};

@@ -2,7 +2,7 @@
 
 use super::shared::{JointAngles, joint_angles};
 use crate::application::configured_tasks;
-use rapid_program::program::task_of;
+use rapid_program::task_of;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;

@@ -3,7 +3,7 @@
 use super::copies::Copies;
 use super::files::{self, PENDING};
 use crate::application::EarlierResult;
-use rapid_program::program::MEASURING_MODULE;
+use rapid_program::MEASURING_MODULE;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use rapid_syntax::tree::FileItem;

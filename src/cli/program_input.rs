@@ -3,7 +3,7 @@
 use super::files;
 use crate::application::check_text;
 use driftpost::application::{PlacedProgram, ProgramFiles};
-use rapid_program::program::modules_of_pgf;
+use rapid_program::modules_of_pgf;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;

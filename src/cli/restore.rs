@@ -6,7 +6,7 @@ use super::program_input::ProgramInput;
 use super::{Console, Outcome, overwriting};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
-use rapid_program::emit::{Altered, ModifiedIn, ModifiedTarget, Restored};
+use rapid_compensation::emit::{Altered, ModifiedIn, ModifiedTarget, Restored};
 use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -13,7 +13,7 @@ use crate::report::LocatedDiagnostic;
 use anyhow::Context;
 use driftpost::application::Tabulation;
 use nalgebra::UnitQuaternion;
-use rapid_program::compensate::targets;
+use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::Configuration;
 use robot_model::units::rad_from_deg;

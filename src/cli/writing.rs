@@ -5,7 +5,7 @@ use super::files::{self, Pending};
 use super::overwriting::bytes_of_file;
 use super::program_input::ProgramInput;
 use crate::application::EarlierResult;
-use rapid_program::emit::EmittedFile;
+use rapid_compensation::emit::EmittedFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use super::counted;
 use super::table::{Align, Table};
-use metrology::measure::{Performance, Repeatability};
+use measurements::{Performance, Repeatability};
 use robot_model::robot::SerialArm;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};

@@ -3,10 +3,10 @@
 use super::comparison_figures::{Figures, Worst, bucket, held, sentence};
 use super::motion_rows::target_name;
 use super::{Align, Table, counted, plural};
-use rapid_program::compensate::compare::{ComparedMotion, Comparison, TargetChange};
-use rapid_program::emit::{Difference, HeldMode};
-use rapid_program::program::motion::Motion;
-use rapid_program::program::{FilePairs, Program};
+use rapid_compensation::compensate::compare::{ComparedMotion, Comparison, TargetChange};
+use rapid_compensation::emit::{Difference, HeldMode};
+use rapid_program::motion::Motion;
+use rapid_program::{FilePairs, Program};
 use rapid_syntax::diagnostic::FileId;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::io::{self, Write};

@@ -1,8 +1,8 @@
 //! What all motions and buckets of a comparison come to.
 
 use super::rounded;
-use rapid_program::compensate::compare::{ComparedMotion, Comparison};
-use rapid_program::emit::{Difference, HeldMode};
+use rapid_compensation::compensate::compare::{ComparedMotion, Comparison};
+use rapid_compensation::emit::{Difference, HeldMode};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 

@@ -4,9 +4,9 @@ use super::comparison::Compared;
 use super::comparison_figures::{Figures, bucket, held, sentence};
 use super::motion_rows::target_name;
 use super::rounded;
-use rapid_program::compensate::compare::TargetChange;
-use rapid_program::program::Program;
-use rapid_program::program::motion::MotionId;
+use rapid_compensation::compensate::compare::TargetChange;
+use rapid_program::Program;
+use rapid_program::motion::MotionId;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value, json};
@@ -42,7 +42,7 @@ impl Compared<'_> {
         for compared in &self.comparison.motions {
             let (before, after) = self.motions(compared);
             for (k, step) in compared.steps.iter().chain(&compared.asked).enumerate() {
-                let arm = |f: &dyn Fn(&rapid_program::compensate::compare::ArmChange) -> f64| {
+                let arm = |f: &dyn Fn(&rapid_compensation::compensate::compare::ArmChange) -> f64| {
                     step.arm.as_ref().map_or_else(String::new, |a| rounded(f(a)).to_string())
                 };
                 csv.write_record([

@@ -3,8 +3,8 @@
 use super::json::messages;
 use super::message::LocatedDiagnostic;
 use super::{Align, Table, counted, rounded};
-use rapid_program::program::Program;
-use rapid_program::program::motion::{Motion, Origin, Target, TargetValue};
+use rapid_program::Program;
+use rapid_program::motion::{Motion, Origin, Target, TargetValue};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;

@@ -3,9 +3,9 @@
 use super::motion_rows::target_name;
 use super::rounded;
 use csv::ByteRecord;
-use rapid_program::compensate::MinuteJoints;
-use rapid_program::program::Program;
-use rapid_program::program::motion::{Origin, Target};
+use rapid_compensation::compensate::MinuteJoints;
+use rapid_program::Program;
+use rapid_program::motion::{Origin, Target};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::borrow::Cow;
 use std::fmt::{Arguments, Write as _};

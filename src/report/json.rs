@@ -2,9 +2,9 @@
 
 use super::message::LocatedDiagnostic;
 use super::motion_rows::target_name;
-use rapid_program::compensate::plan::{Plan, PlannedMotion, Status};
-use rapid_program::program::Program;
-use rapid_program::program::motion::{Motion, MotionId, SkipReason};
+use rapid_compensation::compensate::plan::{Plan, PlannedMotion, Status};
+use rapid_program::Program;
+use rapid_program::motion::{Motion, MotionId, SkipReason};
 use rapid_syntax::diagnostic::Severity;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::ser::{Serialize, SerializeMap, Serializer};

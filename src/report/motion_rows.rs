@@ -1,9 +1,9 @@
 //! The rows of a review's table of motions: all of a short program, the worst of a long one.
 
 use super::{Align, Table, plural};
-use rapid_program::compensate::plan::{Form, Plan, PlannedMotion, Status};
-use rapid_program::program::Program;
-use rapid_program::program::motion::{Motion, Origin};
+use rapid_compensation::compensate::plan::{Form, Plan, PlannedMotion, Status};
+use rapid_program::Program;
+use rapid_program::motion::{Motion, Origin};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::io::{self, Write};
 
@@ -111,10 +111,10 @@ pub(super) fn mm(length_m: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use rapid_program::compensate::plan::{PathDeviation, Summary};
-    use rapid_program::program::Overrides;
-    use rapid_program::program::one_or_many::OneOrMany;
-    use rapid_program::schedule::Schedule;
+    use rapid_compensation::compensate::plan::{PathDeviation, Summary};
+    use rapid_compensation::schedule::Schedule;
+    use rapid_program::Overrides;
+    use rapid_program::one_or_many::OneOrMany;
     use rapid_syntax::SourceFile;
     use rapid_syntax::diagnostic::FileId;
     use robot_model::units::m_from_mm;

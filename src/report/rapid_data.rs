@@ -2,7 +2,8 @@
 
 use super::controller_data::{ControllerData, Declaration, elements};
 use nalgebra::{Isometry3, Vector3};
-use rapid_program::emit::{write_num, write_orient, write_pos};
+use rapid_compensation::emit::{write_orient, write_pos};
+use rapid_syntax::write_num;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Axis;

@@ -1,6 +1,6 @@
 //! What was restored, as JSON.
 
-use rapid_program::emit::Restored;
+use rapid_compensation::emit::Restored;
 use serde_json::{Value, json};
 
 /// The result as the contract's JSON: of each original the emitted file, where it goes, and what was changed since.

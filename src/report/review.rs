@@ -2,8 +2,8 @@
 
 use super::motion_rows::{MotionRows, mm};
 use super::{Align, Table, counted, rounded};
-use rapid_program::compensate::plan::{Summary, Totals};
-use rapid_program::schedule::{Course, Schedule, TimeFunctions};
+use rapid_compensation::compensate::plan::{Summary, Totals};
+use rapid_compensation::schedule::{Course, Schedule, TimeFunctions};
 use robot_model::units::mm_from_m;
 use std::io::{self, Write};
 
@@ -14,7 +14,7 @@ pub struct Review<'a> {
     pub schedule: &'a Schedule,
     /// What scales the corrections of the forms `ramp` and `live`.
     pub functions: Option<&'a TimeFunctions>,
-    /// For a deformation by temperature its range, degrees Celsius, as in [`Plan`](rapid_program::compensate::plan::Plan).
+    /// For a deformation by temperature its range, degrees Celsius, as in [`Plan`](rapid_compensation::compensate::plan::Plan).
     pub temperature_c: Option<[f64; 2]>,
     /// Figures over the whole program.
     pub summary: &'a Summary,

@@ -2,8 +2,8 @@
 
 use super::counted;
 use super::joints::{JointRow, JointTable};
-use rapid_program::compensate::tabulate::{MinuteErrors, MinuteTable, TargetErrors};
-use rapid_program::compensate::targets::NamedPose;
+use rapid_compensation::compensate::tabulate::{MinuteErrors, MinuteTable, TargetErrors};
+use rapid_compensation::compensate::targets::NamedPose;
 use robot_model::kinematics::Solution;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};

@@ -1,7 +1,7 @@
 //! What `accuracy` makes of rows as shops have them: read in steps, out of order, over midnight, beyond the robot, of several reflectors.
 
 use assert_cmd::Command;
-use metrology::measure::{ColumnMap, Measurements};
+use measurements::{ColumnMap, Measurements};
 use nalgebra::Point3;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;

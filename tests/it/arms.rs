@@ -6,10 +6,10 @@ use exam::effect::Effect;
 use exam::generate::{DataSet, data_set};
 use exam::harmonics::Harmonics;
 use exam::rng::Rng;
+use measurements::Measurements;
 use metrology::diagnose::{
     DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
-use metrology::measure::Measurements;
 use metrology::plan::{PlanOptions, Space, Sweeps, plan_from, poses_csv};
 use nalgebra::Vector3;
 use robot_model::robot::{Axis, SerialArm};

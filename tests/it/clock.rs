@@ -4,9 +4,9 @@
 
 use crate::emit::toy;
 
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::{Clock, EmitOptions, Provenance, emit};
-use rapid_program::schedule::{Bucket, Schedule};
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::{Clock, EmitOptions, Provenance, emit};
+use rapid_compensation::schedule::{Bucket, Schedule};
 use robot_model::deform::GrowthLaw;
 use virtual_controller::{Controller, Value};
 

@@ -1,8 +1,8 @@
 //! Plans for RoboDK's own exports, with the reference paper's robot and deformation.
 
-use rapid_program::compensate::plan::{Plan, Status};
-use rapid_program::compensate::{Options, plan};
-use rapid_program::program::{Overrides, Program};
+use rapid_compensation::compensate::plan::{Plan, Status};
+use rapid_compensation::compensate::{Options, plan};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Severity};
 use robot_model::deform::Deformation;

@@ -2,9 +2,9 @@
 
 use crate::folders;
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
-use rapid_program::compensate::FormChoice;
-use rapid_program::compensate::plan::{Form, Status};
-use rapid_program::program::task_of;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::compensate::plan::{Form, Status};
+use rapid_program::task_of;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::FileItem;
 use rapid_syntax::{SourceFile, walk};

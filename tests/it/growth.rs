@@ -1,7 +1,7 @@
 //! Work that grows with the size of what is given, not with its square.
 
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::robot::SerialArm;
 use std::time::{Duration, Instant};
 

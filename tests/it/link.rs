@@ -5,7 +5,7 @@ mod loading;
 use assert_cmd::Command;
 use driftpost::application::{LinkCheck, LinkChecked};
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
-use rapid_program::program::{Overrides, Program};
+use rapid_program::{Overrides, Program};
 use robot_link::{Credentials, Host, Pins, Session, Settings, Unit};
 use rws_double::{Double, Holder, Operator, Options, Personality, Planted};
 use std::path::{Path, PathBuf};

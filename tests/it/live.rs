@@ -8,7 +8,7 @@ mod identified;
 
 use cell::{Cell, Off, at, cap, table};
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
-use rapid_program::emit::live::{Function, LiveModel, TestTarget};
+use rapid_compensation::emit::live::{Function, LiveModel, TestTarget};
 use robot_model::deform::{Deformation, DeformedArm};
 use robot_model::kinematics::{ClosedForm, FrameOffsets};
 use robot_model::robot::Robot;

@@ -8,10 +8,10 @@ use exam::harmonics::Harmonics;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot};
+use measurements::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use metrology::diagnose::{
     DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
-use metrology::measure::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
 use nalgebra::{Isometry3, Matrix3, Matrix3xX, Point3, UnitQuaternion, Vector3};
 use robot_model::robot::{Axis, SerialArm};
 use std::fmt::Write as _;

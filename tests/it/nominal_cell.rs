@@ -1,7 +1,7 @@
 //! An arm as drawn that is measured by an instrument beside it, whatever else its file says: an IRB 140, a reflector, points good to 0.02 mm.
 
+use measurements::Measurements;
 use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
-use metrology::measure::Measurements;
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};

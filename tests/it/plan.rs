@@ -7,9 +7,9 @@ use exam::harmonics::Harmonics;
 use exam::poses::CommandedRow;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
+use measurements::Measurements;
 use metrology::diagnose::signature::{PlannedMeasurement, signatures};
 use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
-use metrology::measure::Measurements;
 use metrology::plan::{
     MeasurementPlan, MeasurementStep, PlanOptions, Space, Sweeps, plan, plan_from, rapid, template_csv,
 };
@@ -103,7 +103,7 @@ fn what_is_planned_keeps_to_its_room_and_runs_as_the_sheet_says() {
 
     // The module on the virtual controller: every second move ends at a row's joints, come to from its side.
     let six = robot.six_axis().unwrap();
-    let text = rapid(&planned, &six);
+    let text = rapid(&planned, &six, "DriftpostPlan");
     assert!(text.is_ascii() && text.lines().all(|l| l.len() <= 255), "{text}");
     let mut controller = Controller::with_robot(&six).unwrap();
     controller.load("DriftpostPlan.mod", text.as_bytes()).unwrap();

@@ -5,8 +5,8 @@ mod other_robots;
 
 use driftpost::application::{Compensated, Refusal};
 use driftpost::{Compensation, Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};
-use rapid_program::compensate::plan::Status;
-use rapid_program::compensate::{FormChoice, Selection};
+use rapid_compensation::compensate::plan::Status;
+use rapid_compensation::compensate::{FormChoice, Selection};
 use robot_model::units::rad_from_deg;
 use std::path::Path;
 

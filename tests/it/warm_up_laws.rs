@@ -1,8 +1,8 @@
 //! How large a drift settles where its time constant is none of those that a search tries first.
 
 use exam::rng::Rng;
+use measurements::Measurements;
 use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
-use metrology::measure::Measurements;
 use nalgebra::{Point3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::kinematics::Chain;

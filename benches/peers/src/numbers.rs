@@ -1,6 +1,7 @@
 //! Corrected targets as RAPID text, beside what the standard library's formatting makes of the same numbers.
 
-use rapid_program::emit::{write_list, write_pos};
+use rapid_compensation::emit::write_pos;
+use rapid_syntax::write_list;
 use std::fmt::Write as _;
 
 /// Position (m) and orientation (w first, of length one) of a target.

@@ -1,5 +1,4 @@
-//! Measured poses: their files and registration, what they say of the arm, and which ones to measure next.
+//! What measured poses say of the arm, and which ones to measure next.
 
 pub mod diagnose;
-pub mod measure;
 pub mod plan;

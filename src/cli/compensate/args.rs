@@ -11,7 +11,7 @@ use super::option_values::{
 use super::touch::TouchArgs;
 use crate::cli::other_tasks::{OfTask, TaskRobot, joints_of_task, name_of_task, task_robot};
 use crate::cli::shared::{JointAngles, RobotName, name_and_value};
-use rapid_program::schedule::Until;
+use rapid_compensation::schedule::Until;
 use std::path::PathBuf;
 
 /// Command line of `driftpost compensate`.

@@ -2,7 +2,7 @@
 
 use super::args::Args;
 use super::option_values::{ClockName, FormName};
-use rapid_program::schedule::Until;
+use rapid_compensation::schedule::Until;
 use rapid_syntax::diagnostic::Diagnostic;
 
 impl Args {

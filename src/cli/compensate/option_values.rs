@@ -3,9 +3,9 @@
 use crate::application::temperatures_c;
 use crate::cli::suggest;
 use clap::ValueEnum;
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::Sensor;
-use rapid_program::schedule::Until;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::Sensor;
+use rapid_compensation::schedule::Until;
 
 /// Temperatures of the joints, degrees Celsius.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use super::*;
 use crate::report::{ColorMode, write_messages};
 use clap::{Args as _, FromArgMatches as _};
-use rapid_program::emit::EmittedFile;
-use rapid_program::program::Program;
+use rapid_compensation::emit::EmittedFile;
+use rapid_program::Program;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -2,7 +2,7 @@
 
 use crate::cli::number::positive;
 use driftpost::application::TouchRequest;
-use rapid_program::emit::TouchBy;
+use rapid_compensation::emit::TouchBy;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 

@@ -9,7 +9,7 @@ use crate::cli::shared::ProgramSettings;
 use crate::cli::{Console, Outcome, emitted_settings};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{EmittedSettings, LinkCheck, LinkCheckError, LinkChecked};
-use rapid_program::program::Program;
+use rapid_program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_link::Unit;
 use std::path::PathBuf;

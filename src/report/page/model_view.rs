@@ -1,7 +1,7 @@
 //! How table and identified model deform the arm at each target, for the page to draw: what differs nowhere stands once.
 
 use super::embed::Decimals;
-use rapid_program::compensate::{DriftPoint, TcpDrift};
+use rapid_compensation::compensate::{DriftPoint, TcpDrift};
 use robot_model::deform::ArmDeviation;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::Serialize;

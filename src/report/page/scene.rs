@@ -2,7 +2,7 @@
 
 use super::embed::Decimals;
 use nalgebra::{Isometry3, Vector3};
-use rapid_program::compensate::{DriftPoint, TcpDrift};
+use rapid_compensation::compensate::{DriftPoint, TcpDrift};
 use robot_model::robot::{JointKind, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde::Serialize;

@@ -4,7 +4,7 @@ use super::lone;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rapid_program::emit::restore;
+use rapid_compensation::emit::restore;
 
 /// A module whose line ends, empty lines and comments are drawn: `ends` are those of its lines.
 fn drawn(rng: &mut ChaCha8Rng, ends: &[&str]) -> String {

@@ -7,13 +7,13 @@ pub mod tokens;
 pub(crate) mod toy;
 
 use crate::folders;
-use rapid_program::compensate::FormChoice;
-use rapid_program::compensate::plan::Plan;
-use rapid_program::emit::{
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::compensate::plan::Plan;
+use rapid_compensation::emit::{
     Clock, Core, EmitError, EmitOptions, EmittedFile, ModifiedIn, Provenance, RestoreError, emit, restore,
 };
-use rapid_program::program::Program;
-use rapid_program::program::motion::Motion;
+use rapid_program::Program;
+use rapid_program::motion::Motion;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::FileItem;
 use rapid_syntax::{SourceFile, apply, walk};

@@ -1,9 +1,9 @@
 //! A program of several files: what its modules share stands once, and each gives its source back.
 
 use super::{NAMED, by_tool, options, toy};
-use rapid_program::compensate::plan::Plan;
-use rapid_program::emit::{Core, EmitError, EmitOptions, emit, restore};
-use rapid_program::program::Program;
+use rapid_compensation::compensate::plan::Plan;
+use rapid_compensation::emit::{Core, EmitError, EmitOptions, emit, restore};
+use rapid_program::Program;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 

@@ -1,10 +1,10 @@
 //! RoboDK's own exports, understood and planned as users' programs are, then emitted and read back.
 
 use super::{check_all_but_targets, check_lines, options, toy};
-use rapid_program::compensate::plan::{Corrected, Plan, Status};
-use rapid_program::compensate::{Options, plan};
-use rapid_program::emit::{EmittedFile, emit, restore};
-use rapid_program::program::{Overrides, Program};
+use rapid_compensation::compensate::plan::{Corrected, Plan, Status};
+use rapid_compensation::compensate::{Options, plan};
+use rapid_compensation::emit::{EmittedFile, emit, restore};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{ArgKind, DataDecl, Expr, ExprKind, FileItem, ModuleItem, Stmt, StmtKind};
 use rapid_syntax::{SourceFile, parts_of_numbers};

@@ -2,16 +2,16 @@
 //! that what is emitted is tested apart from how targets are understood and corrected.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
-use rapid_program::compensate::plan::{
+use rapid_compensation::compensate::plan::{
     Corrected, Corrections, Form, PathDeviation, Plan, PlannedMotion, PlannedTarget, Status, Summary,
 };
-use rapid_program::program::Program;
-use rapid_program::program::data::{ConfData, JointTarget, RobTarget};
-use rapid_program::program::motion::{
+use rapid_compensation::schedule::{Bucket, Schedule};
+use rapid_program::Program;
+use rapid_program::data::{ConfData, JointTarget, RobTarget};
+use rapid_program::motion::{
     Loop, Motion, MotionSetup, Origin, Path, RoutineId, RoutineInfo, Target, TargetValue,
 };
-use rapid_program::program::one_or_many::OneOrMany;
-use rapid_program::schedule::{Bucket, Schedule};
+use rapid_program::one_or_many::OneOrMany;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{
@@ -232,7 +232,7 @@ pub fn plan(program: &Program, buckets: usize, kept: &[usize], tool: impl Fn(&Mo
             error_m: None,
         };
         if kept.contains(&i) {
-            let keep = rapid_program::program::motion::SkipReason {
+            let keep = rapid_program::motion::SkipReason {
                 code: "keep::test",
                 reason: "the test says so".into(),
                 because: None,

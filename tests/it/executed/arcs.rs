@@ -1,7 +1,7 @@
 //! Arcs on which the tool turns.
 
 use super::made::{Files, fixture, fixtures, made_as, session, warmth};
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::deform::Deformation;
 use robot_model::units::{deg_from_rad, mm_from_m};
 

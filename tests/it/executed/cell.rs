@@ -1,7 +1,7 @@
 //! What a real cell does with a program whose motions ask: polling for hours, lunch, night, traps, stepping backwards.
 
 use super::made::{Files, made_as, session, warmth};
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
 use robot_model::units::mm_from_m;

@@ -1,7 +1,7 @@
 //! What a motion's argument asks is asked as often as the source asks it: a function that counts answers the same.
 
 use super::made::{fixture, made_as, session, warmth};
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::deform::Deformation;
 use robot_model::units::mm_from_m;
 

@@ -3,8 +3,8 @@
 
 use super::MINUTES;
 use super::made::{Files, fixtures, made, made_as, read, session, warmth};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::Clock;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::Clock;
 use robot_model::deform::Deformation;
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeSet;

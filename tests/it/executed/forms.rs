@@ -1,8 +1,8 @@
 //! The form `ramp` executed: one correction a target, scaled by the share of the drift, at any minute and in any hour.
 
 use super::made::{Files, fixture, made_as, session, warmth};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::{Clock, restore};
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::{Clock, restore};
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -109,21 +109,21 @@ fn three_times_the_table_is_met_by_a_second_correction() {
     let three = robot_model::kinematics::FrameOffsets(paper.settled().0.map(|row| row.map(|x| 3.0 * x)));
     let three = Deformation::from_static(three, GrowthLaw::TwoStage { tau_min: 46.0 });
     let original = fixture("robodk/irc5/Cube45.mod");
-    let options = rapid_program::compensate::Options {
+    let options = rapid_compensation::compensate::Options {
         form: FormChoice::Ramp,
         max_correction_m: 2e-3,
         ..Default::default()
     };
-    let program = rapid_program::program::Program::read(
+    let program = rapid_program::Program::read(
         vec![rapid_syntax::SourceFile::read(
             rapid_syntax::diagnostic::FileId(0),
             "c.mod",
             original[0].1.clone(),
         )],
-        &rapid_program::program::Overrides::default(),
+        &rapid_program::Overrides::default(),
     );
     let robot = Robot::built_in("irb140").unwrap();
-    let plan = rapid_program::compensate::plan(&program, &robot, &three, &options).unwrap();
+    let plan = rapid_compensation::compensate::plan(&program, &robot, &three, &options).unwrap();
     assert!(plan.summary.worst_after_m <= 0.6e-6, "{:?}", plan.summary);
 }
 

@@ -2,8 +2,8 @@
 
 use super::MINUTES;
 use super::made::{Files, fixture, made_as, session, warmth};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::restore;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::restore;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use virtual_controller::Report;

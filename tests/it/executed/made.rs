@@ -1,9 +1,9 @@
 //! Emitted programs for the tests: read, planned and emitted as the command line does.
 
-use rapid_program::compensate::plan::Status;
-use rapid_program::compensate::{self, FormChoice, Options};
-use rapid_program::emit::{Clock, EmitOptions, Provenance, emit};
-use rapid_program::program::{Overrides, Program};
+use rapid_compensation::compensate::plan::Status;
+use rapid_compensation::compensate::{self, FormChoice, Options};
+use rapid_compensation::emit::{Clock, EmitOptions, Provenance, emit};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 use robot_model::deform::{Deformation, GrowthLaw};

@@ -46,7 +46,7 @@ fn cube45_stays_within_its_tolerance_at_every_quarter_minute() {
 fn settled_deformation_leaves_only_single_precision() {
     let original = fixture("robodk/irc5/Cube45.mod");
     let settled = Deformation::from_static(Deformation::paper().settled(), GrowthLaw::None);
-    let clock = rapid_program::emit::Clock::Warmth {
+    let clock = rapid_compensation::emit::Clock::Warmth {
         growth: Some(GrowthLaw::None),
         tau_cool_min: None,
         gap_min: 5.0,

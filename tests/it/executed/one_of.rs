@@ -3,8 +3,8 @@
 
 use super::MINUTES;
 use super::made::{Files, fixture, made_as, session, session_at, warmth};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::{Clock, restore};
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::{Clock, restore};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m};

@@ -1,8 +1,8 @@
 //! Hours in a cell: what the emitted clocks make of them, against a robot whose warmth is exact.
 
 use super::made::{Files, compensated, fixture, made_as, session, warmth};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::Clock;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::Clock;
 use robot_model::deform::Deformation;
 use virtual_controller::session::Pass;
 use virtual_controller::{Report, Scenario};

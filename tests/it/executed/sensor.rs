@@ -2,7 +2,7 @@
 
 use super::made::{Files, borrowed, compensated, fixture, fixtures};
 use crate::emit::tokens::doubled_signs;
-use rapid_program::emit::{Clock, Sensor};
+use rapid_compensation::emit::{Clock, Sensor};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
 use virtual_controller::session::{Pass, SessionOptions};

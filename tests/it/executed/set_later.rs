@@ -1,8 +1,8 @@
 //! A program that sets its tools and work objects behind the motions that use them first, in its first pass and in later ones.
 
 use super::made::{Files, fixture, made_as, session, warmth};
-use rapid_program::compensate::{self, FormChoice, Options};
-use rapid_program::program::{Overrides, Program};
+use rapid_compensation::compensate::{self, FormChoice, Options};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 use robot_model::deform::Deformation;

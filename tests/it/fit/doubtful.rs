@@ -3,8 +3,8 @@
 use super::recipe;
 use exam::rng::Rng;
 use exam::touch::touches;
+use measurements::{Touch, Touches};
 use metrology::diagnose::warmup::{FitOptions, fit};
-use metrology::measure::{Touch, Touches};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;

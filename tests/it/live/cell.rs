@@ -1,7 +1,7 @@
 //! A virtual controller with the emitted routines in a small module of targets.
 
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
-use rapid_program::emit::live::{Cap, Function, LiveModel, TestTarget};
+use rapid_compensation::emit::live::{Cap, Function, LiveModel, TestTarget};
 use robot_model::deform::DeformedArm;
 use robot_model::kinematics::{Chain, ClosedForm, Configuration, FrameOffsets};
 use robot_model::robot::Robot;

@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, Off, at, cap, table};
 use super::{TOOL, WOBJ, paper, turned};
-use rapid_program::emit::live::{Function, LiveModel};
+use rapid_compensation::emit::live::{Function, LiveModel};
 use robot_model::deform::identified::{Estimate, Growth, Identified, Term, ThermalState};
 use robot_model::deform::{Conditions, DeformedArm, Payload};
 use robot_model::deform::{EffectKind, GrowthLaw};

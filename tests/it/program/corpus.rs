@@ -1,8 +1,8 @@
 //! Real RAPID: every repository below the folder that `DRIFTPOST_CORPUS` names is read as one program.
 
 use crate::folders;
-use rapid_program::program::motion::Path as How;
-use rapid_program::program::{Overrides, Program};
+use rapid_program::motion::Path as How;
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 use std::collections::BTreeMap;

@@ -13,8 +13,8 @@ mod searches;
 mod state;
 mod targets;
 
-use rapid_program::program::motion::Motion;
-use rapid_program::program::{Overrides, Program};
+use rapid_program::motion::Motion;
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 

@@ -1,13 +1,13 @@
 //! Names: scopes, several files, tasks, tools given from outside; facts about modules.
 
 use super::{at, codes, main_of, module, program, tool, tools_mm, warnings};
-use rapid_program::program::motion::TargetValue;
-use rapid_program::program::{Overrides, Program};
+use rapid_program::motion::TargetValue;
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 
 fn xs_mm(program: &Program) -> Vec<Option<i32>> {
-    let x = |m: &rapid_program::program::motion::Motion| match m.targets[0].value() {
+    let x = |m: &rapid_program::motion::Motion| match m.targets[0].value() {
         Some(TargetValue::Rob(p)) => Some((p.object_from_tcp.translation.x * 1e3).round() as i32),
         _ => None,
     };

@@ -1,8 +1,8 @@
 //! Which motion comes before which, and loops.
 
 use super::{at, main_of, module};
-use rapid_program::program::Program;
-use rapid_program::program::motion::{MotionId, RoutineId};
+use rapid_program::Program;
+use rapid_program::motion::{MotionId, RoutineId};
 
 fn mv() -> String {
     format!("MoveL {},v100,fine,tool0;\n", at(1, 2, 3))

@@ -1,7 +1,7 @@
 //! A program of several files: what is in force goes with the calls from one to the other.
 
 use super::{at, codes, program, tool, tools_mm};
-use rapid_program::program::motion::MotionId;
+use rapid_program::motion::MotionId;
 
 #[test]
 fn what_is_in_force_goes_from_file_to_file() {

@@ -1,7 +1,7 @@
 //! RoboDK's own exports, as they are: every motion understood, tool and work object followed.
 
-use rapid_program::program::motion::{MotionId, Origin, Path, TargetValue};
-use rapid_program::program::{Overrides, Program};
+use rapid_program::motion::{MotionId, Origin, Path, TargetValue};
+use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
 use std::path::{Path as FilePath, PathBuf};

@@ -1,7 +1,7 @@
 //! Which motions can go to what a search has found, by the ways that lead to them.
 
 use super::{at, main_of, module};
-use rapid_program::program::Program;
+use rapid_program::Program;
 
 /// The lines (from 1) of the motions whose target can be what a search has found.
 fn from_search(program: &Program) -> Vec<u32> {

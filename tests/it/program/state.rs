@@ -1,7 +1,7 @@
 //! Tool, work object and what else is in force, followed through the program.
 
 use super::{at, because_line, code, codes, main_of, module, program, tool, tools_mm, warnings};
-use rapid_program::program::Program;
+use rapid_program::Program;
 
 pub(super) fn data() -> String {
     format!(
@@ -385,7 +385,7 @@ fn the_total_load_of_one_motion() {
     let body = format!("GripLoad part;\n{}{}{}{MOVE}", with("all"), with("load0"), with("other"));
     let read = main_of(&format!("{}\n{load}", data()), &body);
     let own_kg = read.motions[3].setup.tool.as_ref().unwrap().load.mass_kg;
-    let kg = |m: &rapid_program::program::motion::Motion| {
+    let kg = |m: &rapid_program::motion::Motion| {
         (m.setup.tool.as_ref().unwrap().load.mass_kg, m.setup.grip.map(|grip| grip.mass_kg))
     };
     let all: Vec<_> = read.motions.iter().map(kg).collect();

@@ -1,8 +1,8 @@
 //! Targets: how they are written, what they are worth, and why they are not known.
 
 use super::{at, because_line, code, codes, main_of, module, program, warnings};
-use rapid_program::program::Program;
-use rapid_program::program::motion::{Origin, TargetValue};
+use rapid_program::Program;
+use rapid_program::motion::{Origin, TargetValue};
 
 /// Position of a motion's last target in mm.
 fn position_mm(program: &Program, motion: usize) -> [f64; 3] {

@@ -3,8 +3,8 @@
 use super::refusals::{as_the_table, settled_mm};
 use super::shift::{median, program, shift};
 use super::{Cell, TABLE_TAU_MIN, Truth, files, search};
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::{Core, TouchBy};
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::{Core, TouchBy};
 use robot_model::deform::GrowthLaw;
 use robot_model::deform::thermal_filter::{ThermalFilter, TouchOutcome};
 

@@ -3,7 +3,7 @@
 use super::refusals::as_the_table;
 use super::{Cell, TABLE_TAU_MIN, Truth, job, run, search};
 use assert_cmd::Command;
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::deform::GrowthLaw;
 use serde_json::Value;
 

@@ -6,7 +6,7 @@ use super::{Cell, SOURCE, TABLE_TAU_MIN, Truth, job, run, search};
 use driftpost::application::Named;
 use driftpost::{Compensation, Deformation, ProgramFiles, Robot};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::deform::identified::{Estimate, Growth, Identified, Term, ThermalState};
 use robot_model::deform::{Conditions, DeformedArm, EffectKind, GrowthLaw};
 use robot_model::kinematics::{ClosedForm, FrameOffsets};

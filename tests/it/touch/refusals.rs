@@ -3,8 +3,8 @@
 use super::{Cell, SOURCE, TABLE_TAU_MIN, Truth, emitted, job, search};
 use crate::emit::tokens::doubled_signs;
 use driftpost::ProgramFiles;
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::{Core, TouchBy};
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::{Core, TouchBy};
 use robot_model::deform::GrowthLaw;
 
 const LAW: GrowthLaw = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };

@@ -3,8 +3,8 @@
 use super::refusals::{as_the_table, settled_mm};
 use super::{Cell, SOURCE, TABLE_TAU_MIN, Truth, job, search};
 use driftpost::ProgramFiles;
-use rapid_program::compensate::FormChoice;
-use rapid_program::emit::TouchBy;
+use rapid_compensation::compensate::FormChoice;
+use rapid_compensation::emit::TouchBy;
 use robot_model::deform::GrowthLaw;
 
 const LAW: GrowthLaw = GrowthLaw::TwoStage { tau_min: TABLE_TAU_MIN };

@@ -1,7 +1,7 @@
 //! Eight hours with breaks, a touch every half hour.
 
 use super::{Cell, TABLE_TAU_MIN, Truth, emitted, search};
-use rapid_program::compensate::FormChoice;
+use rapid_compensation::compensate::FormChoice;
 use robot_model::deform::GrowthLaw;
 
 /// Minutes of work and of standing in turn.

@@ -1,6 +1,6 @@
 //! The grid that joint angles are written on: the decimals of a file, the counts of an encoder.
 
-use crate::measure::Measurements;
+use measurements::Measurements;
 use robot_model::robot::{Axis, Joints, SerialArm};
 use robot_model::units::deg_from_rad;
 use std::collections::BTreeSet;

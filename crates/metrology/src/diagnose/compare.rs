@@ -4,7 +4,7 @@
 use super::examine::diagnose;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict};
-use crate::measure::{
+use measurements::{
     Channels, Fault, MeasurementRow, Measurements, OneStand, Reading, RegisterError, Registration,
     STATED_FREEDOM, Station, Stations, check_rows, from_sound_file, gather, median, register,
 };

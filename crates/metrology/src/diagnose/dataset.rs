@@ -2,9 +2,9 @@
 
 pub(super) use super::observation::{Observation, ObservationKind};
 pub(super) use super::twist::{Twist, scaled};
-use crate::measure::{Channels, ROUND_SHARE};
+use measurements::{Channels, ROUND_SHARE};
 #[cfg(test)]
-use crate::measure::{Reading, Registration, Station};
+use measurements::{Reading, Registration, Station};
 #[cfg(test)]
 use nalgebra::{Isometry3, Vector3};
 #[cfg(test)]

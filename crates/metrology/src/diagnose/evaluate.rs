@@ -31,7 +31,7 @@ use super::tool_apart::tool_elsewhere;
 use super::verdict::{Judgement, judge, worse_elsewhere};
 use super::visible::{INVISIBLE, visible};
 use super::zeros::zeros;
-use crate::measure::{Fault, FaultKind};
+use measurements::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::SerialChain;

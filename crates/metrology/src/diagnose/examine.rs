@@ -8,7 +8,7 @@ use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
-use crate::measure::{
+use measurements::{
     Fault, MIDDLE_OF_3D, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, StandError,
     Stations, check_rows, find_pose_names, from_one_stand, gather, turned,
 };

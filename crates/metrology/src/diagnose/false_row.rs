@@ -9,7 +9,7 @@ use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::outcome::FalseRow;
 use super::robust_weights::upper_median;
-use crate::measure::{Reading, Stations};
+use measurements::{Reading, Stations};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};

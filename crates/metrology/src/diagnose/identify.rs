@@ -17,7 +17,7 @@ use super::search::ChosenCause;
 use super::spectrum;
 use super::terms::terms;
 use super::time_course::TimeCourse;
-use crate::measure::{RegisterError, Registration, Station, Stations, register};
+use measurements::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{DVector, Isometry3, Vector3};
 use rayon::prelude::*;
 use robot_model::deform::EffectKind;

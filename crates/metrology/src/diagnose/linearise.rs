@@ -2,7 +2,7 @@
 
 use super::dataset::{Dataset, Observation, Twist};
 use super::design::Design;
-use crate::measure::{RegisterError, Registration, Stations, register, turned};
+use measurements::{RegisterError, Registration, Stations, register, turned};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
 use robot_model::robot::{Joints, SerialArm};

@@ -1,7 +1,7 @@
 //! Noise whose size is not known: sigma integrated out in closed form against what the repeats say of it
 //! (MacKay 1992; Gelman et al. 2013, ch. 3).
 
-use crate::measure::{Repeats, STATED_FREEDOM};
+use measurements::{Repeats, STATED_FREEDOM};
 
 /// Share of the prior on noise as the repeats say; the rest is noise that they do not show.
 const REPEATS_HOLD: f64 = 0.8;

@@ -1,6 +1,6 @@
 //! What is diagnosed: measurements of one robot as stations; knows nothing of models and effects.
 
-use crate::measure::{Measurements, Stations};
+use measurements::{Measurements, Stations};
 use robot_model::robot::SerialArm;
 
 /// Measurements of one robot, and the stations that they were gathered to.

@@ -8,7 +8,7 @@ use super::model::FittedModel;
 use super::normal_equations::ModelColumns;
 use super::search::ChosenCause;
 use super::verdict::{describe_candidate, reported};
-use crate::measure::RegisterError;
+use measurements::RegisterError;
 use nalgebra::DVector;
 use robot_model::deform::identified::{Estimate, Identified, Term};
 use robot_model::robot::Axis;

@@ -6,7 +6,7 @@ use super::model::FittedModel;
 use super::rounding::{self, FaultPrior};
 use super::verdict::Judgement;
 use super::{Verdict, dataset::Twist};
-use crate::measure::{Fault, FaultKind};
+use measurements::{Fault, FaultKind};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::{counted, is_or_are};
 use robot_model::units::mm_from_m;

@@ -1,7 +1,7 @@
 //! The arm at one station: its axes, loads, time, direction, and how a motion of the measured point shows there.
 
 use super::twist::Twist;
-use crate::measure::{Reading, Registration, Standing, Station};
+use measurements::{Reading, Registration, Standing, Station};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::deform::gravity::{Loads, loads_at};
 use robot_model::deform::identified::ThermalState;

@@ -4,7 +4,7 @@ use super::cause::Cause;
 use super::missing_channel::MissingChannel;
 use super::size_unit::SizeUnit;
 use super::time_course::TimeCourse;
-use crate::measure::{Fault, FaultKind};
+use measurements::{Fault, FaultKind};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;
 pub use robot_model::deform::identified::Verdict;

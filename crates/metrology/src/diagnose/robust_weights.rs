@@ -3,7 +3,7 @@
 use super::dataset::Twist;
 use super::linearise::{Linearised, shift_m, turn_rad};
 use super::moved_together;
-use crate::measure::MIDDLE_OF_3D;
+use measurements::MIDDLE_OF_3D;
 use nalgebra::Vector3;
 
 /// A station further than this many sigmas from the model, and alone there, is false.

@@ -6,7 +6,7 @@ use super::evidence::NuisanceModel;
 use super::linear_fit::solve;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
-use crate::measure::{Fault, FaultKind};
+use measurements::{Fault, FaultKind};
 use nalgebra::{Matrix3, Vector3};
 use rapid_syntax::diagnostic::is_or_are;
 use robot_model::units::{mm_from_m, rad_from_deg};

@@ -4,7 +4,7 @@ use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::effects::{Candidate, testable_effects};
 use super::size_unit::SizeUnit;
 use super::time_course::TimeCourse;
-use crate::measure::{Channels, Reading, Registration, Station};
+use measurements::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::kinematics::SerialChain;

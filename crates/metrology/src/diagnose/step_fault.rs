@@ -4,7 +4,7 @@ use super::cause::Cause;
 use super::measured_robot::MeasuredRobot;
 use super::size_unit::SizeUnit;
 use super::verdict::LIKELIER_THAN_NOT;
-use crate::measure::{Fault, FaultKind};
+use measurements::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
 use robot_model::units::deg_from_rad;
 

@@ -191,7 +191,7 @@ mod tests {
     use crate::diagnose::dataset::{Observation, Twist};
     use crate::diagnose::effects::testable_effects;
     use crate::diagnose::identify::{PredictedStations, predicted};
-    use crate::measure::{Channels, Reading, Registration, Station};
+    use measurements::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, UnitQuaternion, Vector3};
     use robot_model::deform::identified::Identified;
     use robot_model::kinematics::SerialChain;

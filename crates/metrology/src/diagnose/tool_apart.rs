@@ -3,7 +3,7 @@
 use super::linearise::Linearised;
 use super::options::DiagnosisOptions;
 use super::outcome::Warning;
-use crate::measure::tool_apart;
+use measurements::tool_apart;
 use robot_model::units::mm_from_m;
 
 /// A warning where the points say that the one target is not where the tool was given.

@@ -1,7 +1,7 @@
 //! A model against measurements that it has not seen.
 
 use super::identify::{PredictedStations, predicted};
-use crate::measure::{
+use measurements::{
     FaultKind, FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather,
     register, register_with,
 };

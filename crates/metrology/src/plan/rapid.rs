@@ -1,20 +1,19 @@
 //! A plan as a RAPID module: drives to each pose from its planned side, stops, and goes on when the point is taken.
 
 use super::{MeasurementPlan, MeasurementStep};
-use rapid_program::emit::{write_num, write_robjoint};
-use rapid_program::program::MEASURING_MODULE;
+use rapid_syntax::{num, write_list};
 use robot_model::robot::{Joints, Robot};
-use robot_model::units::{deg_from_rad, rad_from_deg};
+use robot_model::units::deg_from_rad;
 use std::fmt::Write as _;
 
 const NO_AXES: &str = "[9E9,9E9,9E9,9E9,9E9,9E9]";
 
-/// The text of the RAPID module.
+/// The text of the RAPID module of that name.
 #[must_use]
-pub fn rapid(plan: &MeasurementPlan, robot: &Robot) -> String {
+pub fn rapid(plan: &MeasurementPlan, robot: &Robot, module: &str) -> String {
     let Run { data, moves } = Run::of(plan);
     format!(
-        "MODULE {MEASURING_MODULE}\n\
+        "MODULE {module}\n\
          \x20 ! Measurement run for {}: {} rows, planned by driftpost {}.\n\
          \x20 ! Nothing here knows your cell: run it slowly without the reflector first.\n\
          \x20 ! Row numbers are the ids of the sheet to fill in. Each pose is come to from its own side.\n\
@@ -79,7 +78,7 @@ impl Run {
                 } else {
                     "load0".to_owned()
                 };
-                let _ = writeln!(moves, "    dpPayload {};\n    GripLoad {name};", number(*payload_kg));
+                let _ = writeln!(moves, "    dpPayload {};\n    GripLoad {name};", num(*payload_kg));
             }
             if known.insert(*pose) {
                 for (name, q) in [("dpA", approach_rad), ("dpP", q_rad)] {
@@ -100,7 +99,7 @@ impl Run {
                 data,
                 "  ! Put in this payload's real centre of gravity.\n  LOCAL PERS loaddata dpLoad{}:=[{},[0,0,50],[1,0,0,0],0,0,0];",
                 k + 1,
-                number(*kg)
+                num(*kg)
             );
         }
         Self { data, moves }
@@ -111,16 +110,10 @@ fn ascii(text: &str) -> String {
     text.chars().map(|c| if c.is_ascii_graphic() || c == ' ' { c } else { '?' }).collect()
 }
 
-fn number(value: f64) -> String {
-    let mut out = Vec::new();
-    write_num(&mut out, value);
-    String::from_utf8_lossy(&out).into_owned()
-}
-
 /// With the four decimals of the sheet: what is written there is what is driven.
 fn joints(q_rad: &Joints) -> String {
     let mut out = Vec::new();
     let six: [f64; 6] = std::array::from_fn(|j| q_rad.get(j).copied().unwrap_or(0.0));
-    write_robjoint(&mut out, six.map(|q| Some(rad_from_deg((deg_from_rad(q) * 1e4).round() / 1e4))));
+    write_list(&mut out, six.map(|q| (deg_from_rad(q) * 1e4).round() / 1e4));
     String::from_utf8_lossy(&out).into_owned()
 }

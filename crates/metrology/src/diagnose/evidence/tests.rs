@@ -8,7 +8,7 @@ use crate::diagnose::design::{Whitening, registration};
 use crate::diagnose::effects::{Candidate, testable_effects};
 use crate::diagnose::heldout::SplitMix64;
 use crate::diagnose::marginal::{SIGMA_M, log_add};
-use crate::measure::{Channels, Reading, Registration, Station};
+use measurements::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Joints, SerialArm};

@@ -1,6 +1,6 @@
 //! What can tell causes apart that further poses cannot.
 
-use crate::measure::Channels;
+use measurements::Channels;
 use robot_model::deform::EffectKind;
 
 /// What tells a gear of joint 2 from its balancing.

@@ -5,7 +5,7 @@ use crate::diagnose::heldout::SplitMix64;
 use crate::diagnose::linearise::Linearised;
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::NextMeasurement;
-use crate::measure::{Reading, Registration, Station};
+use measurements::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};

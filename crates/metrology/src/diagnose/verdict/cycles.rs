@@ -4,7 +4,7 @@
 //! spectrum round it (Thomson 1982, Spectrum estimation and harmonic analysis, sec. XIII), and what is white or merely slow has none.
 
 use crate::diagnose::dataset::{Dataset, Twist};
-use crate::measure::variance_ratio;
+use measurements::variance_ratio;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 

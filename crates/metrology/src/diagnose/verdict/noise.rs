@@ -11,7 +11,7 @@ use crate::diagnose::model::FittedModel;
 use crate::diagnose::scatter::{self, JointScatter, Residuals};
 use crate::diagnose::search::{ChosenCause, cause_columns};
 use crate::diagnose::smoothness::smooth_over_rough_nats;
-use crate::measure::variance_ratio;
+use measurements::variance_ratio;
 
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
 const SCATTER: f64 = 1.5;

@@ -3,7 +3,7 @@
 use super::thermal_run::{
     ColdReference, FirstTouchOutlier, LEAST_M, PlacedTouch, StateOptions, ThermalRun, TouchedPoints,
 };
-use crate::measure::{Touches, median};
+use measurements::{Touches, median};
 use nalgebra::Vector3;
 use robot_model::deform::thermal_filter::{FIRST_CORRELATION, GATE, GATE_ACROSS, ThermalFilter};
 use std::f64::consts::FRAC_PI_2;

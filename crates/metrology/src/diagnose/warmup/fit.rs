@@ -9,7 +9,7 @@ use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_
 use super::touch_residuals::{false_lines, touch_residuals};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
-use crate::measure::{self, Fault, RegisterError, Station, Touches, register};
+use measurements::{self, Fault, RegisterError, Station, Touches, register};
 use nalgebra::{DMatrix, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use rayon::prelude::*;
@@ -374,8 +374,9 @@ fn observed(
         .iter()
         .enumerate()
         .map(|(i, t)| {
-            let touch = measure::Reading::Touch { fixed_point: t.point };
-            let reading = t.measured_m.map_or(touch, |position_m| measure::Reading::Point { position_m });
+            let touch = measurements::Reading::Touch { fixed_point: t.point };
+            let reading =
+                t.measured_m.map_or(touch, |position_m| measurements::Reading::Point { position_m });
             Station { t_min: Some(t.t_min), rows: vec![i], ..Station::bare(t.point, t.q_rad.into(), reading) }
         })
         .collect();

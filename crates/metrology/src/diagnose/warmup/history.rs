@@ -1,6 +1,6 @@
 //! How warm the robot was at each touch: running, but for its stops.
 
-use crate::measure::Touches;
+use measurements::Touches;
 use robot_model::deform::{GrowthLaw, Warmth};
 use std::fmt;
 
@@ -160,7 +160,7 @@ pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::measure::Touch;
+    use measurements::Touch;
 
     fn touched_at(minutes: impl IntoIterator<Item = f64>) -> Touches {
         let touch = |(t_min, point): (f64, usize)| Touch {

@@ -2,7 +2,7 @@
 
 use super::fitted::WarmUp;
 use super::parameters::tip_m;
-use crate::measure::{
+use measurements::{
     Fault, FaultKind, OUT_OF_RANGE_SHARE, Station, Touch, Touches, find_fault, find_in_stamps, out_of_range,
     register, tool_apart,
 };

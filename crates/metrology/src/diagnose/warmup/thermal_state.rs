@@ -5,7 +5,7 @@ use super::fit::MOST_ASIDE;
 use super::parameters::tip_m;
 use super::plausible;
 use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints};
-use crate::measure::{Fault, Touches};
+use measurements::{Fault, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter, TouchOutcome};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};

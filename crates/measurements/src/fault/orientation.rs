@@ -1,0 +1,347 @@
+//! Orientations that contradict points and joints: parts of the quaternion in another order, the inverse, a row late, angles of
+//! another convention.
+//!
+//! Points and joints alone say how the base stands in the instrument's frame. From there each measured orientation says how the
+//! sensor sits on the flange; it sits in one way, so that all must say the same.
+
+use super::{Fault, FaultKind};
+use crate::{Registration, Rotation, Station, register};
+use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
+use robot_model::units::deg_from_rad;
+
+/// Points that leave more than this in the middle tell nothing of the base, metres.
+const SOUND_M: f64 = 4e-3;
+/// Points spread less than this about every line do not say how the base is turned, metres.
+const SPREAD_M: f64 = 0.03;
+/// Orientations within this of each other are one: instruments and arms err by less, radians.
+const NEAR_RAD: f64 = 0.1;
+/// Orientations that lie apart by less in the middle may be those of a poor sensor, radians.
+const SCATTER_RAD: f64 = 0.4;
+/// Orientations nearer to each other than this are one, radians: what sensors scatter by where nothing moves.
+const STILL_RAD: f64 = 2e-3;
+/// Rows further off than so many times the middle one are far.
+const FAR_TIMES: f64 = 12.0;
+/// Rows that may carry the sensor's orientation, spread over the file.
+const MOST_TRIED: usize = 60;
+/// Fewer rows, and a smaller share of them, are single false readings.
+const FEWEST: usize = 3;
+const FEWEST_SHARE: f64 = 0.05;
+/// As many rows that are so much closer speak for another explanation.
+const CLOSER: f64 = 0.9;
+/// An explanation must bring so many of the far rows near.
+const MOST: f64 = 0.8;
+/// Where no explanation is found and fewer rows than this are near, the orientations say nothing.
+const NEAR_SHARE: f64 = 0.8;
+const COLUMNS: &str = "qw, qx, qy, qz";
+const PARTS: [&str; 4] = ["w", "x", "y", "z"];
+const CONVENTIONS: [(Rotation, &str); 4] = [
+    (Rotation::FixedXyz, "fixed-xyz"),
+    (Rotation::MovingXyz, "moving-xyz"),
+    (Rotation::MovingZyx, "moving-zyx"),
+    (Rotation::Vector, "vector"),
+];
+
+/// Orientations that do not go with the points, of `stations` whose flanges stand at `base_from_flange`; `None` where they do, or
+/// where the points do not say how the base is turned.
+#[must_use]
+pub fn find_in_orientations(
+    stations: &[Station],
+    base_from_flange: &[Isometry3<f64>],
+    targets: usize,
+    tool_m: Option<Vector3<f64>>,
+) -> Option<Fault> {
+    if stations.iter().all(|station| station.orientation.is_none()) {
+        return None;
+    }
+    let of_points: Vec<Station> =
+        stations.iter().map(|station| Station { orientation: None, ..station.clone() }).collect();
+    let fit = register(&of_points, base_from_flange, targets, tool_m).ok()?;
+    if fit.median_m > SOUND_M || !turn_is_known(&of_points) {
+        return None;
+    }
+    Oriented::of(stations, base_from_flange, &fit)?.fault()
+}
+
+/// Whether points lie about no line, so that they say how the base is turned.
+fn turn_is_known(stations: &[Station]) -> bool {
+    let points_m: Vec<Vector3<f64>> = stations.iter().filter_map(|s| s.reading.position_m()).collect();
+    let n = points_m.len() as f64;
+    let middle_m = points_m.iter().sum::<Vector3<f64>>() / n.max(1.0);
+    let mut spread_m2 = points_m
+        .iter()
+        .map(|p| (p - middle_m) * (p - middle_m).transpose())
+        .sum::<nalgebra::Matrix3<f64>>()
+        .symmetric_eigenvalues();
+    spread_m2.as_mut_slice().sort_by(f64::total_cmp);
+    n > 0.0 && (spread_m2[1] / n).max(0.0).sqrt() > SPREAD_M
+}
+
+/// What may have happened to an orientation, undone.
+struct Change {
+    /// What is wrong, as half a sentence.
+    description: String,
+    change: Box<dyn Fn(UnitQuaternion<f64>) -> UnitQuaternion<f64>>,
+}
+
+/// Another order of the parts, the inverse, angles of another convention; the likeliest first.
+fn changes() -> Vec<Change> {
+    let conjugate: fn(UnitQuaternion<f64>) -> UnitQuaternion<f64> = |turn| turn.inverse();
+    let mut all = vec![Change {
+        description: "the orientation is the inverse, of the instrument's frame in the sensor's".to_owned(),
+        change: Box::new(conjugate),
+    }];
+    for order in orders().into_iter().filter(|order| *order != [0, 1, 2, 3]) {
+        let written = order.map(|part| PARTS[part]).join(", ");
+        for (inverse, beside) in [(false, ""), (true, " of the inverse")] {
+            all.push(Change {
+                description: format!("the columns {COLUMNS} hold {written}{beside}"),
+                change: Box::new(move |turn| {
+                    let turn = reordered(turn, order);
+                    if inverse { turn.inverse() } else { turn }
+                }),
+            });
+        }
+    }
+    for (meant, name) in CONVENTIONS {
+        for (read, as_name) in CONVENTIONS.into_iter().filter(|(read, _)| *read != meant) {
+            all.push(Change {
+                description: format!(
+                    "the orientation's three angles are {name} and were taken for {as_name}"
+                ),
+                change: Box::new(move |turn| meant.quaternion(read.angles_rad(&turn))),
+            });
+        }
+    }
+    all
+}
+
+/// All orders of four parts.
+fn orders() -> Vec<[usize; 4]> {
+    let parts = || 0..4;
+    let mut all = Vec::new();
+    for a in parts() {
+        for b in parts().filter(|b| *b != a) {
+            for c in parts().filter(|c| ![a, b].contains(c)) {
+                all.extend(parts().filter(|d| ![a, b, c].contains(d)).map(|d| [a, b, c, d]));
+            }
+        }
+    }
+    all
+}
+
+/// The quaternion whose part `order[k]` stands in the file's column `k`.
+fn reordered(turn: UnitQuaternion<f64>, order: [usize; 4]) -> UnitQuaternion<f64> {
+    let cells = [turn.w, turn.i, turn.j, turn.k];
+    let mut parts = [0.0; 4];
+    for (cell, part) in cells.into_iter().zip(order) {
+        parts[part] = cell;
+    }
+    let [w, x, y, z] = parts;
+    UnitQuaternion::new_normalize(Quaternion::new(w, x, y, z))
+}
+
+/// A row with an orientation.
+#[derive(Clone, Copy)]
+struct OrientedRow {
+    line: u64,
+    /// How the flange is turned in the instrument's frame, by points and joints.
+    instrument_from_flange: UnitQuaternion<f64>,
+    /// How the sensor was seen.
+    seen: UnitQuaternion<f64>,
+}
+
+impl OrientedRow {
+    /// How the sensor sits on the flange if `seen` is how it was turned.
+    fn flange_from_sensor(&self, seen: UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+        self.instrument_from_flange.inverse() * seen
+    }
+}
+
+/// The rows with orientations, in the file's order.
+struct Oriented {
+    rows: Vec<OrientedRow>,
+}
+
+/// A way in which the sensor may sit on the flange, and how far each row is off it.
+struct Sensor {
+    flange_from_sensor: UnitQuaternion<f64>,
+    off_rad: Vec<f64>,
+    /// How many rows are near, and how far the middle one of them is off.
+    near: usize,
+    middle_rad: f64,
+}
+
+impl Sensor {
+    fn new(flange_from_sensor: UnitQuaternion<f64>, off_rad: Vec<f64>) -> Self {
+        let mut near_rad: Vec<f64> = off_rad.iter().copied().filter(|off_rad| *off_rad < NEAR_RAD).collect();
+        near_rad.sort_by(f64::total_cmp);
+        let (near, middle_rad) =
+            (near_rad.len(), near_rad.get(near_rad.len() / 2).copied().unwrap_or(NEAR_RAD));
+        Self { flange_from_sensor, off_rad, near, middle_rad }
+    }
+
+    /// Whether more rows agree with it than with `other`, or as many more closely.
+    fn beats(&self, other: &Self) -> bool {
+        self.near > other.near || (self.near == other.near && self.middle_rad < CLOSER * other.middle_rad)
+    }
+}
+
+impl Oriented {
+    fn of(
+        stations: &[Station],
+        base_from_flange: &[Isometry3<f64>],
+        registration: &Registration,
+    ) -> Option<Self> {
+        let with_pose = stations.iter().zip(base_from_flange);
+        let rows: Vec<OrientedRow> = with_pose
+            .filter_map(|(station, pose)| {
+                Some(OrientedRow {
+                    line: station.line,
+                    instrument_from_flange: registration.instrument_from_base.rotation * pose.rotation,
+                    seen: station.orientation?,
+                })
+            })
+            .collect();
+        (rows.len() >= 2 * FEWEST).then_some(Self { rows })
+    }
+
+    /// The sensor that most rows agree with, each seen as `turns` says.
+    fn sensor(&self, turns: &[UnitQuaternion<f64>]) -> Option<Sensor> {
+        let each: Vec<UnitQuaternion<f64>> =
+            self.rows.iter().zip(turns).map(|(row, turn)| row.flange_from_sensor(*turn)).collect();
+        let tried = each.iter().step_by(each.len().div_ceil(MOST_TRIED).max(1));
+        tried
+            .map(|sensor| Sensor::new(*sensor, each.iter().map(|other| sensor.angle_to(other)).collect()))
+            .reduce(|best, next| if next.beats(&best) { next } else { best })
+    }
+
+    fn turns(&self, change: impl Fn(UnitQuaternion<f64>) -> UnitQuaternion<f64>) -> Vec<UnitQuaternion<f64>> {
+        self.rows.iter().map(|row| change(row.seen)).collect()
+    }
+
+    fn as_read(&self) -> Option<Sensor> {
+        self.sensor(&self.turns(|turn| turn))
+    }
+
+    fn fault(&self) -> Option<Fault> {
+        let as_read = self.as_read()?;
+        if 2 * as_read.near < self.rows.len() {
+            return self.of_all(&as_read);
+        }
+        let limit_rad = NEAR_RAD.max(FAR_TIMES * as_read.middle_rad);
+        let far: Vec<usize> = (0..self.rows.len()).filter(|&i| as_read.off_rad[i] > limit_rad).collect();
+        let few = far.len() < FEWEST || (far.len() as f64) < FEWEST_SHARE * self.rows.len() as f64;
+        if few { None } else { self.of_some(&as_read, &far, limit_rad) }
+    }
+
+    /// What is wrong with all rows, where they agree with no sensor as they are read; `None` where they may only scatter.
+    fn of_all(&self, as_read: &Sensor) -> Option<Fault> {
+        let changed = changes().into_iter().filter_map(|Change { description, change }| {
+            Some((self.sensor(&self.turns(change))?, description))
+        });
+        let late = [(1, 0, "before"), (0, 1, "after")].into_iter().filter_map(|(seen, joints, side)| {
+            let sensor = self.shifted(seen, joints).as_read()?;
+            Some((sensor, format!("in every row the orientation is that of the row {side}")))
+        });
+        let found = changed
+            .chain(late)
+            .reduce(|best, next| if next.0.beats(&best.0) { next } else { best })
+            .filter(|(sensor, _)| sensor.near as f64 >= MOST * self.rows.len() as f64);
+        let mut off_rad = as_read.off_rad.clone();
+        off_rad.sort_by(f64::total_cmp);
+        let scatters = off_rad.get(off_rad.len() / 2).is_some_and(|middle_rad| *middle_rad < SCATTER_RAD);
+        if found.is_none() && scatters {
+            return None;
+        }
+        let reason = found.map_or_else(
+            || {
+                format!(
+                    "the orientations do not go with the points and joints, in no order of their parts: leave the columns {COLUMNS} out \
+                     to diagnose the points alone"
+                )
+            },
+            |(_, what)| format!("{what}: so read they go with the points and joints, as they stand they do not"),
+        );
+        Some(Fault::of_all(FaultKind::Orientations, Some(COLUMNS), reason))
+    }
+
+    /// The orientation of one row beside the joints of the next.
+    fn shifted(&self, seen: usize, joints: usize) -> Self {
+        let rows = self.rows.iter().skip(joints).zip(self.rows.iter().skip(seen));
+        Self { rows: rows.map(|(row, other)| OrientedRow { seen: other.seen, ..*row }).collect() }
+    }
+
+    /// What is wrong with the rows `far` off what the others say of the sensor.
+    fn of_some(&self, sensor: &Sensor, far: &[usize], limit_rad: f64) -> Option<Fault> {
+        let off_rad = |i: usize, seen: UnitQuaternion<f64>| {
+            sensor.flange_from_sensor.angle_to(&self.rows[i].flange_from_sensor(seen))
+        };
+        let still = |i: &&usize| {
+            let before = i.checked_sub(1).map(|before| &self.rows[before]);
+            before.is_some_and(|before| before.seen.angle_to(&self.rows[**i].seen) < STILL_RAD)
+        };
+        let lines: Vec<u64> = far.iter().filter(still).map(|&i| self.rows[i].line).collect();
+        if lines.len() >= FEWEST && 2 * lines.len() > far.len() {
+            return Some(Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+                format!(
+                    "{count} rows ({which}) have the orientation of the row before, though the arm had turned: the sensor stood still"
+                )
+            }));
+        }
+        let explained = |change: &Change| -> Vec<u64> {
+            let near = far.iter().filter(|&&i| off_rad(i, (change.change)(self.rows[i].seen)) < limit_rad);
+            near.map(|&i| self.rows[i].line).collect()
+        };
+        let found = changes()
+            .into_iter()
+            .map(|change| (explained(&change), change))
+            .reduce(|best, next| if next.0.len() > best.0.len() { next } else { best })
+            .filter(|(lines, _)| lines.len() as f64 >= MOST * far.len() as f64);
+        if let Some((lines, change)) = found {
+            return Some(Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+                format!("in {count} rows ({which}) {}", change.description)
+            }));
+        }
+        if let Some(Remounted { by_rad, lines }) = self.remounted(sensor, far) {
+            // A hand that was turned on the flange, with the target: the diagnosis finds that.
+            return (by_rad > SCATTER_RAD).then(|| {
+                Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+                    format!(
+                        "in {count} rows ({which}) the sensor sits on the flange turned by {:.0} deg from how it sits in the others: diagnose \
+                         them apart, or leave the columns {COLUMNS} out",
+                        deg_from_rad(by_rad)
+                    )
+                })
+            });
+        }
+        let many = (sensor.near as f64) < NEAR_SHARE * self.rows.len() as f64;
+        let lines = far.iter().map(|&i| self.rows[i].line).collect();
+        many.then(|| {
+            Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
+                format!(
+                    "in {count} rows ({which}) the orientation does not go with the points and joints as it does in the others: leave the \
+                     columns {COLUMNS} out to diagnose the points alone"
+                )
+            })
+        })
+    }
+
+    /// One other way in which the sensor sits in all rows to one side of some row.
+    fn remounted(&self, sensor: &Sensor, far: &[usize]) -> Option<Remounted> {
+        let (first, last) = (*far.first()?, *far.last()?);
+        let side = if first == 0 { 0..last + 1 } else { first..self.rows.len() };
+        let rows = Self { rows: self.rows.get(side)?.to_vec() };
+        let other = rows.as_read()?;
+        let most = MOST * rows.rows.len() as f64;
+        (far.len() as f64 >= most && other.near as f64 >= most).then(|| Remounted {
+            by_rad: sensor.flange_from_sensor.angle_to(&other.flange_from_sensor),
+            lines: rows.rows.iter().map(|row| row.line).collect(),
+        })
+    }
+}
+
+/// A sensor that sits otherwise in a part of the rows.
+struct Remounted {
+    by_rad: f64,
+    lines: Vec<u64>,
+}

@@ -1,0 +1,67 @@
+//! Columns that cannot be what their names say where nothing fits: one pasted over another, one sorted by itself.
+
+use super::{Fault, FaultKind};
+use crate::Station;
+use crate::column_names::POINT;
+use robot_model::robot::{Axis, SerialArm};
+use std::collections::BTreeSet;
+
+/// Columns of fewer different numbers may be the same, or rise from row to row, without a mistake.
+const FEWEST_DIFFERENT: usize = 8;
+
+/// One column as the stations have it.
+struct Column {
+    kind: FaultKind,
+    name: String,
+    values: Vec<f64>,
+}
+
+impl Column {
+    fn is_the_same_as(&self, other: &Self) -> bool {
+        let bits = |column: &Self| column.values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+        self.kind == other.kind && bits(self) == bits(other)
+    }
+
+    fn is_sorted(&self) -> bool {
+        self.values.is_sorted() || self.values.iter().rev().is_sorted()
+    }
+
+    fn differs(&self) -> bool {
+        self.values.iter().map(|value| value.to_bits()).collect::<BTreeSet<_>>().len() >= FEWEST_DIFFERENT
+    }
+}
+
+/// A column that is another one's copy, or that alone among its like rises, or falls, from row to row.
+pub(super) fn find(robot: &SerialArm, stations: &[Station]) -> Option<Fault> {
+    let arm: Vec<&Station> = stations.iter().filter(|station| station.reading.involves_arm()).collect();
+    let joints = (0..robot.joints.len()).map(|j| Column {
+        kind: FaultKind::JointColumns,
+        name: robot.column(Axis::at(j)),
+        values: arm.iter().map(|station| station.q_rad[j]).collect(),
+    });
+    let coordinates = POINT.into_iter().enumerate().map(|(k, name)| Column {
+        kind: FaultKind::NothingFits,
+        name: name.to_owned(),
+        values: arm.iter().filter_map(|station| Some(station.reading.position_m()?[k])).collect(),
+    });
+    let columns: Vec<Column> = joints.chain(coordinates).filter(Column::differs).collect();
+    let copied = columns.iter().enumerate().find_map(|(k, column)| {
+        let other = columns[..k].iter().find(|other| column.is_the_same_as(other))?;
+        let names = format!("{}, {}", other.name, column.name);
+        let reason = format!(
+            "the columns {} and {} hold the same numbers in all rows: one was pasted over the other",
+            other.name, column.name
+        );
+        Some(Fault::of_all(column.kind, Some(&names), reason))
+    });
+    let sorted = || {
+        let mut sorted = columns.iter().filter(|column| column.is_sorted());
+        let column = sorted.next().filter(|_| sorted.next().is_none())?;
+        let reason = format!(
+            "column {0} alone rises, or falls, from row to row: it was sorted by itself",
+            column.name
+        );
+        Some(Fault::of_all(FaultKind::RowsShifted, Some(&column.name), reason))
+    };
+    copied.or_else(sorted)
+}

@@ -1,0 +1,107 @@
+//! Points that lie too far apart or too near by one and the same share.
+
+use super::trials::{most_left_m, trial};
+use super::{Fault, FaultKind};
+use crate::column_names::POINT;
+use crate::{Reading, Registration, Station, register};
+use nalgebra::{Isometry3, Vector3};
+use robot_model::kinematics::SerialChain;
+use robot_model::robot::SerialArm;
+use robot_model::units::mm_from_m;
+
+/// Lengths that differ by more than this share are of another scale: instruments are off by 1e-6 a kelvin, arms that warm by 1e-4, and
+/// links by their tolerance, each in its own way.
+const OTHER_SCALE: f64 = 1.5e-3;
+/// A scale must leave this share of the distance or less.
+const SCALED: f64 = 0.35;
+/// Steps of the secant that finds the scale.
+const SCALINGS: usize = 4;
+
+/// All points too far apart or too near, by more than any instrument or arm is off, where that is what they miss by.
+pub(super) fn find_scale(
+    robot: &SerialArm,
+    stations: &[Station],
+    targets: usize,
+    registration: &Registration,
+) -> Option<Fault> {
+    let stations = trial(stations);
+    let chain = SerialChain::nominal(robot);
+    let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
+    let factor = right_scale(&stations, &poses, targets, registration)?;
+    let before_m = most_left_m(&stations, &poses, targets)?;
+    let after_m = most_left_m(&scaled(&stations, factor), &poses, targets)?;
+    let by = 1.0 / factor - 1.0;
+    (by.abs() > OTHER_SCALE && after_m < SCALED * before_m).then(|| {
+        let than = if by > 0.0 { "longer" } else { "shorter" };
+        Fault::of_all(
+            FaultKind::PositionUnits,
+            Some(&POINT.join(", ")),
+            format!(
+                "all lengths between the points are {:.1} % {than} than the arm's: with that taken out {:.2} mm are left of {:.2} mm; look at the \
+                 instrument's scale, its refraction and its unit, or at whether this is the arm that was measured",
+                1e2 * by.abs(),
+                mm_from_m(after_m),
+                mm_from_m(before_m)
+            ),
+        )
+    })
+}
+
+fn scaled(stations: &[Station], factor: f64) -> Vec<Station> {
+    stations.iter().map(|s| Station { reading: s.reading.scaled(factor), ..s.clone() }).collect()
+}
+
+/// What the points must be multiplied by to lie as far apart as the arm puts them; `None` where that is about 1.
+fn right_scale(
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+    targets: usize,
+    registration: &Registration,
+) -> Option<f64> {
+    let excess_at = |factor: f64| -> Option<f64> {
+        let tried = scaled(stations, factor);
+        excess(&tried, poses, &register(&tried, poses, targets, None).ok()?)
+    };
+    let mut known = (1.0, excess(stations, poses, registration)?);
+    if known.1.abs() < 0.5 * OTHER_SCALE {
+        return None;
+    }
+    // The registration takes a part of the excess: a secant finds where none is left.
+    let mut factor = 1.0 - known.1;
+    for _ in 0..SCALINGS {
+        let now = (factor, excess_at(factor)?);
+        let step = now.1 * (now.0 - known.0) / (now.1 - known.1);
+        known = now;
+        if !step.is_finite() || step.abs() < 1e-7 {
+            break;
+        }
+        factor -= step;
+    }
+    Some(factor)
+}
+
+/// By which share the points of `stations` lie further from their middle than `fit` puts them; `None` where they are no points.
+fn excess(stations: &[Station], poses: &[Isometry3<f64>], fit: &Registration) -> Option<f64> {
+    let read: Vec<(Vector3<f64>, Vector3<f64>)> = stations
+        .iter()
+        .zip(poses)
+        .filter(|(s, _)| matches!(s.reading, Reading::Point { .. }))
+        .filter_map(|(s, pose)| {
+            let point = fit.instrument_from_base.inverse_transform_point(&s.reading.position_m()?.into());
+            Some((point.coords, fit.residual_m(s, pose)))
+        })
+        .collect();
+    let middle_m = read.iter().map(|(point_m, _)| point_m).sum::<Vector3<f64>>() / read.len().max(1) as f64;
+    let mut shares: Vec<[f64; 2]> = read
+        .iter()
+        .map(|(point_m, left_m)| {
+            let arm_m = point_m - middle_m;
+            [arm_m.dot(left_m), arm_m.norm_squared()]
+        })
+        .collect();
+    // A few false rows must not decide: those that say most are left out.
+    shares.sort_by(|a, b| (a[0].abs()).total_cmp(&b[0].abs()));
+    shares.truncate(shares.len() - shares.len() / 10);
+    let sum = |k: usize| shares.iter().map(|share| share[k]).sum::<f64>();
+    (sum(1) > 0.0).then(|| sum(0) / sum(1))
+}

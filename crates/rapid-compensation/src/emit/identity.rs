@@ -1,0 +1,162 @@
+//! Whether a program is another one but for the targets of its motions: the proof that a review of
+//! targets is a review of everything.
+
+use super::restore::{Altered, RestoreError, altered_core, restore};
+use crate::compensate::compare::is_comparable;
+use rapid_program::{FilePairs, Overrides, Program};
+use rapid_syntax::diagnostic::{FileId, Span, TextRange};
+use rapid_syntax::{SourceFile, first_difference};
+
+/// Where two programs differ beside the targets of their motions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Difference {
+    /// Their text, from here on.
+    Text {
+        /// Line of the first program, from 1.
+        before: (String, u32),
+        /// Line of the second, from 1; of its restored text where it is a compensated module.
+        after: (String, u32),
+    },
+    /// A module of the first program is not in the second.
+    Missing(String),
+    /// A module of the second program is not in the first.
+    Added(String),
+    /// What was added to a compensated module is not as it was made.
+    Altered {
+        /// The file of the module.
+        file: String,
+        /// What was changed in it.
+        what: Altered,
+    },
+    /// A compensated module of the second program was edited where it must not be.
+    Damaged {
+        /// The file of the module.
+        file: String,
+        /// What is wrong with it.
+        error: RestoreError,
+    },
+}
+
+/// Two programs without what compensation added to them.
+pub struct WithoutAdded {
+    /// The program before the change.
+    pub before: Program,
+    /// The program after it.
+    pub after: Program,
+    /// Which of their files stand for each other.
+    pub pairs: FilePairs,
+    /// What differs beside the targets of motions.
+    pub differences: Vec<Difference>,
+}
+
+impl WithoutAdded {
+    /// Compares two programs token by token, what this program adds to a module taken out first, targets of
+    /// motions left out where they can be compared as poses.
+    ///
+    /// The common module of a compensated program counts as what was added.
+    #[must_use]
+    pub fn of(before: &Program, after: &Program, pairs: &FilePairs, overrides: &Overrides) -> Self {
+        let mut differences = Vec::new();
+        let before = RestoredProgram::of(before, overrides, &mut differences);
+        let after = RestoredProgram::of(after, overrides, &mut differences);
+        let mut restored = FilePairs::default();
+        for (a, b) in &pairs.pairs {
+            match (before.file(*a), after.file(*b)) {
+                (Some(a), Some(b)) => {
+                    differences.extend(text_difference((&before.program, a), (&after.program, b)));
+                    restored.pairs.push((a, b));
+                }
+                (Some(a), None) => restored.only_before.push(a),
+                (None, Some(b)) => restored.only_after.push(b),
+                (None, None) => {}
+            }
+        }
+        restored.only_before.extend(pairs.only_before.iter().filter_map(|file| before.file(*file)));
+        restored.only_after.extend(pairs.only_after.iter().filter_map(|file| after.file(*file)));
+        let missing = restored.only_before.iter().flat_map(|file| before.modules(*file));
+        differences.extend(missing.map(Difference::Missing));
+        let added = restored.only_after.iter().flat_map(|file| after.modules(*file));
+        differences.extend(added.map(Difference::Added));
+        differences.dedup();
+        Self { before: before.program, after: after.program, pairs: restored, differences }
+    }
+
+    /// Whether the text of all files that stand for each other is the same.
+    #[must_use]
+    pub fn is_same_text(&self) -> bool {
+        self.pairs.pairs.iter().all(|(a, b)| self.before.file(*a).bytes == self.after.file(*b).bytes)
+    }
+}
+
+fn text_difference((before, a): (&Program, FileId), (after, b): (&Program, FileId)) -> Option<Difference> {
+    let (free_a, free_b) = (free(before, a), free(after, b));
+    let (a, b) = (before.file(a), after.file(b));
+    let (at_a, at_b) = first_difference(&a.bytes, &free_a, &b.bytes, &free_b)?;
+    let before = (a.path.clone(), a.lines.line(at_a));
+    Some(Difference::Text { before, after: (b.path.clone(), b.lines.line(at_b)) })
+}
+
+/// A program without what was added to it.
+struct RestoredProgram {
+    program: Program,
+    /// For each of its files the one that it was made of.
+    origin: Vec<FileId>,
+}
+
+impl RestoredProgram {
+    fn of(program: &Program, overrides: &Overrides, found: &mut Vec<Difference>) -> Self {
+        let compensated = |file: &SourceFile| {
+            program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())
+        };
+        let mut files: Vec<SourceFile> = Vec::new();
+        let mut origin = Vec::new();
+        for file in &program.files {
+            let bytes = match compensated(file).then(|| restore(&file.bytes)) {
+                None => file.bytes.clone(),
+                Some(Ok(restored)) => {
+                    found.extend(altered(file, restored.altered));
+                    restored.bytes.into()
+                }
+                Some(Err(RestoreError::IsCore)) => {
+                    found.extend(altered(file, altered_core(&file.bytes)));
+                    continue;
+                }
+                Some(Err(error)) => {
+                    found.push(Difference::Damaged { file: file.path.clone(), error });
+                    file.bytes.clone()
+                }
+            };
+            files.push(SourceFile::read(FileId(files.len() as u32), file.path.clone(), bytes));
+            origin.push(file.id);
+        }
+        Self { program: Program::read(files, overrides), origin }
+    }
+
+    /// What became of a file; `None` where all of it was added.
+    fn file(&self, of: FileId) -> Option<FileId> {
+        Some(FileId(self.origin.iter().position(|file| *file == of)? as u32))
+    }
+
+    fn modules(&self, file: FileId) -> impl Iterator<Item = String> + '_ {
+        let path = &self.program.file(file).path;
+        let modules = self.program.facts.modules.iter().filter(move |module| module.file == file);
+        modules.map(move |module| format!("{} ({path})", module.name))
+    }
+}
+
+fn altered(file: &SourceFile, list: Vec<Altered>) -> impl Iterator<Item = Difference> {
+    let file = file.path.clone();
+    list.into_iter().map(move |what| Difference::Altered { file: file.clone(), what })
+}
+
+/// The targets of a file's motions and the values of targets that are declared in it.
+fn free(program: &Program, file: FileId) -> Vec<TextRange> {
+    let targets = program.motions.iter().filter(|motion| is_comparable(motion)).flat_map(|motion| {
+        let own = motion.targets.iter().map(|target| Span { file: motion.file, range: target.range });
+        own.chain(motion.targets.iter().filter_map(|target| target.literal(motion.file)))
+    });
+    let mut free: Vec<TextRange> = targets.filter(|span| span.file == file).map(|span| span.range).collect();
+    free.sort_unstable_by_key(|range| (range.start, range.end));
+    free.dedup();
+    free
+}

@@ -1,0 +1,217 @@
+//! Originals that stay in a module, known again by fingerprints in its comment block: which of them was touched up, and by how
+//! much.
+
+use super::aggregate::{Singles, is_plain};
+use super::checksum;
+use rapid_program::motion::Motion;
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{DataDecl, Module, ModuleItem, Routine, StmtKind};
+use std::collections::{HashMap, HashSet};
+
+/// The smallest step of a position, mm, and of a joint, degrees.
+const STEP_MM: f64 = 0.001;
+const STEP_DEG: f64 = 0.0001;
+/// Numbers of a jointtarget.
+const JOINTTARGET: usize = 12;
+/// Characters of one coordinate: 24 bits.
+const COORDINATE: usize = 4;
+
+/// Where the value of a target argument stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Original {
+    /// The value, an aggregate of numbers.
+    pub value: TextRange,
+    /// It is the initial value of named data.
+    pub declared: bool,
+}
+
+/// A module's data by name.
+pub(super) struct Declarations<'t> {
+    bytes: &'t [u8],
+    module: HashMap<Vec<u8>, TextRange>,
+    /// The data of each routine that has some, by where it begins: name and initial value.
+    local: HashMap<u32, Vec<(TextRange, Option<TextRange>)>>,
+}
+
+impl<'t> Declarations<'t> {
+    /// Of a module in `bytes`.
+    #[must_use]
+    pub(super) fn new(bytes: &'t [u8], module: &Module) -> Self {
+        let data = module.items.iter().filter_map(|item| match item {
+            ModuleItem::Data(data) => Some(data),
+            _ => None,
+        });
+        let init = |data: &DataDecl| {
+            let init = data.init.as_ref().filter(|_| data.dims.is_empty())?;
+            Some(init.range)
+        };
+        let named = |data: &DataDecl| {
+            let init = init(data)?;
+            Some((data.name.of(bytes).to_ascii_lowercase(), init))
+        };
+        let mut local: HashMap<u32, Vec<_>> = HashMap::new();
+        for routine in module.routines() {
+            for stmt in &routine.body {
+                if let StmtKind::Data(data) = &stmt.kind {
+                    local.entry(routine.range.start).or_default().push((data.name, init(data)));
+                }
+            }
+        }
+        Self { bytes, module: data.filter_map(named).collect(), local }
+    }
+
+    /// Where the initial value of data named `name` stands, seen from `routine`.
+    #[must_use]
+    pub(super) fn initial_value(&self, name: &[u8], routine: &Routine) -> Option<TextRange> {
+        let local = self.local.get(&routine.range.start).map(Vec::as_slice).unwrap_or_default();
+        let local = local.iter().find(|(local, _)| local.of(self.bytes).eq_ignore_ascii_case(name));
+        match local {
+            Some((_, init)) => *init,
+            None => self.module.get(&name.to_ascii_lowercase()).copied(),
+        }
+    }
+
+    /// Where the value of a target argument stands; `None` where it is worked out.
+    #[must_use]
+    pub(super) fn original(&self, argument: TextRange, routine: &Routine) -> Option<Original> {
+        let text = argument.of(self.bytes);
+        if text.first() == Some(&b'[') {
+            return is_plain(text).then_some(Original { value: argument, declared: false });
+        }
+        let value = self.initial_value(text.trim_ascii(), routine)?;
+        is_plain(value.of(self.bytes)).then_some(Original { value, declared: true })
+    }
+}
+
+/// The fingerprints of a module's originals, each once, in the order of the motions.
+#[derive(Default)]
+pub(super) struct Fingerprints {
+    declared: HashSet<u32>,
+    text: Vec<u8>,
+    reader: Singles,
+}
+
+impl Fingerprints {
+    /// Takes in an original; its fingerprint, where it is one that was not there before.
+    pub(super) fn add(&mut self, bytes: &[u8], original: Original) -> Option<&[u8]> {
+        if original.declared && !self.declared.insert(original.value.start) {
+            return None;
+        }
+        let before = self.text.len();
+        add_fingerprint(original.value.of(bytes), &mut self.reader, &mut self.text);
+        self.text.get(before..)
+    }
+
+    /// Those of all originals, one after another.
+    #[must_use]
+    pub(super) fn text(self) -> Vec<u8> {
+        self.text
+    }
+}
+
+/// The fingerprints of the originals of motions of a module in `bytes`.
+#[must_use]
+pub(super) fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
+    let declarations = Declarations::new(bytes, module);
+    let routines: Vec<&Routine> = module.routines().collect();
+    let mut fingerprints = Fingerprints::default();
+    for Motion { range, targets, .. } in motions {
+        let after = routines.partition_point(|routine| routine.range.start <= range.start);
+        let Some(routine) = after.checked_sub(1).and_then(|at| routines.get(at)) else { continue };
+        for target in targets.iter() {
+            if let Some(original) = declarations.original(target.range, routine) {
+                fingerprints.add(bytes, original);
+            }
+        }
+    }
+    fingerprints.text()
+}
+
+/// A checksum of three characters for all numbers of a target, then four characters for each coordinate or joint.
+fn add_fingerprint(text: &[u8], reader: &mut Singles, out: &mut Vec<u8>) {
+    let TargetNumbers { checksum, values, count, step } = TargetNumbers::of(text, reader);
+    out.extend(checksum);
+    for value in &values[..count] {
+        let steps = (value / step).round().clamp(-8_388_608.0, 8_388_607.0) as i64 + 8_388_608;
+        out.extend(checksum::of_number::<COORDINATE>(steps as u64));
+    }
+}
+
+/// How far a target is from where it was when a fingerprint of it was made: mm or degrees, with the unit.
+#[must_use]
+pub(super) fn moved(text: &[u8], made: &[u8]) -> (f64, &'static str) {
+    let TargetNumbers { values, count, step, .. } = TargetNumbers::of(text, &mut Singles::default());
+    let values = &values[..count];
+    let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|coordinate| {
+        let steps = checksum::number_of(coordinate).unwrap_or_default();
+        (steps as f64 - 8_388_608.0) * step
+    });
+    let changes: Vec<f64> = values.iter().zip(was).map(|(now, was)| now - was).collect();
+    if count == 3 {
+        (changes.iter().map(|d| d * d).sum::<f64>().sqrt(), "mm")
+    } else {
+        (changes.iter().map(|d| d.abs()).fold(0.0, f64::max), "deg")
+    }
+}
+
+/// A target's numbers as its fingerprint holds them.
+struct TargetNumbers {
+    /// Of all of them.
+    checksum: [u8; 3],
+    /// Position in mm, or six joints in degrees: the first `count`.
+    values: [f64; 6],
+    count: usize,
+    /// The step in which they are written, mm or degrees.
+    step: f64,
+}
+
+impl TargetNumbers {
+    fn of(text: &[u8], reader: &mut Singles) -> Self {
+        let (mut values, mut count) = ([0.0; 6], 0);
+        let checksum = checksum::of_numbers_with(text, reader, |value| {
+            if let Some(known) = values.get_mut(count) {
+                *known = f64::from(value);
+            }
+            count += 1;
+        });
+        let joints = checksum.is_some() && count == JOINTTARGET;
+        let count = if checksum.is_none() { 0 } else { count.min(if joints { 6 } else { 3 }) };
+        let step = if joints { STEP_DEG } else { STEP_MM };
+        Self { checksum: checksum.unwrap_or_else(checksum::of_no_numbers), values, count, step }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_that_was_moved_says_by_how_much() {
+        let was = b"[[400.000,-300.5,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let same = b"[[400,-300.50,250.0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let now = b"[[400.3,-300.1,250],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let fingerprint = |text: &[u8]| {
+            let mut out = Vec::new();
+            add_fingerprint(text, &mut Singles::default(), &mut out);
+            out
+        };
+        let made = fingerprint(was);
+        assert_eq!(made.len(), 3 + 12);
+        assert_eq!(fingerprint(same), made);
+        assert_ne!(fingerprint(now), made);
+        let (far, unit) = moved(now, &made);
+        assert!((far - 0.5).abs() < 2e-3 && unit == "mm", "{far}");
+        let joints = b"[[10,20,30,40,50,60],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let turned = b"[[10,20,30,40,50.25,60],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let made = fingerprint(joints);
+        assert_eq!(made.len(), 3 + 24);
+        let (far, unit) = moved(turned, &made);
+        assert!((far - 0.25).abs() < 2e-4 && unit == "deg");
+        // A turn alone moves nothing, but it is a change.
+        let turned = b"[[400,-300.50,250.0],[0.9,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        assert_ne!(fingerprint(turned), fingerprint(was));
+        assert_eq!(moved(turned, &fingerprint(was)), (0.0, "mm"));
+        // What cannot be read has a checksum, and no coordinates.
+        assert_eq!(fingerprint(b"[[1,2,x]]"), fingerprint(b"[]"));
+    }
+}

@@ -1,0 +1,354 @@
+//! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
+
+use super::undo::UndoText;
+use crate::emit::aggregate::{is_plain, singles};
+use crate::emit::record_text::write_orient;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{DataDecl, Expr, Routine};
+use rapid_syntax::write_num;
+use robot_model::units::deg_from_rad;
+use std::cmp::Ordering;
+
+/// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
+const AGREE: f64 = 0.005;
+/// A declared value that is nearer to the array's original than this is the same, mm or degrees.
+const SAME: f64 = 1e-4;
+/// Numbers of a robtarget.
+const ROBTARGET: usize = 17;
+
+/// An array of targets in the emitted module.
+pub(super) struct Array<'b> {
+    bytes: &'b [u8],
+    pub(super) range: TextRange,
+    /// Of the source's array whose elements its rows are; empty of a single target.
+    pub(super) dims: Vec<usize>,
+    rows: Rows,
+    /// What stood in the motion, without its index.
+    was: UndoText,
+    /// Checksums of its elements as they were made.
+    checksums: &'b [u8],
+}
+
+/// An array by its name, with what is found out about it.
+pub(super) struct NamedArray<'w> {
+    /// The name in lower case.
+    pub(super) name: String,
+    pub(super) array: Array<'w>,
+    /// The motions that name it, in source order.
+    pub(super) uses: Vec<Use<'w>>,
+    /// For each row the original that a touched-up element means.
+    pub(super) meant: Vec<Option<Meant>>,
+}
+
+/// A motion's argument that names an array.
+pub(super) struct Use<'w> {
+    pub(super) expr: TextRange,
+    /// The source's own index, where the array is one of many targets.
+    pub(super) index: Option<TextRange>,
+    pub(super) routine: &'w Routine,
+}
+
+impl<'w> NamedArray<'w> {
+    /// Nothing is known of it yet.
+    pub(super) fn new(name: &str, array: Array<'w>) -> Self {
+        Self { name: name.to_ascii_lowercase(), array, uses: Vec::new(), meant: Vec::new() }
+    }
+
+    /// Puts arrays in the order in which [`find`](Self::find) looks for them: by the length of their names, which is most often the
+    /// order that they stand in. Of several of one name the last counts.
+    pub(super) fn sort(all: &mut Vec<Self>) {
+        if all.windows(2).all(|two| two[0].by_length(&two[1].name) == Ordering::Less) {
+            return;
+        }
+        all.sort_by(|a, b| a.by_length(&b.name));
+        all.dedup_by(|next, kept| {
+            let is_same = next.name == kept.name;
+            if is_same {
+                std::mem::swap(next, kept);
+            }
+            is_same
+        });
+    }
+
+    fn by_length(&self, name: &str) -> Ordering {
+        self.name.len().cmp(&name.len()).then_with(|| self.name.as_str().cmp(name))
+    }
+
+    /// The position of that of a name in lower case, among sorted ones; `likely` is looked at first.
+    pub(super) fn find(all: &[Self], likely: usize, name: &str) -> Option<usize> {
+        if all.get(likely).is_some_and(|array| array.name == name) {
+            return Some(likely);
+        }
+        all.binary_search_by(|array| array.by_length(name)).ok()
+    }
+
+    /// Whether nothing is to be told of it: it is as it was made, and of a target that stands nowhere else.
+    pub(super) fn is_as_made(&self) -> bool {
+        let is_inline = self.array.dims.is_empty() && self.array.was().first() == Some(&b'[');
+        is_inline && matches!(self.array.rows, Rows::AsMade(_))
+    }
+
+    /// The routine of the first motion that names it.
+    pub(super) fn routine(&self) -> Option<&'w Routine> {
+        self.uses.first().map(|one| one.routine)
+    }
+}
+
+/// The elements of an array.
+pub(super) enum Rows {
+    /// One row, as it was made, with this element 1.
+    AsMade(TextRange),
+    /// Row by row, with their checksums as they are now.
+    All { ranges: Vec<Vec<TextRange>>, checksums: Vec<u8> },
+}
+
+impl Rows {
+    fn count(&self) -> usize {
+        match self {
+            Self::AsMade(_) => 1,
+            Self::All { ranges, .. } => ranges.len(),
+        }
+    }
+
+    /// Element 1 of a row.
+    fn first(&self, row: usize) -> Option<TextRange> {
+        match self {
+            Self::AsMade(first) => (row == 0).then_some(*first),
+            Self::All { ranges, .. } => ranges.get(row)?.first().copied(),
+        }
+    }
+}
+
+/// An original that a touched-up element means.
+#[derive(Clone, Debug)]
+pub(super) struct Meant {
+    /// The value as RAPID text.
+    pub(super) text: Vec<u8>,
+    /// How far it is from what it was.
+    pub(super) moved: f64,
+    /// In `mm` or `deg`.
+    pub(super) unit: &'static str,
+    place: TargetPose,
+    /// What it was, where element 1 still says so.
+    was: Option<TargetPose>,
+}
+
+impl Meant {
+    /// Whether both mean the same original.
+    pub(super) fn agrees(&self, other: &Self) -> bool {
+        let (far, turned) = self.place.distance(&other.place);
+        far <= AGREE && turned <= AGREE
+    }
+
+    /// Whether the declared value of the target, as text, is what it was, where that can be told, or what is meant now.
+    pub(super) fn allows(&self, declared: &[u8]) -> bool {
+        let agrees = |at: &TargetPose, to: &TargetPose| {
+            let (far, turned) = at.distance(to);
+            far <= AGREE && turned <= AGREE
+        };
+        let (Some(was), Some(at)) = (&self.was, TargetPose::of(declared)) else { return true };
+        agrees(&at, was) || agrees(&at, &self.place)
+    }
+}
+
+/// A target's place: a position with an orientation, or joints.
+#[derive(Clone, Debug)]
+enum TargetPose {
+    Pose(Vector3<f64>, UnitQuaternion<f64>),
+    /// Six joint angles of a jointtarget, degrees.
+    Joints([f64; 6]),
+}
+
+impl TargetPose {
+    fn of(text: &[u8]) -> Option<Self> {
+        let n: Vec<f64> = singles(text)?.into_iter().map(f64::from).collect();
+        if n.len() == ROBTARGET {
+            let q = UnitQuaternion::from_quaternion(Quaternion::new(n[3], n[4], n[5], n[6]));
+            return Some(Self::Pose(Vector3::new(n[0], n[1], n[2]), q));
+        }
+        Some(Self::Joints(n.get(..6)?.try_into().ok()?))
+    }
+
+    /// mm, or degrees of the joint that differs most; and the angle, degrees.
+    fn distance(&self, other: &Self) -> (f64, f64) {
+        match (self, other) {
+            (Self::Pose(a, q), Self::Pose(b, p)) => ((a - b).norm(), deg_from_rad(q.angle_to(p))),
+            (Self::Joints(a), Self::Joints(b)) => {
+                (a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max), 0.0)
+            }
+            _ => (f64::INFINITY, f64::INFINITY),
+        }
+    }
+
+    /// How far it is from another, and in what unit it is told.
+    fn moved_from(&self, from: &Self) -> (f64, &'static str) {
+        let (far, turned) = self.distance(from);
+        match self {
+            Self::Joints(_) => (far, "deg"),
+            Self::Pose(..) if far < 1e-4 && turned > 0.0 => (turned, "deg"),
+            Self::Pose(..) => (far, "mm"),
+        }
+    }
+
+    /// The place without `times` what leads from `from` to `to`.
+    fn without(&self, times: f64, from: &Self, to: &Self) -> Option<Self> {
+        match (self, from, to) {
+            (Self::Pose(at, q), Self::Pose(a, p), Self::Pose(b, r)) => {
+                let turn = (r * p.inverse()).scaled_axis() * times;
+                Some(Self::Pose(at - (b - a) * times, UnitQuaternion::from_scaled_axis(-turn) * q))
+            }
+            (Self::Joints(at), Self::Joints(a), Self::Joints(b)) => {
+                Some(Self::Joints(std::array::from_fn(|i| at[i] - times * (b[i] - a[i]))))
+            }
+            _ => None,
+        }
+    }
+}
+
+impl<'b> Array<'b> {
+    /// `None` where a row has no element 1 of numbers, or a dimension is none.
+    pub(super) fn new(
+        (bytes, data): (&'b [u8], &DataDecl),
+        rows: Rows,
+        checksums: &'b [u8],
+        was: Option<Vec<u8>>,
+    ) -> Option<Self> {
+        let plain = (0..rows.count()).map(|row| Some(is_plain(rows.first(row)?.of(bytes))));
+        let plain = plain.collect::<Option<Vec<bool>>>()?.into_iter().all(|plain| plain);
+        let first_element = rows.first(0)?;
+        let (_, own) = data.dims.split_last()?;
+        let size = |dim: &Expr| std::str::from_utf8(dim.range.of(bytes)).ok()?.trim().parse().ok();
+        let dims: Vec<usize> = own.iter().map(size).collect::<Option<_>>()?;
+        let was = was.map_or_else(
+            || match data.name.of(bytes).get(2..) {
+                Some(rest) if !dims.is_empty() || !rest.first().is_some_and(u8::is_ascii_digit) => {
+                    UndoText::At(TextRange::new(data.name.start + 2, data.name.end))
+                }
+                _ => UndoText::At(first_element),
+            },
+            UndoText::Own,
+        );
+        plain.then_some(Self { bytes, range: data.range, dims, rows, was, checksums })
+    }
+
+    /// What stood in the motion, without its index.
+    pub(super) fn was(&self) -> &[u8] {
+        self.was.of(self.bytes)
+    }
+
+    /// The same to be put back.
+    pub(super) fn undo(&self) -> UndoText {
+        self.was.clone()
+    }
+
+    /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.
+    pub(super) fn declared_apart(&self, row: usize, declared: &[u8]) -> Option<(f64, &'static str)> {
+        let first = TargetPose::of(self.rows.first(row)?.of(self.bytes))?;
+        let (moved, unit) = TargetPose::of(declared)?.moved_from(&first);
+        (moved > SAME).then_some((moved, unit))
+    }
+
+    /// For each row the original that its touched-up elements mean; `None` where none was. `shares`: for each bucket how much
+    /// of the drift it corrects. Where the comment block is not `trusted` nothing is told.
+    ///
+    /// # Errors
+    /// Two originals that do not agree, or `None` where it cannot be told.
+    pub(super) fn meant(
+        &self,
+        shares: &[f64],
+        trusted: bool,
+    ) -> Result<Vec<Option<Meant>>, Option<(String, String)>> {
+        let (rows, now) = match &self.rows {
+            Rows::All { ranges, checksums } if trusted && checksums != self.checksums => (ranges, checksums),
+            rows => return Ok(vec![None; rows.count()]),
+        };
+        let mut each = now.get(3..).unwrap_or_default().chunks(2);
+        let mut made = self.checksums.get(3..).unwrap_or_default().chunks(2);
+        let mut all = Vec::new();
+        for row in rows {
+            // Two characters an element.
+            let changed: Vec<usize> = (0..row.len()).filter(|_| each.next() != made.next()).collect();
+            all.push(changed);
+        }
+        if all.iter().all(Vec::is_empty) {
+            return Err(None);
+        }
+        rows.iter().zip(&all).map(|(row, changed)| self.of_row(row, changed, shares)).collect()
+    }
+
+    fn of_row(
+        &self,
+        row: &[TextRange],
+        changed: &[usize],
+        shares: &[f64],
+    ) -> Result<Option<Meant>, Option<(String, String)>> {
+        if changed.is_empty() {
+            return Ok(None);
+        }
+        let share = |k: usize| if k == 0 { Some(0.0) } else { shares.get(k - 1).copied() };
+        let place = |k: usize| TargetPose::of(row.get(k)?.of(self.bytes));
+        // The two untouched elements that are furthest apart in the drift.
+        let mut sound: Vec<usize> = (0..row.len()).filter(|k| !changed.contains(k)).collect();
+        sound.sort_by(|&a, &b| share(a).unwrap_or(0.0).total_cmp(&share(b).unwrap_or(0.0)));
+        let (Some(&from), Some(&to)) = (sound.first(), sound.last()) else { return Err(None) };
+        let (Some(from_share), Some(to_share)) = (share(from), share(to)) else { return Err(None) };
+        let (Some(a), Some(b)) = (place(from), place(to)) else { return Err(None) };
+        let original_of = |at: &TargetPose, share: f64| {
+            let span = to_share - from_share;
+            let times = if span.abs() > 1e-9 { share / span } else { 0.0 };
+            (share == 0.0 || span.abs() > 1e-9).then(|| at.without(times, &a, &b)).flatten()
+        };
+        let was = original_of(&a, from_share).ok_or(None)?;
+        let first = if changed.contains(&0) { None } else { place(0) };
+        let mut found: Option<Meant> = None;
+        for &k in changed {
+            let text = row.get(k).ok_or(None)?.of(self.bytes);
+            let (at, share) = (TargetPose::of(text).ok_or(None)?, share(k).ok_or(None)?);
+            let original = original_of(&at, share).ok_or(None)?;
+            let (moved, unit) = original.moved_from(&was);
+            let text = if k == 0 { text.to_vec() } else { written(&original, text) };
+            let meant = Meant { text, moved, unit, place: original, was: first.clone() };
+            match &found {
+                Some(other) if !other.agrees(&meant) => {
+                    let spelled = |meant: &Meant| String::from_utf8_lossy(&meant.text).into_owned();
+                    return Err(Some((spelled(other), spelled(&meant))));
+                }
+                Some(_) => {}
+                None => found = Some(meant),
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// An original as text, with configuration and external axes as the touched-up element has them.
+fn written(original: &TargetPose, touched: &[u8]) -> Vec<u8> {
+    let mut out = b"[".to_vec();
+    let rounded = |value: f64| (value * 1e4).round() / 1e4;
+    let list = |out: &mut Vec<u8>, values: &[f64]| {
+        out.push(b'[');
+        for (i, value) in values.iter().enumerate() {
+            if i > 0 {
+                out.push(b',');
+            }
+            write_num(out, rounded(*value));
+        }
+        out.push(b']');
+    };
+    let components = match original {
+        TargetPose::Pose(at, q) => {
+            list(&mut out, at.as_slice());
+            out.push(b',');
+            write_orient(&mut out, [q.w, q.i, q.j, q.k]);
+            2
+        }
+        TargetPose::Joints(joints) => {
+            list(&mut out, joints);
+            1
+        }
+    };
+    out.push(b',');
+    out.extend_from_slice(crate::emit::aggregate::tail_of(touched, components));
+    out
+}

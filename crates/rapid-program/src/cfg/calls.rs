@@ -1,0 +1,187 @@
+//! Calls of procedures and functions: which routines they reach, with what.
+
+use super::CfgBuilder;
+use crate::built_in::is_built_in_function;
+use crate::call_arguments::{NotGiven, doubtful_arguments, match_arguments};
+use crate::const_eval::Constant;
+use crate::errors::arguments_may_fail;
+use crate::expressions::every_call;
+use crate::flow::{Binding, FlowStep, Node};
+use crate::ids::{DatumId, RoutineIndex};
+use crate::index::{DatumKind, Resolved};
+use crate::motion::MotionId;
+use crate::move_instructions::Special;
+use crate::names::{as_text, lower_case};
+use crate::value::{self, Value};
+use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, CallStmt, Callee, Expr, ExprKind, RoutineKind, Stmt};
+
+impl<'a> CfgBuilder<'_, 'a> {
+    pub(super) fn call(&mut self, stmt: &'a Stmt, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
+        if let Some(motion) = self.sites.motion_at(at.file, stmt) {
+            match out.last_mut() {
+                Some(Node::Step(FlowStep::Motions { first, count }))
+                    if first.index() + *count as usize == motion.index()
+                        && self.is_plain(*first)
+                        && self.is_plain(motion) =>
+                {
+                    *count += 1;
+                }
+                _ => out.push(Node::Step(FlowStep::Motions { first: motion, count: 1 })),
+            }
+            self.external_axes(motion, at, out);
+            self.written(call, at, out);
+            self.force_control(motion, at, out);
+            return;
+        }
+        match &call.callee {
+            Callee::Late(expr) => self.late(expr, &call.args, at, out),
+            Callee::Name(name) => match self.routine(*name) {
+                Some(routine) => {
+                    let skipped = self.recovery.next && arguments_may_fail(&call.args);
+                    out.push(self.known_call(vec![routine], &call.args, skipped));
+                }
+                None => {
+                    self.written(call, at, out);
+                    self.instruction(*name, call, at, out);
+                }
+            },
+        }
+    }
+
+    /// Whether the arm stands at the target behind a motion.
+    fn is_plain(&self, motion: MotionId) -> bool {
+        let site = self.sites.motions.get(motion.index());
+        site.is_some_and(|site| matches!(site.form.special, Special::Plain | Special::Unsupported))
+    }
+
+    fn routine(&self, name: TextRange) -> Option<RoutineIndex> {
+        match self.index().routine(self.label(name)?, self.ctx) {
+            Resolved::Here(id) | Resolved::Elsewhere(id) | Resolved::Twice(id, _) => Some(id),
+            Resolved::Nowhere => None,
+        }
+    }
+
+    pub(super) fn known_call(&self, routines: Vec<RoutineIndex>, args: &'a [Arg], maybe: bool) -> Node<'a> {
+        let mut bindings = Vec::new();
+        for &routine in &routines {
+            let given = match_arguments(self.index(), self.ctx, routine, args);
+            let params = self.index().routines.get(routine).map_or(&[][..], |r| &r.params);
+            for &param in params {
+                if let Some(slot) = self.tracked.slot(param) {
+                    let value = given.iter().find(|given| given.param == param).and_then(|given| given.value);
+                    bindings.push(Binding { slot, param, value });
+                }
+            }
+        }
+        Node::Step(FlowStep::Call { routines, bindings, maybe, recovery: self.recovery, ctx: self.ctx })
+    }
+
+    /// Functions that are called in expressions, those of the program and those that are not given.
+    pub(super) fn functions(
+        &self,
+        expressions: impl IntoIterator<Item = &'a Expr>,
+        at: Span,
+        out: &mut Vec<Node<'a>>,
+    ) {
+        for expr in expressions {
+            every_call(expr, &mut |name, args| match self.routine(name) {
+                Some(routine) => out.push(self.known_call(vec![routine], args, true)),
+                None if is_built_in_function(&lower_case(self.text(name))) => {}
+                None => self.doubtful(name, args, NotGiven::Function, at, out),
+            });
+        }
+    }
+
+    /// Tracked data that a routine that is not given may write.
+    pub(super) fn doubtful(
+        &self,
+        name: TextRange,
+        args: &[Arg],
+        callee: NotGiven,
+        at: Span,
+        out: &mut Vec<Node<'a>>,
+    ) {
+        for root in doubtful_arguments(self.index(), self.ctx, args, callee) {
+            if let Some(slot) = self.slot(root) {
+                let written = as_text(self.text(name));
+                let why = self.why(at, format!("{written} is not given and may change it"));
+                self.invalidate(slot, why, at, out);
+            }
+        }
+    }
+
+    /// A call by a name that is worked out at run time: one of the routines whose name fits.
+    fn late(&mut self, expr: &'a Expr, args: &'a [Arg], stmt: Span, out: &mut Vec<Node<'a>>) {
+        let ctx = self.ctx;
+        let index = self.index();
+        let required = args.iter().filter(|a| matches!(a.kind, ArgKind::Positional(_))).count();
+        let known = self.evaluator.fold(expr, ctx, &Constant).map(|t| t.value);
+        let (start, end, whole) = match &known {
+            Ok(Value::Text(name)) => {
+                let name = lower_case(name);
+                let name = name.rsplit(':').next().unwrap_or_default().to_owned();
+                (name, String::new(), true)
+            }
+            _ => {
+                let start = lower_case(&self.literal(expr, true));
+                let start = start.rsplit(':').next().unwrap_or_default().to_owned();
+                (start, lower_case(&self.literal(expr, false)), false)
+            }
+        };
+        let task = index.modules.get(ctx.module).map(|m| m.task);
+        let fits = |id: &RoutineIndex| {
+            let entry = &index.routines[*id];
+            let name = index.names.text(entry.name);
+            let wanted =
+                |&&p: &&DatumId| !matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
+            entry.tree.kind == RoutineKind::Proc
+                && index.modules.get(entry.ctx.module).map(|m| m.task) == task
+                && entry.params.iter().filter(wanted).count() == required
+                && if whole {
+                    name == start
+                } else {
+                    name.starts_with(&start) && name.ends_with(&end) && name != "main"
+                }
+        };
+        let routines: Vec<RoutineIndex> = index.routines.ids().filter(fits).collect();
+        if !routines.is_empty() {
+            out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
+        }
+        if routines.is_empty() {
+            self.doubtful(expr.range, args, NotGiven::Procedure, stmt, out);
+        }
+        if whole && routines.is_empty() {
+            let at = Span { file: ctx.file, range: expr.range };
+            self.out.not_given.entry(start).or_insert(at);
+        }
+        if !whole || routines.is_empty() {
+            out.push(Node::Step(FlowStep::UnknownPosition));
+        }
+    }
+
+    /// The string literal that a sum of strings begins or ends with.
+    pub(super) fn literal(&self, expr: &Expr, first: bool) -> Vec<u8> {
+        match &expr.kind {
+            ExprKind::String => value::string(self.text(expr.range)),
+            ExprKind::Paren(inner) => self.literal(inner, first),
+            ExprKind::Binary(sum) if sum.op == BinaryOp::Add => {
+                self.literal(if first { &sum.lhs } else { &sum.rhs }, first)
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    pub(super) fn by_number(&self, start: &str, out: &mut Vec<Node<'a>>) {
+        let index = self.index();
+        let fits = |id: &RoutineIndex| {
+            let name = index.names.text(index.routines[*id].name);
+            let rest = name.strip_prefix(start);
+            rest.is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
+        };
+        let routines: Vec<RoutineIndex> = index.routines.ids().filter(fits).collect();
+        if !routines.is_empty() {
+            out.push(self.known_call(routines, &[], true));
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! What an instruction does to what is tracked: what it writes, and what it puts in force.
+
+use super::CfgBuilder;
+use crate::call_arguments::NotGiven;
+use crate::const_eval::Constant;
+use crate::convert;
+use crate::data::LoadData;
+use crate::expressions::{root_of, words};
+use crate::flow::{Blocker, FlowStep, Node};
+use crate::motion::MotionId;
+use crate::names::{as_text, lower_case};
+use crate::other_instructions::{harmless, moves_arm};
+use crate::written_by::written_by_instruction;
+use nalgebra::Isometry3;
+use rapid_syntax::diagnostic::{Span, TextRange};
+use rapid_syntax::tree::{ArgKind, CallStmt, Callee};
+
+impl<'a> CfgBuilder<'_, 'a> {
+    /// Tracked data that an instruction writes.
+    pub(super) fn written(&self, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
+        let Callee::Name(name) = &call.callee else { return };
+        let lower = lower_case(self.text(*name));
+        for expr in written_by_instruction(self.index(), self.ctx, &lower, &call.args) {
+            if let Some((root, _)) = root_of(expr)
+                && let Some(slot) = self.slot(root)
+            {
+                let why = self.why(at, format!("{} writes it", as_text(self.text(*name))));
+                self.invalidate(slot, why, at, out);
+            }
+        }
+    }
+
+    pub(super) fn instruction(
+        &mut self,
+        name: TextRange,
+        call: &'a CallStmt,
+        at: Span,
+        out: &mut Vec<Node<'a>>,
+    ) {
+        let written = as_text(self.text(name));
+        let lower = lower_case(self.text(name));
+        let conditional = call.args.iter().any(|a| matches!(a.kind, ArgKind::Conditional { .. }));
+        let on = if conditional { None } else { Some(!self.has_option(call, "off")) };
+        let locks = conditional || self.has_option(call, "lockaxis4");
+        let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
+        let offsets_nothing = lower == "eoffsset" && self.offsets_nothing(call);
+        let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
+        let step = match lower.as_str() {
+            "confl" => FlowStep::ConfL(on),
+            "confj" => FlowStep::ConfJ(on),
+            "gripload" => FlowStep::Grip(self.gripped(call)),
+            "pdispset" if displaces_nothing => FlowStep::Blocker(Blocker::Displacement, None),
+            "pdispon" | "pdispset" => {
+                FlowStep::Blocker(Blocker::Displacement, active(self.displacement(&lower, call)))
+            }
+            "pdispoff" => FlowStep::Blocker(Blocker::Displacement, None),
+            "eoffsset" if offsets_nothing => FlowStep::Blocker(Blocker::ExternalOffset, None),
+            "eoffson" | "eoffsset" => {
+                FlowStep::Blocker(Blocker::ExternalOffset, active("an offset of external axes is in force"))
+            }
+            "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, None),
+            "softact" | "cssact" => FlowStep::Blocker(Blocker::SoftServo, active("the soft servo is active")),
+            "fcact" => FlowStep::Blocker(Blocker::SoftServo, active("force control is active")),
+            "softdeact" | "cssdeact" | "fcdeact" => FlowStep::Blocker(Blocker::SoftServo, None),
+            "singarea" if locks => {
+                FlowStep::Blocker(Blocker::LockedAxis, active("axis 4 is locked, whatever a target needs"))
+            }
+            "singarea" => FlowStep::Blocker(Blocker::LockedAxis, None),
+            "syncmoveon" => {
+                FlowStep::Blocker(Blocker::MultiMove, active("the robot moves together with others"))
+            }
+            "syncmoveoff" | "syncmoveundo" => FlowStep::Blocker(Blocker::MultiMove, None),
+            "cirpathmode" => return self.circle_path_mode(call, at, out),
+            "callbyvar" => {
+                self.call_by_number(call, out);
+                FlowStep::UnknownPosition
+            }
+            "exitcycle" => FlowStep::ExitCycle,
+            _ if moves_arm(&lower) => FlowStep::UnknownPosition,
+            _ if harmless(&lower) => return,
+            _ => {
+                let first = Span { file: self.ctx.file, range: name };
+                self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
+                self.out.not_given.entry(lower).or_insert(first);
+                FlowStep::UnknownPosition
+            }
+        };
+        out.push(Node::Step(step));
+    }
+
+    /// What a motion with force control leaves in force: the first one switches it on, the last one off.
+    pub(super) fn force_control(&self, motion: MotionId, at: Span, out: &mut Vec<Node<'a>>) {
+        let held = match self.sites.motions.get(motion.index()).map(|site| site.form.name) {
+            Some("FCPress1LStart") => {
+                Some(self.why(at, "force control is active (FCPress1LStart)".to_owned()))
+            }
+            Some("FCPressEnd") => None,
+            _ => return,
+        };
+        out.push(Node::Step(FlowStep::Blocker(Blocker::SoftServo, held)));
+    }
+
+    /// `CirPathMode`: an option that only run time tells is taken to be given.
+    fn circle_path_mode(&self, call: &CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
+        let options = call.args.iter().filter_map(|arg| match &arg.kind {
+            ArgKind::Named { name, .. } | ArgKind::Conditional { name, .. } => Some(self.text(*name)),
+            ArgKind::Positional(_) => None,
+        });
+        let (mut circle_point, mut wrist) = (None, None);
+        for option in options {
+            let written = as_text(option);
+            match lower_case(option).as_str() {
+                "pathframe" | "objectframe" => {}
+                "cirpointori" => {
+                    let what = "the tool passes circle points as they are written, and turns unevenly";
+                    circle_point = Some(self.why(at, format!("{what} (CirPathMode\\{written})")));
+                }
+                _ => {
+                    let what = "two axes of the wrist alone turn the tool on arcs, not to what is written";
+                    wrist = Some(self.why(at, format!("{what} (CirPathMode\\{written})")));
+                }
+            }
+        }
+        out.push(Node::Step(FlowStep::Blocker(Blocker::CirclePointOrientation, circle_point)));
+        out.push(Node::Step(FlowStep::Blocker(Blocker::WristOnArcs, wrist)));
+    }
+
+    /// What a program displacement that is set by `instruction` is.
+    fn displacement(&self, instruction: &str, call: &CallStmt) -> &'static str {
+        // Without \ExeP it is measured where the arm stands.
+        match instruction == "pdispon" && !self.has_option(call, "exep") {
+            true => "a program displacement is in force, which holds the correction of the motion before it",
+            false => "a program displacement is in force",
+        }
+    }
+
+    fn has_option(&self, call: &CallStmt, option: &str) -> bool {
+        call.args.iter().any(|arg| match &arg.kind {
+            ArgKind::Named { name, .. } => lower_case(self.text(*name)) == option,
+            _ => false,
+        })
+    }
+
+    /// `CallByVar "proc", n` calls `procn`.
+    fn call_by_number(&mut self, call: &'a CallStmt, out: &mut Vec<Node<'a>>) {
+        if let Some(ArgKind::Positional(expr)) = call.args.first().map(|arg| &arg.kind) {
+            let start = lower_case(&self.literal(expr, true));
+            self.by_number(&start, out);
+        }
+    }
+
+    /// Whether the pose given to PDispSet is a constant that displaces nothing.
+    fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
+        let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        let ctx = self.ctx;
+        let pose = self.evaluator.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
+        matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
+    }
+
+    /// Whether the offsets given to EOffsSet are constant and of axes alone that move no robot.
+    fn offsets_nothing(&mut self, call: &CallStmt) -> bool {
+        let Some(ArgKind::Positional(offsets)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        let ctx = self.ctx;
+        let Ok(offsets) = self.evaluator.fold(offsets, ctx, &Constant) else { return false };
+        let Ok(offsets) = convert::extjoint(&offsets.value) else { return false };
+        offsets.iter().zip(self.base_fixed).all(|(by, fixed)| fixed || by.is_none_or(|by| by == 0.0))
+    }
+
+    /// The load of a GripLoad, where it is constant.
+    fn gripped(&mut self, call: &CallStmt) -> Option<LoadData> {
+        let load = call.args.iter().find_map(|arg| match &arg.kind {
+            ArgKind::Positional(load) => Some(load),
+            _ => None,
+        })?;
+        let ctx = self.ctx;
+        let load = self.evaluator.fold(load, ctx, &Constant).ok()?;
+        convert::loaddata(&load.value).ok()
+    }
+
+    /// Text that was not understood: what it names is no longer known, nor where the arm is.
+    pub(super) fn opaque(&self, range: TextRange, out: &mut Vec<Node<'a>>) {
+        let at = Span { file: self.ctx.file, range };
+        for word in words(self.text(range), range.start) {
+            let lower = lower_case(self.text(word));
+            let named = || Some(self.why(at, format!("text that was not understood names {lower}")));
+            out.push(Node::Step(match lower.as_str() {
+                "confl" => FlowStep::ConfL(None),
+                "confj" => FlowStep::ConfJ(None),
+                "gripload" => FlowStep::Grip(None),
+                "pdispon" | "pdispset" | "pdispoff" => FlowStep::Blocker(Blocker::Displacement, named()),
+                "eoffson" | "eoffsset" | "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, named()),
+                "softact" | "softdeact" | "cssact" | "fcact" | "fcpress1lstart" => {
+                    FlowStep::Blocker(Blocker::SoftServo, named())
+                }
+                "singarea" => FlowStep::Blocker(Blocker::LockedAxis, named()),
+                "syncmoveon" | "syncmoveoff" => FlowStep::Blocker(Blocker::MultiMove, named()),
+                "cirpathmode" => FlowStep::Blocker(Blocker::WristOnArcs, named()),
+                _ => match self.slot(word) {
+                    Some(slot) => {
+                        let why = self.why(at, "text that was not understood names it".into());
+                        self.invalidate(slot, why, at, out);
+                        continue;
+                    }
+                    None => continue,
+                },
+            }));
+        }
+        out.push(Node::Step(FlowStep::UnknownPosition));
+    }
+}

@@ -1,0 +1,232 @@
+//! The targets of a motion: what they are worth, and where that is written.
+
+use super::MotionReader;
+use super::skip_reasons::{SkipReasons, is_known_at_run_time, skip};
+use crate::const_eval::{Constant, NameMeaning};
+use crate::convert;
+use crate::data::external_axis_letter;
+use crate::finite_set::FiniteSet;
+use crate::ids::DatumId;
+use crate::index::{Ctx, DatumKind};
+use crate::motion::{MotionId, Origin, Path, PersTarget, SkipReason, Target, TargetValue};
+use crate::motion_site::MoveArgs;
+use crate::names::as_text;
+use crate::tracked::names_in;
+use crate::value::{DataName, Reached, Value};
+use rapid_syntax::diagnostic::{Diagnostic, Span};
+use rapid_syntax::tree::{DataKind, Expr, ExprKind, UnaryOp};
+use std::rc::Rc;
+
+/// A motion's targets, and what is to be looked at once its frames are known.
+pub(super) struct MotionTargets {
+    pub(super) targets: Vec<Target>,
+    /// The `CalcRobT` among them.
+    pub(super) reached: Vec<Rc<Reached>>,
+    /// Warnings of those that are read elsewhere too, should the motion be corrected.
+    pub(super) read_elsewhere: Vec<(DatumId, Diagnostic)>,
+}
+
+impl<'a> MotionReader<'_, 'a> {
+    /// The targets of a motion.
+    pub(super) fn targets(
+        &mut self,
+        args: &MoveArgs<'a>,
+        (ctx, path, motion): (Ctx, Path, MotionId),
+        reasons: &mut SkipReasons,
+    ) -> MotionTargets {
+        let index = self.evaluator.index;
+        let joints_wanted = path == Path::AbsJoint;
+        let (mut targets, mut reached, mut read_elsewhere) = (Vec::new(), Vec::new(), Vec::new());
+        let on_ways = self.on_ways.remove(&motion);
+        for expr in &args.targets {
+            let (target, failed, calc) = self.target(expr, (ctx, joints_wanted), on_ways.as_ref());
+            if let Some((datum, reading)) = self.read_as_data.of_target(index, ctx, expr) {
+                match reading.skip_reason(index) {
+                    Some(why) => reasons.add(why),
+                    None => read_elsewhere.push((datum, reading.warning(index, datum))),
+                }
+            }
+            if !joints_wanted && let Some(axis) = moving_axis(&target, self.base_fixed) {
+                let reason = format!(
+                    "it places external axis {axis}, which may carry the robot's base or the work object (--base-fixed {axis} says \
+                     that it does not)"
+                );
+                reasons.add(skip("keep::external-base", reason));
+            }
+            // One of an array's elements is known well enough where all of them are.
+            let indexed = args.targets.len() == 1 && !target.elements().is_empty();
+            targets.push(target);
+            reached.extend(calc);
+            match (self.own_positions.read_at(index, ctx, expr), failed) {
+                (Some(at), _) => {
+                    let (function, place) = (as_text(index.text(at.file, at.range)), index.place(at));
+                    let reason = format!(
+                        "its target is read from where the robot stands ({function}), so that it holds the drift already: {place}"
+                    );
+                    reasons.add(SkipReason { code: "keep::own-position", reason, because: Some(at) });
+                }
+                (None, Some(skip)) if indexed && is_known_at_run_time(&skip) => {}
+                (None, failed) => reasons.extend(failed),
+            }
+        }
+        MotionTargets { targets, reached, read_elsewhere }
+    }
+
+    /// Whether all `CalcRobT` of a motion's targets name its own tool and work object.
+    pub(super) fn same_frames(&mut self, args: &MoveArgs<'a>, ctx: Ctx, reached: &[Rc<Reached>]) -> bool {
+        if reached.is_empty() {
+            return true;
+        }
+        let own_tool = args.tool.and_then(|tool| self.evaluator.data_name(tool, ctx));
+        let own_wobj = match args.wobj {
+            Some(wobj) => self.evaluator.data_name(wobj, ctx),
+            None => Some(DataName::Predefined("wobj0".into())),
+        };
+        let own = |r: &Rc<Reached>| Some(&r.tool) == own_tool.as_ref() && Some(&r.wobj) == own_wobj.as_ref();
+        reached.iter().all(own)
+    }
+
+    /// The first PERS that a motion's targets name.
+    pub(super) fn first_pers(&self, motion: MotionId, args: &MoveArgs<'a>, ctx: Ctx) -> Option<PersTarget> {
+        let index = self.evaluator.index;
+        let mut first = None;
+        for expr in &args.targets {
+            names_in(index, ctx, expr, &mut |datum| {
+                if index.data[datum].kind == DatumKind::Declared(DataKind::Pers) {
+                    first.get_or_insert(datum);
+                }
+            });
+        }
+        first.map(|datum| PersTarget {
+            motion,
+            name: self.evaluator.name_of(datum),
+            declaration: index.declaration(datum),
+        })
+    }
+
+    fn target(
+        &mut self,
+        expr: &'a Expr,
+        (ctx, joints_wanted): (Ctx, bool),
+        on_ways: Option<&FiniteSet>,
+    ) -> (Target, Option<SkipReason>, Option<Rc<Reached>>) {
+        let (origin, literal) = self.origin(expr, ctx);
+        if !joints_wanted
+            && expr.kind == ExprKind::Numbers
+            && let Some(target) =
+                convert::robtarget_as_written(self.evaluator.index.text(ctx.file, expr.range))
+            && let Some(literal) = literal
+        {
+            let target = Target::new(expr.range, origin).with_value(&TargetValue::Rob(target));
+            return (target.with_literal(literal), None, None);
+        }
+        let mut calc = None;
+        let folded = self.evaluator.fold(expr, ctx, &Constant).and_then(|typed| {
+            let value = typed.value;
+            let converted = match (&value, joints_wanted) {
+                (Value::Reached(reached), false) => {
+                    calc = Some(reached.clone());
+                    convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+                }
+                (_, true) => convert::jointtarget(&value).map(TargetValue::Joint),
+                (_, false) => convert::robtarget(&value).map(TargetValue::Rob),
+            };
+            converted.map_err(|(code, reason)| {
+                let because = match &origin {
+                    Origin::Named { declaration, .. } => Some(*declaration),
+                    Origin::Inline | Origin::Expression => None,
+                };
+                Rc::new(SkipReason { code, reason, because })
+            })
+        });
+        let unused_axis = |v: &TargetValue| match v {
+            TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
+            TargetValue::Rob(_) => false,
+        };
+        let target = Target::new(expr.range, origin);
+        let value = match folded {
+            Ok(value) => value,
+            Err(why) => {
+                let target = self.chosen_at_run_time(target, (expr, ctx), joints_wanted, (&why, on_ways));
+                return (target, Some((*why).clone()), calc);
+            }
+        };
+        let failed = unused_axis(&value).then(|| {
+            skip("keep::axis-unused", "an axis of the arm is written 9E9: it stays where it is".into())
+        });
+        let target = target.with_value(&value);
+        match literal {
+            Some(literal) => (target.with_literal(literal), failed, calc),
+            None => (target, failed, calc),
+        }
+    }
+
+    fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {
+        let literal =
+            |expr: &Expr, ctx: Ctx| is_literal(expr).then_some(Span { file: ctx.file, range: expr.range });
+        match &expr.kind {
+            ExprKind::Aggregate(_) | ExprKind::Numbers => (Origin::Inline, literal(expr, ctx)),
+            ExprKind::Name => {
+                let name = as_text(self.evaluator.index.text(ctx.file, expr.range));
+                let here = Span { file: ctx.file, range: expr.range };
+                match self.evaluator.resolve(expr.range, ctx) {
+                    Ok(NameMeaning::Datum(datum)) => {
+                        let entry = &self.evaluator.index.data[datum];
+                        let literal = entry.init.and_then(|init| literal(init, entry.ctx));
+                        let declaration = self.evaluator.index.declaration(datum);
+                        (Origin::Named { name, declaration }, literal)
+                    }
+                    Ok(NameMeaning::Predefined(_)) | Err(_) => {
+                        (Origin::Named { name, declaration: here }, None)
+                    }
+                }
+            }
+            _ => (Origin::Expression, None),
+        }
+    }
+}
+
+/// The letter of an external axis that a target places away from 0 and that may move the base.
+pub(super) fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char> {
+    target.values().find_map(|value| {
+        let ext = match value {
+            TargetValue::Rob(target) => target.ext,
+            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
+        };
+        let moves = |(place, fixed): (Option<f64>, bool)| place.is_some_and(|place| place != 0.0) && !fixed;
+        let axis = ext.into_iter().zip(base_fixed).position(moves)?;
+        Some(external_axis_letter(axis))
+    })
+}
+
+/// The external axes for which some value of a motion's last target names no place: they stay where they are. Joints are corrected wherever
+/// the base stands.
+pub(super) fn leaves_axes(targets: &[Target], path: Path) -> [bool; 6] {
+    if path == Path::AbsJoint {
+        return [false; 6];
+    }
+    let Some(target) = targets.last() else { return [true; 6] };
+    let mut values = target.values().peekable();
+    if values.peek().is_none() {
+        return [true; 6];
+    }
+    values.fold([false; 6], |leaves, value| {
+        let ext = match value {
+            TargetValue::Rob(target) => target.ext,
+            TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
+        };
+        std::array::from_fn(|axis| leaves[axis] || ext[axis].is_none())
+    })
+}
+
+/// Whether an expression is made of literals alone.
+fn is_literal(expr: &Expr) -> bool {
+    match &expr.kind {
+        ExprKind::Number | ExprKind::Numbers | ExprKind::String | ExprKind::Bool(_) => true,
+        ExprKind::Aggregate(parts) => parts.iter().all(is_literal),
+        ExprKind::Unary { op: UnaryOp::Neg | UnaryOp::Plus, operand } => {
+            matches!(operand.kind, ExprKind::Number)
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,146 @@
+//! One routine walked from the state it is called in to the state it leaves, through those that call themselves and through handlers
+//! of errors.
+//!
+//! Knows nothing of where a program begins, nor of what a single step does.
+
+use super::in_force::{lose, same, same_or_none, unknown};
+use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, StateAnalysis};
+use crate::flow::{ForwardAnalysis, walk};
+use crate::ids::RoutineIndex;
+use crate::motion::MotionId;
+use std::rc::Rc;
+
+impl StateAnalysis<'_, '_> {
+    /// What a motion sees on one more visit; `shared`: the same for other motions that see it.
+    pub(super) fn record(&mut self, motion: MotionId, state: &State, shared: &mut Option<Rc<State>>) {
+        self.watch(motion, state);
+        self.watch_found(motion, state);
+        let seen = self.at_motions.get_mut(motion.index()).and_then(Option::take);
+        let seen = match seen {
+            None => Rc::clone(shared.get_or_insert_with(|| match self.last_seen.take() {
+                Some(last) if *last == *state => last,
+                _ => Rc::new(state.clone()),
+            })),
+            Some(mut seen) => {
+                self.join(Rc::make_mut(&mut seen), state);
+                seen
+            }
+        };
+        self.last_seen = Some(Rc::clone(&seen));
+        if let Some(at) = self.at_motions.get_mut(motion.index()) {
+            *at = Some(seen);
+        }
+    }
+
+    /// What a routine leaves that is called in `entry`.
+    pub(super) fn call(&mut self, routine: RoutineIndex, mut entry: State) -> After {
+        if let Some(at) = self.busy.iter().rposition(|b| b.routine == routine) {
+            return self.call_again(at, &entry);
+        }
+        if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+            return after.clone();
+        }
+        if self.busy.len() >= DEEPEST_CALL {
+            self.steps = MOST_STEPS + 1;
+            return After { exit: Some(entry), failed: None };
+        }
+        if self.walked[routine].len() >= MOST_STATES {
+            if let Some(mut common) = self.common[routine].take() {
+                self.join(&mut common, &entry);
+                entry = common;
+            }
+            self.common[routine] = Some(entry.clone());
+            if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
+                return after.clone();
+            }
+        }
+        let known: Vec<usize> = self.walked.iter().map(Vec::len).collect();
+        let mut after = After::default();
+        loop {
+            let (entered, known_after) = (entry.clone(), after.clone());
+            self.busy.push(Busy {
+                routine,
+                entry: entered,
+                after: known_after,
+                failed: None,
+                recursive: false,
+            });
+            let exit = self.body(routine, &entry);
+            let Some(busy) = self.busy.pop() else { break };
+            let before = std::mem::take(&mut after);
+            after.exit = self.either(before.exit.clone(), exit);
+            after.failed = self.either(before.failed.clone(), busy.failed);
+            let settled = same_or_none(before.exit.as_ref(), after.exit.as_ref())
+                && same_or_none(before.failed.as_ref(), after.failed.as_ref());
+            if !busy.recursive || settled && same(&busy.entry, &entry) {
+                break;
+            }
+            // What was walked on the way rests on what this routine was taken to do.
+            for (walked, &known) in self.walked.iter_mut().zip(&known) {
+                walked.truncate(known);
+            }
+            entry = busy.entry;
+        }
+        self.walked[routine].push((entry, after.clone()));
+        after
+    }
+
+    /// A routine that calls itself: the outer call is walked again until it covers this one as well.
+    fn call_again(&mut self, at: usize, entry: &State) -> After {
+        let Some(mut covered) = self.busy.get(at).map(|busy| busy.entry.clone()) else {
+            return After::default();
+        };
+        self.join(&mut covered, entry);
+        let Some(busy) = self.busy.get_mut(at) else { return After::default() };
+        busy.entry = covered;
+        busy.recursive = true;
+        busy.after.clone()
+    }
+
+    fn body(&mut self, routine: RoutineIndex, entry: &State) -> Option<State> {
+        let control_flow = self.control_flow;
+        let cfg = &control_flow.routines[routine];
+        let mut exit = walk(self, &cfg.body, entry);
+        let failed_in_body = self.busy.last_mut().and_then(|busy| busy.failed.take());
+        if !cfg.handlers.is_empty() {
+            let mut failed = entry.clone();
+            let reason = unknown("an error may come before or after it is set");
+            lose(&mut failed, &self.effects[routine], &reason);
+            for handler in &cfg.handlers {
+                let handled = walk(self, handler, &failed);
+                exit = self.either(exit, handled);
+            }
+        }
+        if let Some(failed) = failed_in_body.filter(|_| !cfg.recovery.catches_all) {
+            self.fails(&failed);
+        }
+        exit
+    }
+
+    /// An error may leave what is being walked with this state.
+    pub(super) fn fails(&mut self, state: &State) {
+        let known = self.busy.last_mut().and_then(|busy| busy.failed.take());
+        let failed = self.either(known, Some(state.clone()));
+        if let Some(busy) = self.busy.last_mut() {
+            busy.failed = failed;
+        }
+    }
+
+    /// The state behind the handlers of what is being walked.
+    pub(super) fn handled(&self, state: &mut State) {
+        let in_handlers = self.busy.last().and_then(|busy| self.in_handlers.get(busy.routine));
+        if let Some(in_handlers) = in_handlers {
+            lose(state, in_handlers, &unknown("an error handler may change it"));
+        }
+    }
+
+    pub(super) fn either(&mut self, a: Option<State>, b: Option<State>) -> Option<State> {
+        match (a, b) {
+            (Some(mut a), Some(b)) => {
+                self.join(&mut a, &b);
+                Some(a)
+            }
+            (a, b) => a.or(b),
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! What the target of a motion is on each of the ways that lead to it: data that straight-line code sets from known values, in
+//! part or from what they were before, differently for each call of the routine that moves.
+//!
+//! A superset is enough, and one that lacks what nobody can know (a pointer that was set by hand) does no harm: what the target
+//! is, run time tells, and what is none of these stays as it is.
+
+use super::{ControlFlow, FoundPoints, MOST_STEPS, State, StateAnalysis, TrackedData, View, Watched};
+use crate::const_eval::ConstEvaluator;
+use crate::finite_set::{FiniteSet, MOST_VALUES};
+use crate::ids::{DatumId, IdSet};
+use crate::index::Ctx;
+use crate::motion::MotionId;
+use crate::motion_site::MotionSites;
+use crate::names::ByNumber;
+use crate::own_position::OwnPositions;
+use crate::tracked::{names_in, sources};
+use crate::value::Value;
+use rapid_syntax::tree::Expr;
+use std::collections::BTreeSet;
+
+/// What is known of targets by the ways that lead to them.
+#[derive(Debug, Default)]
+pub(crate) struct TargetsOnWays {
+    /// For each motion with one target the values that this can have; those whose values are not all known, or too many, are left
+    /// out.
+    pub(crate) values: ByNumber<MotionId, FiniteSet>,
+    /// The motions with a target, tool or work object that can be what a search has found.
+    pub(crate) found: BTreeSet<MotionId>,
+}
+
+/// What is known of the targets of all motions, `found` being what searches have found at some time.
+pub(crate) fn targets_on_ways<'a>(
+    evaluator: &mut ConstEvaluator<'a>,
+    sites: &MotionSites<'a>,
+    control_flow: &ControlFlow<'a>,
+    tracked: &TrackedData,
+    found: &OwnPositions,
+) -> TargetsOnWays {
+    let index = evaluator.index;
+    let mut walker = StateAnalysis::new(evaluator, sites.motions.len(), control_flow, tracked);
+    let mut to_found = ByNumber::default();
+    for (motion, site) in sites.motions.iter().enumerate().map(|(at, site)| (MotionId::new(at), site)) {
+        let (args, ctx) = (site.args(index), site.ctx(index));
+        let places: Vec<&Expr> = args.targets.iter().copied().chain(args.tool).chain(args.wobj).collect();
+        if places.iter().any(|place| found.is_read(index, ctx, place)) {
+            to_found.insert(motion, (places, ctx));
+        }
+        let [target] = args.targets[..] else { continue };
+        let mut changes = false;
+        names_in(index, ctx, target, &mut |datum| changes |= tracked.slot(datum).is_some());
+        if changes {
+            walker.watched.insert(motion, Watched { target, ctx, values: Some(Vec::new()) });
+        }
+    }
+    let any_found: BTreeSet<MotionId> = to_found.keys().copied().collect();
+    if !any_found.is_empty() {
+        walker.found = Some(FoundPoints { points: found, targets: to_found, motions: BTreeSet::new() });
+    }
+    if walker.watched.is_empty() && walker.found.is_none() {
+        return TargetsOnWays::default();
+    }
+    walker.run();
+    if walker.steps > MOST_STEPS {
+        return TargetsOnWays { values: ByNumber::default(), found: any_found };
+    }
+    let sources = sources(index);
+    let with_sources = |watched: &Watched<'a>| {
+        let mut new: Vec<DatumId> = Vec::new();
+        names_in(index, watched.ctx, watched.target, &mut |datum| new.push(datum));
+        let mut made_of = IdSet::default();
+        while let Some(datum) = new.pop() {
+            if made_of.insert(datum) {
+                new.extend(sources.sources_of(datum));
+            }
+        }
+        made_of
+    };
+    let known = walker.watched.iter().filter_map(|(&motion, watched)| {
+        let values = watched.values.clone().filter(|values| !values.is_empty())?;
+        Some((motion, FiniteSet { values, made_of: with_sources(watched) }))
+    });
+    let values = known.collect();
+    let found = walker.found.map(|found| found.motions).unwrap_or_default();
+    TargetsOnWays { values, found }
+}
+
+impl StateAnalysis<'_, '_> {
+    /// Notes whether a target of a motion can be what a search has found on one more visit.
+    pub(super) fn watch_found(&mut self, motion: MotionId, state: &State) {
+        let Some((targets, ctx)) = self.found.as_ref().and_then(|found| found.targets.get(&motion)) else {
+            return;
+        };
+        let comes = targets.iter().any(|target| self.reads_found(target, *ctx, state));
+        if let Some(found) = self.found.as_mut().filter(|_| comes) {
+            found.motions.insert(motion);
+        }
+    }
+
+    /// Whether an expression can read what a search has found; data that are not tracked can be it anywhere.
+    pub(super) fn reads_found(&self, expr: &Expr, ctx: Ctx, state: &State) -> bool {
+        let holds = |datum: DatumId| {
+            let slot = self.tracked.slot(datum).and_then(|slot| state.slots.get(slot));
+            slot.is_none_or(|slot| slot.found)
+        };
+        let found = self.found.as_ref();
+        found.is_some_and(|found| found.points.read_where(self.evaluator.index, ctx, expr, &holds).is_some())
+    }
+
+    /// Notes what the target of a motion that is watched is on one more visit.
+    pub(super) fn watch(&mut self, motion: MotionId, state: &State) {
+        let Some(Watched { target, ctx, values: Some(_) }) = self.watched.get(&motion) else { return };
+        let (target, ctx) = (*target, *ctx);
+        let view = View { state, tracked: self.tracked };
+        let value = self.evaluator.fold(target, ctx, &view).ok().map(|typed| typed.value);
+        let Some(watched) = self.watched.get_mut(&motion) else { return };
+        let Some(values) = &mut watched.values else { return };
+        match value {
+            Some(value) if !matches!(value, Value::Unknown(_) | Value::Reached(_)) => {
+                if !values.contains(&value) {
+                    values.push(value);
+                }
+                if values.len() > MOST_VALUES {
+                    watched.values = None;
+                }
+            }
+            _ => watched.values = None,
+        }
+    }
+}
