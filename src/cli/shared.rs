@@ -136,10 +136,13 @@ impl PriorKnowledgeArgs {
     }
 }
 
+/// How far a tool's tip or a target may be from the flange, mm: nearer, metres were given; farther, micrometres.
+const TOOL_MM: std::ops::Range<f64> = 1.0..1e4;
+
 /// `X,Y,Z` in mm as a place in the flange's frame, metres.
 ///
 /// # Errors
-/// Anything that is not three numbers.
+/// Anything that is not three numbers, and what is no place in mm.
 pub fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
     let wrong = || {
         Diagnostic::error("diagnose::tool", format!("--tool {text}: three numbers are needed, x,y,z in mm"))
@@ -147,6 +150,13 @@ pub fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
     };
     let numbers: Vec<f64> =
         text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
+    let far_mm = numbers.iter().map(|n| n * n).sum::<f64>().sqrt();
+    if far_mm.is_finite() && far_mm > 0.0 && !TOOL_MM.contains(&far_mm) {
+        return Err(Diagnostic::error(
+            "diagnose::tool",
+            format!("--tool {text}: that is {far_mm} mm from the flange; the numbers are millimetres"),
+        ));
+    }
     match numbers[..] {
         [x, y, z] if numbers.iter().all(|n| n.is_finite()) => Ok(Vector3::new(x, y, z).map(m_from_mm)),
         _ => Err(wrong()),

@@ -5,6 +5,7 @@ use super::measured::MeasurementArgs;
 use super::number::{minutes, positive};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
+use crate::report::LocatedDiagnostic;
 use driftpost::application::StateEstimation;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -82,6 +83,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (touches, _) = args.source.touches(console)?;
     let json = files::Output::new(args.json.as_deref())?;
     let found = job.run(&touches).map_err(Diagnostic::from)?;
+    console.explain(&LocatedDiagnostic::all(found.state.warnings.iter().cloned(), &[]), true);
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

@@ -65,7 +65,9 @@ pub fn plainly(effect: EffectKind) -> &'static str {
         EffectKind::InstrumentScale => "the instrument's lengths are scaled",
         EffectKind::ToolDrift => "the target creeps on the flange",
         EffectKind::ToolStep => "the target was moved on the flange",
-        EffectKind::PayloadMass => "the payload weighs more or less than declared",
+        EffectKind::PayloadMass => {
+            "the payload weighs more or less than declared, or its centre of gravity lies elsewhere"
+        }
         EffectKind::JointRounding => "joints are written with too few decimals",
         EffectKind::SwappedAxes => "measured axes are swapped or mirrored",
         EffectKind::GearSpectrum => "",

@@ -14,7 +14,7 @@ const WORTH_A_LINE_MM: f64 = 5e-4;
 pub fn text(d: &Findings, arm: &SerialArm) -> String {
     let robot = &arm.name;
     let mut page = String::new();
-    if let Some(summary) = mostly_explained(d) {
+    if let Some(summary) = summary(d) {
         line(&mut page, &summary);
     }
     line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
@@ -44,9 +44,31 @@ fn share_explained(d: &Findings) -> Option<f64> {
     (unexplained && share >= MOST).then_some(share)
 }
 
+/// A first line where the verdict's own does not say where most of the gap lies.
+pub(super) fn summary(d: &Findings) -> Option<String> {
+    mostly_explained(d).or_else(|| mostly_geometry(d))
+}
+
+/// Most of the gap is taken by the geometry behind the named causes: they are there, and are not what it is made of.
+fn mostly_geometry(d: &Findings) -> Option<String> {
+    let s = &d.shrink;
+    let (before, after) = (s.before_rms_mm?, s.after_rms_mm?);
+    let causes = s.causes_only_rms_mm.filter(|_| names_causes(d))?;
+    let taken = |left: f64| 1.0 - (left / before).powi(2);
+    let geometry = taken(after) - taken(causes).max(0.0);
+    (taken(after) >= 0.5 && geometry > taken(causes)).then(|| {
+        let what = if d.causes.len() == 1 { "the cause below is there, but" } else { "the causes below are there, but" };
+        let share = match 100.0 * geometry {
+            most if most >= 99.5 => "nearly all".to_owned(),
+            share => format!("{share:.0} %"),
+        };
+        format!("Mostly geometry: small errors of all joints' geometry take {share} of the gap's square; {what} small beside them.")
+    })
+}
+
 /// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
 /// what they move the tool by beside base and target, or, where others take that back, by what of the gap rests on them.
-pub(super) fn mostly_explained(d: &Findings) -> Option<String> {
+fn mostly_explained(d: &Findings) -> Option<String> {
     let percent = 100.0 * share_explained(d)?;
     // A candidate's probability is at most one half under these verdicts.
     let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
@@ -155,7 +177,10 @@ pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
         Verdict::UnexplainedScatter if !poses.is_empty() && misses_a_channel(d) => {
             format!("measure again with the columns that are missing (below); {poses}")
         }
-        _ if poses.is_empty() => "measure more poses, with the columns that are missing (below)".to_owned(),
+        _ if poses.is_empty() && misses_a_channel(d) => {
+            "measure more poses, with the columns that are missing (below)".to_owned()
+        }
+        _ if poses.is_empty() => "measure more poses".to_owned(),
         _ => poses,
     }
 }

@@ -149,8 +149,11 @@ fn load(out: &mut String, written: &ControllerData, model: &Identified) {
         out.push('\n');
         return;
     }
-    let _ =
-        writeln!(out, "  ! What hangs there weighs {heavier_kg:+.3} kg more than was declared: weigh it.");
+    let _ = writeln!(
+        out,
+        "  ! What hangs there pulls as {heavier_kg:+.3} kg more than was declared would, or with its centre of gravity elsewhere:\n  \
+         ! weigh it and balance it; the centre of gravity below is the one that was declared."
+    );
     let parts = written.load.as_ref().and_then(|Declaration { name, value }| {
         let all = elements(value)?;
         let mass_kg: f64 = all.first()?.parse().ok()?;

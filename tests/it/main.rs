@@ -54,6 +54,7 @@ mod next_poses;
 mod nominal_cell;
 mod oracle;
 mod oracle_of_two;
+mod outside_the_arm;
 mod paper;
 mod plan;
 mod play;

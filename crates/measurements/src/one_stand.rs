@@ -2,8 +2,9 @@
 
 use super::{
     Fault, FaultKind, Measurements, PartFault, PosedRow, RegisterError, Registration, RowCheck, Station,
-    Stations, alone, describe_code, describe_move, describe_remounting, find_apart, find_fault,
-    find_in_cells, find_in_columns, find_in_orientations, find_in_rows, gather, register,
+    Stations, alone, describe_code, describe_knock, describe_move, describe_remounting, find_apart,
+    find_fault, find_in_cells, find_in_columns, find_in_one_target, find_in_orientations, find_in_rows,
+    find_moved_target, gather, register,
 };
 use nalgebra::{Isometry3, Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -87,8 +88,10 @@ impl OneStand<'_> {
         match find_fault(robot, standing, targets, &registration, tool_m) {
             None => Ok(registration),
             Some(fault) if fault.kind == FaultKind::NothingFits && fault.column.is_none() => {
-                let apart = find_apart(robot, &self.rows(robot), self.targets(), tool_m);
-                Err(StandError::Fault(Box::new(apart.unwrap_or(fault))))
+                let rows = self.rows(robot);
+                let found = find_in_one_target(robot, &rows, &self.measurements.targets)
+                    .or_else(|| find_apart(robot, &rows, self.targets(), tool_m));
+                Err(StandError::Fault(Box::new(found.unwrap_or(fault))))
             }
             Some(fault) => Err(StandError::Fault(Box::new(fault))),
         }
@@ -139,11 +142,40 @@ impl OneStand<'_> {
     fn remounted(&mut self, rows: Range<usize>, by_m: f64) {
         let lines = [self.line(rows.start), self.line(rows.end.saturating_sub(1))];
         self.warn("measure::target-moved", describe_remounting(by_m, lines));
+        let rows = self.used.get(rows).unwrap_or_default().to_vec();
+        self.name_anew(&rows, format!("from line {}", lines[0]));
+    }
+
+    /// One of several targets was knocked, as often as that shows: from there on it is one of its own.
+    fn take_knocks_apart(&mut self, robot: &SerialArm) {
+        let as_named: Vec<usize> =
+            self.used.iter().filter_map(|&i| Some(self.measurements.rows.get(i)?.target)).collect();
+        for _ in 0..MOST_CHANGES {
+            let Some(moved) = find_moved_target(&self.rows(robot), &as_named, self.targets()) else { break };
+            let names = self.measurements.targets.clone();
+            let name = |t: usize| names.get(t).map_or("", String::as_str);
+            let (moving, what) = match moved.target {
+                Some(target) => (vec![target], format!("target {}", name(target))),
+                None => (vec![0, 1], format!("one of the targets {} and {}", name(0), name(1))),
+            };
+            let line = self.line(moved.from);
+            self.warn("measure::target-moved", describe_knock(&what, moved.by_m, line));
+            for target in moving {
+                let rows = self.used.iter().zip(&as_named).skip(moved.from);
+                let rows: Vec<usize> =
+                    rows.filter(|(_, named)| **named == target).map(|(row, _)| *row).collect();
+                self.name_anew(&rows, format!("{} from line {line}", name(target)));
+            }
+        }
+    }
+
+    /// Takes `rows` as those of a target of their own.
+    fn name_anew(&mut self, rows: &[usize], name: String) {
         let measurements = self.measurements.to_mut();
         let target = measurements.targets.len().max(1);
         measurements.targets.resize(target, String::new());
-        measurements.targets.push(format!("from line {}", lines[0]));
-        for &index in self.used.get(rows).unwrap_or_default() {
+        measurements.targets.push(name);
+        for &index in rows {
             if let Some(row) = measurements.rows.get_mut(index) {
                 row.target = target;
             }
@@ -231,6 +263,7 @@ pub fn from_one_stand<'a>(
         return Err(Box::new(fault));
     }
     let mut seen = OneStand::as_it_is(measurements, checked.used.clone());
+    seen.take_knocks_apart(robot);
     for _ in 0..MOST_CHANGES {
         match find_in_rows(robot, &seen.rows(robot), seen.targets(), tool_m) {
             None => break,

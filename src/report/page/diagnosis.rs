@@ -3,7 +3,7 @@
 use super::embed::Decimals;
 use super::scene::robot;
 use super::{Page, write_page};
-use crate::report::diagnosis::{mostly_explained, next_step};
+use crate::report::diagnosis::{next_step, summary};
 use metrology::diagnose::{Findings, GearLine, GearSpectrum, RowResidual};
 use robot_model::robot::SerialArm;
 use robot_model::units::{mm_from_m, mrad_from_rad};
@@ -43,7 +43,7 @@ impl DiagnosisPage<'_> {
         let view = json!({
             "robot": robot(self.robot),
             "text": self.text,
-            "mostly": mostly_explained(self.findings),
+            "mostly": summary(self.findings),
             "next": next_step(self.findings, self.robot),
             "provenance": self.provenance,
             "spectra": self.spectra.iter().map(spectrum).collect::<Vec<_>>(),

@@ -39,6 +39,38 @@ fn recipe(points: usize) -> TouchRecipe {
     }
 }
 
+/// Minutes that are seconds, and a first touch of an arm that has worked for a time constant, are named; the sound file is not.
+#[test]
+fn minutes_that_cannot_be_are_named() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let text = touches(&robot, &recipe(2), &mut Rng::new(7, 1)).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("touches.csv");
+    let (header, rows) = text.split_once('\n').unwrap();
+    let at = header.split(',').position(|name| name == "t_min").unwrap();
+    let with_times = |time: &dyn Fn(f64) -> f64| {
+        let rows = rows.lines().map(|row| {
+            let mut cells: Vec<String> = row.split(',').map(str::to_owned).collect();
+            cells[at] = time(cells[at].parse().unwrap()).to_string();
+            cells.join(",")
+        });
+        format!("{header}\n{}\n", rows.collect::<Vec<_>>().join("\n"))
+    };
+    for (time, expected) in [
+        (&(|t| t) as &dyn Fn(f64) -> f64, None),
+        (
+            &|t| 60.0 * t,
+            Some("touches are 600 min apart in the middle, longer than the arm takes to settle (46 min)"),
+        ),
+        (&|t| t + 100.0, Some("the first touch is at minute 100, and is taken for the cold arm's")),
+    ] {
+        std::fs::write(&file, with_times(time)).unwrap();
+        let (_, reported) = state(&file.display().to_string(), "24000:24010");
+        assert_eq!(reported.contains("state::minutes"), expected.is_some(), "{reported}");
+        assert!(reported.contains(expected.unwrap_or_default()), "{reported}");
+    }
+}
+
 #[test]
 fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
     let robot = Robot::built_in("irb140").unwrap();

@@ -7,6 +7,9 @@ use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::design::{Design, side_by_side};
 use super::gp_features::{bumps, compress, farthest_points};
 use super::gp_over_time::{cycle_columns, hidden_load_columns};
+use super::gp_tool::{
+    loaded_target_columns, loaded_zeros_columns, tool_sag_columns, wandering_scale_columns,
+};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use robot_model::robot::Axis;
 
@@ -54,6 +57,14 @@ pub(super) enum GpAlternative {
     Periodic(Axis, u32),
     /// The same, its second half the first turned over: even steps.
     SquareWave(Axis, u32),
+    /// A tool that gives under its own weight and under the payload.
+    ToolSag,
+    /// A target that sits elsewhere on the flange as the payload is on.
+    LoadedTarget,
+    /// Zeros of all joints that shift as the payload is on.
+    LoadedZeros,
+    /// An instrument whose scale wanders over time.
+    WanderingScale,
     /// The cause in this place of the model, growing or fading over the measurement.
     TimeVaryingCause(usize),
 }
@@ -122,11 +133,13 @@ pub(super) fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
             (0..BUMP_RADII_M.len()).map(|radius| GpAlternative::LocalBump(position, radius).weighing(share)),
         );
     }
+    all.push(GpAlternative::ToolSag.weighing(1.0));
     // Without a time column the rows still stand in the order in which they were measured.
     all.extend([
         GpAlternative::Time.weighing(2.0),
         GpAlternative::TimeFine.weighing(1.0),
         GpAlternative::ToolTime.weighing(1.0),
+        GpAlternative::WanderingScale.weighing(0.5),
     ]);
     all.extend(axes().map(|j| GpAlternative::JointTime(j).weighing(0.5)));
     let total: f64 = all.iter().map(|one| one.weight).sum();
@@ -229,6 +242,10 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
         GpAlternative::Cycle(half_cycles) => cycle_columns(design, dataset, half_cycles),
         GpAlternative::Periodic(j, n) => periodic_columns(design, dataset, j, n, 1),
         GpAlternative::SquareWave(j, n) => periodic_columns(design, dataset, j, n, 2),
+        GpAlternative::ToolSag => tool_sag_columns(design, dataset),
+        GpAlternative::LoadedTarget => loaded_target_columns(design, dataset),
+        GpAlternative::LoadedZeros => loaded_zeros_columns(design, dataset),
+        GpAlternative::WanderingScale => wandering_scale_columns(design, dataset),
         GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
     }
 }

@@ -36,6 +36,7 @@ impl MissingChannel {
             | GpAlternative::ToolTime
             | GpAlternative::JointTime(_)
             | GpAlternative::Cycle(_)
+            | GpAlternative::WanderingScale
                 if !timed =>
             {
                 Some(Self::Time)

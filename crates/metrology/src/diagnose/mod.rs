@@ -20,6 +20,7 @@ mod gear_spectrum;
 mod gp_alternative;
 mod gp_features;
 mod gp_over_time;
+mod gp_tool;
 mod heldout;
 mod holding_torque;
 mod identification;

@@ -1,7 +1,7 @@
 //! A robot from its TOML file: mm and degrees in, SI out; every number checked, every unknown key refused.
 
 use super::{FEWEST_JOINTS, Joint, JointKind, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
-use crate::units::{m_from_mm, rad_from_deg};
+use crate::units::{m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
 use serde::Deserialize;
 
@@ -57,14 +57,35 @@ impl SerialArm {
                 Some(links)
             }
         };
-        Ok(Self {
+        let arm = Self {
             name: file.name,
             source: file.source,
             joints,
             last_from_flange: frame("[flange]", file.flange.origin_mm, file.flange.rpy_deg)?,
             links,
-        })
+        };
+        match ARM_M.contains(&stretched_m(&arm)) {
+            true => Ok(arm),
+            false => Err(RobotError::Value {
+                place: "origin_mm".to_owned(),
+                problem: format!(
+                    "from the base to the flange it is {:.4} mm along the joints",
+                    mm_from_m(stretched_m(&arm))
+                ),
+                remedy: "give the joints' places in millimetres",
+            }),
+        }
     }
+}
+
+/// How long arms are along their joints, metres: the smallest fit on a table, the largest load cars. Outside, the file is in metres or
+/// micrometres.
+const ARM_M: std::ops::Range<f64> = 0.05..50.0;
+
+/// From the base to the flange along the joints' places, metres.
+fn stretched_m(arm: &SerialArm) -> f64 {
+    let joints = arm.joints.iter().map(|joint| joint.previous_from_joint.translation.vector.norm());
+    joints.sum::<f64>() + arm.last_from_flange.translation.vector.norm()
 }
 
 #[derive(Deserialize)]
@@ -236,6 +257,28 @@ mod tests {
     fn an_axis_need_not_have_length_one() {
         let robot = Robot::from_toml(&irb140().replacen("[0, 0, 1]", "[0, 0, -3]", 1)).unwrap();
         assert_eq!(*robot.joints[0].axis, -Vector3::z());
+    }
+
+    /// 359 + 360 + 380 + 65 mm in metres: 1.16 mm from the base to the flange.
+    #[test]
+    fn an_arm_in_metres_is_refused() {
+        let in_metres: String = irb140()
+            .lines()
+            .map(|line| match line.strip_prefix("origin_mm = [").and_then(|rest| rest.split_once(']')) {
+                None => format!("{line}\n"),
+                Some((numbers, _)) => {
+                    let metres =
+                        numbers.split(',').map(|n| (n.trim().parse::<f64>().unwrap() / 1e3).to_string());
+                    format!("origin_mm = [{}]\n", metres.collect::<Vec<_>>().join(", "))
+                }
+            })
+            .collect();
+        let text = error(&in_metres);
+        assert!(
+            text.starts_with("robot file, origin_mm: from the base to the flange it is 1.1639"),
+            "{text}"
+        );
+        assert!(text.ends_with("mm along the joints; give the joints' places in millimetres"), "{text}");
     }
 
     #[test]

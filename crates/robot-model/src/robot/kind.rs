@@ -79,6 +79,8 @@ pub(super) struct TypeName<'n> {
     pub(super) variant: &'n str,
     /// Behind the slash, or behind the hyphen where it has a decimal point: `irb4600-2.55`.
     pub(super) reach_m: Option<f64>,
+    /// Between the hyphen and the slash: what it may carry, kg.
+    pub(super) payload_kg: Option<f64>,
     /// With the dress pack inside its wrist, whose flange stands further out: LID, LeanID.
     is_lean: bool,
 }
@@ -99,6 +101,10 @@ impl<'n> TypeName<'n> {
             let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(text.len());
             text.get(..end).and_then(|number| number.trim_end_matches('.').parse().ok())
         };
+        let payload_kg = rest
+            .split_once('/')
+            .and_then(|(before, _)| before.split_once('-'))
+            .and_then(|(_, payload)| leading(payload));
         let reach_m = match rest.split_once('/') {
             Some((_, reach)) => leading(reach),
             None => rest
@@ -109,7 +115,7 @@ impl<'n> TypeName<'n> {
         };
         let is_lean =
             rest.to_ascii_uppercase().contains("LID") || rest.to_ascii_uppercase().contains("LEANID");
-        Some(Self { is_cobot, number, variant, reach_m, is_lean })
+        Some(Self { is_cobot, number, variant, reach_m, payload_kg, is_lean })
     }
 
     /// Whether both are IRB 6700s, of whatever reach; a variant's letters do not matter.

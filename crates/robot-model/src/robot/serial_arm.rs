@@ -3,6 +3,7 @@
 //! It can be measured, diagnosed and validated. A [`Robot`] is one of six turning joints, which is what programs are
 //! compensated for; [`SerialArm::six_axis`] tells the two apart, once.
 
+use super::kind::TypeName;
 use super::{Axis, Joint, Joints, Link, Robot, RobotError};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use nalgebra::Isometry3;
@@ -103,6 +104,12 @@ impl SerialArm {
             last_from_flange: &self.last_from_flange,
             links: self.links.as_deref(),
         }
+    }
+
+    /// What the arm may carry by its name, kg, as ABB names types: 6 of an `IRB 140-6/0.8`; `None` where the name does not say.
+    #[must_use]
+    pub fn rated_payload_kg(&self) -> Option<f64> {
+        TypeName::of(&self.name)?.payload_kg
     }
 
     /// How each joint moves.

@@ -66,7 +66,7 @@ pub(super) fn pool(
         robot,
         dataset: &linear.dataset,
         ranges: ranges(robot, linear),
-        payloads_kg: payloads_kg(&linear.dataset),
+        payloads_kg: payloads_kg(robot, &linear.dataset),
         setup,
         most,
         random: SplitMix64::new(0x2545_f491_4f6c_dd1d),
@@ -108,11 +108,12 @@ fn with_nests(linear: &Linearised, options: &DiagnosisOptions) -> Registration {
     }
 }
 
-/// What is hung on: nothing and, where the file has payloads, its largest.
-fn payloads_kg(dataset: &Dataset) -> Vec<f64> {
+/// What is hung on: nothing and, where the file has payloads, its largest, or where all are 0 what the arm may carry.
+fn payloads_kg(robot: &SerialArm, dataset: &Dataset) -> Vec<f64> {
+    let usual_kg = robot.rated_payload_kg().map_or(USUAL_PAYLOAD_KG, |rated| rated.min(USUAL_PAYLOAD_KG));
     let most_kg = dataset.largest_payload_kg;
     match dataset.channels.payload {
-        true => vec![0.0, if most_kg > 0.0 { most_kg } else { USUAL_PAYLOAD_KG }],
+        true => vec![0.0, if most_kg > 0.0 { most_kg } else { usual_kg }],
         false => vec![0.0],
     }
 }
@@ -189,7 +190,7 @@ fn nests_m() -> impl Iterator<Item = Vector3<f64>> {
     angles.map(|angle| Vector3::new(NEST_RADIUS_M * angle.cos(), NEST_RADIUS_M * angle.sin(), 0.0))
 }
 
-/// What is hung on where the file has payloads and all are 0, kg.
+/// What is hung on where the file has payloads and all are 0, kg, on an arm that may carry it.
 const USUAL_PAYLOAD_KG: f64 = 5.0;
 
 /// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.

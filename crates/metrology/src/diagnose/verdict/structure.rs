@@ -29,6 +29,8 @@ const PERIOD_WEIGHT: f64 = 0.05;
 /// Share of a load that comes and goes unrecorded, and of what goes to and fro, in structure of no named cause.
 const HIDDEN_LOAD_WEIGHT: f64 = 0.1;
 const CYCLE_WEIGHT: f64 = 0.1;
+/// Share of what comes and goes with the payload that is written, beside compliance, in structure of no named cause.
+const WITH_LOAD_WEIGHT: f64 = 0.03;
 /// Prior of one cause that varies, over that of all other structure.
 const VARYING_WEIGHT: f64 = 0.1;
 /// Structure beside the causes whose rms is under this share of theirs does not call them into doubt, even where a GP
@@ -150,6 +152,16 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
     // Rows without times are often in the order of their places, and what the arm gives there is all its sag.
     if !dataset.channels.payload && dataset.time_min.is_some() {
         list.push(GpAlternative::HiddenLoad.weighing(HIDDEN_LOAD_WEIGHT));
+    }
+    if dataset
+        .observations
+        .iter()
+        .any(|o| o.payload_kg.is_some_and(|kg| kg < 0.5 * dataset.largest_payload_kg))
+    {
+        list.extend(
+            [GpAlternative::LoadedTarget, GpAlternative::LoadedZeros]
+                .map(|one| one.weighing(WITH_LOAD_WEIGHT)),
+        );
     }
     let cycles = cycles::significant_peaks(dataset, &model.residuals, &model.outliers);
     list.extend(
@@ -302,6 +314,7 @@ pub(super) fn location_of_gp(
             | GpAlternative::JointTime(_)
             | GpAlternative::HiddenLoad
             | GpAlternative::Cycle(_)
+            | GpAlternative::WanderingScale
             | GpAlternative::TimeVaryingCause(_) => TimeCourse::Drift,
             _ => TimeCourse::Constant,
         }),

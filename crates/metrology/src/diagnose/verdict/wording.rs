@@ -84,6 +84,18 @@ pub(super) fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> St
                 0.5 * f64::from(half_cycles)
             )
         }
+        GpAlternative::ToolSag => {
+            "how gravity pulls along the flange's axes, as a tool does that gives or is loose".to_owned()
+        }
+        GpAlternative::LoadedTarget => {
+            "the payload: the target sits elsewhere on the flange under load".to_owned()
+        }
+        GpAlternative::LoadedZeros => {
+            "the payload: joints stand elsewhere under load, whatever their torque".to_owned()
+        }
+        GpAlternative::WanderingScale => {
+            format!("the distance from the instrument, over {time}: its scale wanders")
+        }
         GpAlternative::Periodic(j, n) | GpAlternative::SquareWave(j, n) => {
             format!("the angle of joint {j}, {n} times per turn, with steps or corners")
         }

@@ -3,8 +3,8 @@
 use super::fitted::WarmUp;
 use super::parameters::tip_m;
 use measurements::{
-    Fault, FaultKind, OUT_OF_RANGE_SHARE, Station, Touch, Touches, find_fault, find_in_stamps, out_of_range,
-    register, tool_apart,
+    Fault, FaultKind, OUT_OF_RANGE_SHARE, Station, Touch, Touches, find_fault, find_in_stamps, median,
+    out_of_range, register, tool_apart,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -120,6 +120,34 @@ pub(super) fn warnings(
     }
     all.extend(rounded(touches, robot, warm_up, tool_m));
     all.extend((0..3).filter_map(|j| frozen(touches, j)));
+    all
+}
+
+/// What a person should look at in touches that a robot's state is followed by, of an arm that settles with `tau_min`.
+pub(super) fn state_warnings(touches: &Touches, tau_min: f64) -> Vec<Diagnostic> {
+    let mut minutes: Vec<f64> = touches.touches.iter().map(|touch| touch.t_min).collect();
+    minutes.sort_by(f64::total_cmp);
+    minutes.dedup();
+    let Some(&first_min) = minutes.first() else { return Vec::new() };
+    let mut gaps_min: Vec<f64> = minutes.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let mut all = Vec::new();
+    if first_min > LATE_START * tau_min {
+        let message = format!(
+            "the first touch is at minute {first_min:.0}, and is taken for the cold arm's; this arm settles with a time constant of \
+             {tau_min:.0} min"
+        );
+        all.push(
+            Diagnostic::warning("state::minutes", message)
+                .help("t_min counts from the cold start; take the first touch then"),
+        );
+    }
+    if gaps_min.len() > 1 && median(&mut gaps_min) > tau_min {
+        let message = format!(
+            "touches are {:.0} min apart in the middle, longer than the arm takes to settle ({tau_min:.0} min): they hardly tell how it warms",
+            median(&mut gaps_min)
+        );
+        all.push(Diagnostic::warning("state::minutes", message).help("t_min counts minutes, not seconds"));
+    }
     all
 }
 

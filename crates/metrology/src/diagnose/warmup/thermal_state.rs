@@ -99,6 +99,8 @@ pub struct RobotState {
     pub stood: bool,
     /// The points, the one that tells most first.
     pub plan: Vec<PlannedPoint>,
+    /// What a person should look at in the touches.
+    pub warnings: Vec<Diagnostic>,
 }
 
 impl RobotState {
@@ -187,7 +189,8 @@ pub fn thermal_state(
         [points.touches.first(), points.touches.last()].map(|touch| touch.map_or(0.0, |t| t.t_min));
     let stood = options.stops.iter().any(|stop| stop.to_min > begin_min && stop.from_min < end_min);
     let (state, covariance) = (run.filter.state, run.filter.covariance);
-    Ok(RobotState { touches: run.touches, false_first, state, covariance, law, stood, plan })
+    let warnings = law.tau_min().map_or_else(Vec::new, |tau_min| plausible::state_warnings(touches, tau_min));
+    Ok(RobotState { touches: run.touches, false_first, state, covariance, law, stood, plan, warnings })
 }
 
 /// A run of the filter over touches, and what it took for cold.
