@@ -7,9 +7,7 @@ use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::design::{Design, side_by_side};
 use super::gp_features::{bumps, compress, farthest_points};
 use super::gp_over_time::{cycle_columns, hidden_load_columns};
-use super::gp_tool::{
-    loaded_target_columns, loaded_zeros_columns, tool_sag_columns, wandering_scale_columns,
-};
+use super::gp_tool::{loaded_target_columns, loaded_zeros_columns, tool_sag_columns};
 use nalgebra::{DMatrix, Matrix3, Vector3};
 use robot_model::robot::Axis;
 
@@ -147,7 +145,8 @@ pub(super) fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
     all
 }
 
-/// The GP alternative's features as columns of `design`, largest first, sized to what is usual at the point, 0.1 mm.
+/// The GP alternative's features as columns of `design`, largest first, sized to what is usual at the point, 0.1 mm; none of those that
+/// need more than the arm: a cause, or where the instrument stands.
 #[must_use]
 pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
     match gp_alternative {
@@ -245,8 +244,7 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
         GpAlternative::ToolSag => tool_sag_columns(design, dataset),
         GpAlternative::LoadedTarget => loaded_target_columns(design, dataset),
         GpAlternative::LoadedZeros => loaded_zeros_columns(design, dataset),
-        GpAlternative::WanderingScale => wandering_scale_columns(design, dataset),
-        GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
+        GpAlternative::WanderingScale | GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
     }
 }
 

@@ -4,11 +4,8 @@
 use super::dataset::{Dataset, Observation, Twist, scaled};
 use super::design::Design;
 use super::gp_features::compress;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector3};
 use std::f64::consts::TAU;
-
-/// How far along each axis instruments stand from the base, metres.
-const INSTRUMENT_M: f64 = 1.5;
 
 /// The payload at a row as a share of the largest in the file; 0 where none is written.
 fn load_share(dataset: &Dataset, observation: &Observation) -> f64 {
@@ -53,19 +50,17 @@ pub(super) fn loaded_zeros_columns(design: &Design, dataset: &Dataset) -> DMatri
     }))
 }
 
-/// An instrument whose scale wanders: all places move away from it, wherever it stands, evenly over time and with a bow.
-pub(super) fn wandering_scale_columns(design: &Design, dataset: &Dataset) -> DMatrix<f64> {
-    compress(&design.stack(dataset, 8, |_, observation, out| {
+/// An instrument whose scale wanders: all places move away from where it stands in the base, evenly over time and with a bow.
+pub(super) fn wandering_scale_columns(
+    design: &Design,
+    dataset: &Dataset,
+    instrument_m: Vector3<f64>,
+) -> DMatrix<f64> {
+    compress(&design.stack(dataset, 2, |_, observation, out| {
         let progress = dataset.progress(observation);
-        let p = observation.point_m;
+        let away = observation.point_m - instrument_m;
         for course in [2.0 * progress - 1.0, 0.5 * (TAU * progress).cos()] {
-            out.push(Twist([course * p.x, course * p.y, course * p.z, 0.0, 0.0, 0.0]));
-            // Where the instrument stands, all the base's distance from it goes with the scale.
-            for axis in 0..3 {
-                let mut shift = Twist::default();
-                shift[axis] = course * INSTRUMENT_M;
-                out.push(shift);
-            }
+            out.push(Twist([course * away.x, course * away.y, course * away.z, 0.0, 0.0, 0.0]));
         }
     }))
 }

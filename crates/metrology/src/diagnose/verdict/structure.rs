@@ -7,6 +7,7 @@ use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::gp_alternative::{self, Ball, GpAlternative, WeightedAlternative};
 use crate::diagnose::gp_over_time;
+use crate::diagnose::gp_tool;
 use crate::diagnose::linear_fit::solve;
 use crate::diagnose::linearise::{Linearised, shift_m};
 use crate::diagnose::marginal::log_sum;
@@ -173,6 +174,10 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
     workspace.library.add_gp_alternatives(design, list, &|gp_alternative| match gp_alternative {
         GpAlternative::TimeVaryingCause(i) => {
             gp_over_time::time_varying_columns(design, dataset, &chosen[i].columns)
+        }
+        GpAlternative::WanderingScale => {
+            let instrument_m = linear.registration.instrument_from_base.inverse().translation.vector;
+            gp_tool::wandering_scale_columns(design, dataset, instrument_m)
         }
         other => gp_alternative::columns(other, design, dataset),
     });
