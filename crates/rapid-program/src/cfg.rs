@@ -6,10 +6,10 @@ mod instruction;
 
 use super::const_eval::{ConstEvaluator, Constant};
 use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
-use super::expressions::expressions_of;
+use super::expressions::{expressions_of, root_of};
 use super::flow::{FlowStep, Node, RoutineCfg, every_step};
-use super::ids::{RoutineIndex, Slot, Table};
-use super::index::{Ctx, Index, Resolved};
+use super::ids::{DatumId, RoutineIndex, Table};
+use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::motion::SkipReason;
 use super::motion_site::MotionSites;
 use super::names::Sym;
@@ -139,12 +139,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                     self.assign(decl.name, Vec::new(), value, at, out);
                 }
             }
-            StmtKind::Assign(assign) => {
-                let mut path = Vec::new();
-                if let Some(root) = self.path(&assign.target, &mut path) {
-                    self.assign(root, path, &assign.value, at, out);
-                }
-            }
+            StmtKind::Assign(assign) => self.assignment(&assign.target, &assign.value, at, out),
             StmtKind::Call(call) => self.call(stmt, call, at, out),
             StmtKind::If(tested) => {
                 let arms = tested.arms.iter().map(|(_, body)| body.as_slice());
@@ -236,6 +231,15 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
     }
 
+    fn assignment(&mut self, target: &'a Expr, value: &'a Expr, at: Span, out: &mut Vec<Node<'a>>) {
+        let mut path = Vec::new();
+        if let Some(root) = self.path(target, &mut path) {
+            self.assign(root, path, value, at, out);
+        } else if let Some((root, _)) = root_of(target) {
+            self.invalidate(root, "an element of it is changed", at, out);
+        }
+    }
+
     /// The root of `a.b.c` and the names behind it; `None` where an index stands on the way.
     fn path(&self, target: &Expr, path: &mut Vec<Sym>) -> Option<TextRange> {
         match &target.kind {
@@ -257,30 +261,43 @@ impl<'a> CfgBuilder<'_, 'a> {
         at: Span,
         out: &mut Vec<Node<'a>>,
     ) {
-        if let Some(slot) = self.slot(root) {
+        let Some(datum) = self.datum(root) else { return };
+        if let Some(slot) = self.tracked.slot(datum) {
             out.push(Node::Step(FlowStep::Assign { slot, path, value, ctx: self.ctx, at }));
-            self.aliases_change(slot, at, out);
+        }
+        self.aliases_change(datum, at, out);
+    }
+
+    /// What a name means is no longer known.
+    fn invalidate(&self, name: TextRange, what: &str, at: Span, out: &mut Vec<Node<'a>>) {
+        let Some(datum) = self.datum(name) else { return };
+        if let Some(slot) = self.tracked.slot(datum) {
+            let why = self.why(at, what.to_owned());
+            out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
+        }
+        self.aliases_change(datum, at, out);
+    }
+
+    /// A parameter by reference changes with the datum that was handed over, and with another parameter that was handed the same.
+    fn aliases_change(&self, datum: DatumId, at: Span, out: &mut Vec<Node<'a>>) {
+        for &alias in self.tracked.aliases(datum) {
+            let Some(&param) = self.tracked.data.get(alias) else { continue };
+            let [param, name] = [param, datum].map(|datum| self.evaluator.name_of(datum));
+            let what = match self.index().data[datum].kind {
+                DatumKind::Param { .. } => {
+                    format!("{param} may stand for what {name} stands for, which is changed")
+                }
+                DatumKind::Declared(_) | DatumKind::LoopVariable => {
+                    format!("{param} stands for {name}, which is changed")
+                }
+            };
+            out.push(Node::Step(FlowStep::Invalidate { slot: alias, why: self.why(at, what), at }));
         }
     }
 
-    fn invalidate(&self, slot: Slot, why: Why, at: Span, out: &mut Vec<Node<'a>>) {
-        out.push(Node::Step(FlowStep::Invalidate { slot, why, at }));
-        self.aliases_change(slot, at, out);
-    }
-
-    /// A parameter by reference changes with the datum that was handed over.
-    fn aliases_change(&self, slot: Slot, at: Span, out: &mut Vec<Node<'a>>) {
-        let name = |slot: Slot| self.tracked.data.get(slot).map(|&datum| self.evaluator.name_of(datum));
-        for &alias in self.tracked.aliases(slot) {
-            let (Some(param), Some(datum)) = (name(alias), name(slot)) else { continue };
-            let why = self.why(at, format!("{param} stands for {datum}, which is changed"));
-            out.push(Node::Step(FlowStep::Invalidate { slot: alias, why, at }));
-        }
-    }
-
-    fn slot(&self, name: TextRange) -> Option<Slot> {
+    fn datum(&self, name: TextRange) -> Option<DatumId> {
         match self.index().datum(name, self.ctx) {
-            Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.tracked.slot(datum),
+            Resolved::Here(datum) | Resolved::Elsewhere(datum) => Some(datum),
             Resolved::Twice(..) | Resolved::Nowhere => None,
         }
     }

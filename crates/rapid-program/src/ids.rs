@@ -167,10 +167,6 @@ impl<I: Id> IdSet<I> {
         self.positions.insert(id.position() as u32)
     }
 
-    pub(super) fn remove(&mut self, id: I) {
-        self.positions.remove(&(id.position() as u32));
-    }
-
     pub(super) fn contains(&self, id: I) -> bool {
         self.positions.contains(&(id.position() as u32))
     }

@@ -10,6 +10,7 @@ pub mod motion;
 pub mod one_or_many;
 pub mod pgf;
 
+mod aliases;
 mod built_in;
 mod call_arguments;
 mod cfg;

@@ -6,20 +6,21 @@ use super::expressions::{every_call, expressions_of, root_of, value_of};
 use super::ids::{DatumId, Id, IdSet, Slot, Table};
 use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::motion_site::MotionSites;
+use super::names::ByNumber;
 use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use super::value_flow::{ValueFlow, ValueFlows};
 use super::writes::Writes;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, StmtKind};
+use rapid_syntax::tree::{Arg, Callee, DataKind, Expr, ExprKind, ParamMode, StmtKind};
 
 /// The data that are tracked, and their positions in a state.
 #[derive(Debug, Default)]
 pub(super) struct TrackedData {
     pub(super) slot_of: Table<DatumId, Option<Slot>>,
     pub(super) data: Table<Slot, DatumId>,
-    /// For each slot those of the parameters by reference that may stand for its datum.
-    stand_for: Table<Slot, Vec<Slot>>,
+    /// For each name, tracked or not, the slots of the parameters by reference that may mean the same.
+    aliases: ByNumber<DatumId, Vec<Slot>>,
 }
 
 impl TrackedData {
@@ -68,7 +69,10 @@ impl TrackedData {
         let can_be = |datum: DatumId| {
             let entry = &index.data[datum];
             let changes = match entry.kind {
-                DatumKind::Param { .. } => true,
+                DatumKind::Param { mode: ParamMode::In, .. } => true,
+                DatumKind::Param { .. } => {
+                    !writes.aliases.are_too_many() && !writes.means_what_changes_unseen(datum)
+                }
                 DatumKind::Declared(DataKind::Const) | DatumKind::LoopVariable => false,
                 DatumKind::Declared(_) => writes.first(datum).is_some(),
             };
@@ -89,30 +93,29 @@ impl TrackedData {
         for (slot, &datum) in out.data.numbered() {
             out.slot_of[datum] = Some(slot);
         }
-        out.stand_for = out.data.iter().map(|&datum| out.standing_for(datum, writes)).collect();
+        for (slot, &datum) in out.data.numbered() {
+            if is_by_reference(index, datum) {
+                for same in writes.aliases.of(datum) {
+                    out.aliases.entry(same).or_default().push(slot);
+                }
+            }
+        }
         out
     }
 
-    /// The parameters that are handed a datum by reference, or a parameter that is.
-    fn standing_for(&self, datum: DatumId, writes: &Writes) -> Vec<Slot> {
-        let (mut found, mut new) = (IdSet::default(), vec![datum]);
-        while let Some(datum) = new.pop() {
-            let handed = writes.by_reference.iter().filter(|passed| passed.datum == datum);
-            new.extend(handed.map(|passed| passed.param).filter(|&param| found.insert(param)));
-        }
-        found.remove(datum);
-        found.iter().filter_map(|param| self.slot(param)).collect()
-    }
-
-    /// The slots of parameters by reference that may stand for the datum of a slot: they change with it.
-    pub(super) fn aliases(&self, slot: Slot) -> &[Slot] {
-        self.stand_for.get(slot).map_or(&[], Vec::as_slice)
+    /// The slots of parameters by reference that may mean the same as a name: they change with it.
+    pub(super) fn aliases(&self, datum: DatumId) -> &[Slot] {
+        self.aliases.get(&datum).map_or(&[], Vec::as_slice)
     }
 
     /// The slot of a datum that is tracked.
     pub(super) fn slot(&self, datum: DatumId) -> Option<Slot> {
         self.slot_of.get(datum).copied().flatten()
     }
+}
+
+fn is_by_reference(index: &Index<'_>, datum: DatumId) -> bool {
+    matches!(index.data[datum].kind, DatumKind::Param { mode, .. } if mode != ParamMode::In)
 }
 
 /// Which datum's value goes into which, by assignment, declaration or as an argument.

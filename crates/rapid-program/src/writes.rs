@@ -5,7 +5,8 @@ mod scan;
 
 use scan::ScannedWrites;
 
-use super::ids::{DatumId, Table};
+use super::aliases::Aliases;
+use super::ids::{DatumId, IdSet, Table};
 use super::index::{DatumKind, Index};
 use super::names::Sym;
 use super::other_tasks;
@@ -44,22 +45,18 @@ pub(super) struct Writes {
     by_datum: Table<DatumId, Option<(Write, How)>>,
     /// A value is set by a name that is computed at run time: anything may be changed.
     pub(super) by_computed_name: Option<Span>,
-    pub(super) by_reference: Vec<PassedDatum>,
-}
-
-/// A datum handed to a routine's parameter by reference, which then stands for it.
-#[derive(Debug)]
-pub(super) struct PassedDatum {
-    pub(super) datum: DatumId,
-    pub(super) param: DatumId,
-    at: Span,
+    /// Which names may mean one and the same datum.
+    pub(super) aliases: Aliases,
+    /// Data that are changed where the ways through the routines do not show it: in a trap, by a function of the controller, by
+    /// their name, by another task.
+    unseen: IdSet<DatumId>,
 }
 
 impl Writes {
     /// Every change in the given files.
     pub(super) fn new(index: &Index<'_>) -> Self {
-        let ScannedWrites { mut writes, passed, by_name } = ScannedWrites::of(index);
-        writes.by_reference = passed;
+        let ScannedWrites { mut writes, calls, by_name, .. } = ScannedWrites::of(index);
+        writes.aliases = Aliases::new(index, &calls);
         writes.add_named(index, &by_name);
         writes.add_other_tasks(index);
         writes
@@ -70,6 +67,7 @@ impl Writes {
         for &(name, at) in by_name {
             for (id, datum) in index.data.numbered() {
                 if datum.name == name {
+                    self.unseen.insert(id);
                     self.add(id, Write { at, how: How::AnyTime }, datum.kind);
                 }
             }
@@ -85,6 +83,7 @@ impl Writes {
             for (by, write) in written {
                 for &other in shared.iter().filter(|other| task(other) != task(&by)) {
                     let how = How::OtherTask;
+                    self.unseen.insert(other);
                     self.add(other, Write { how, ..write }, index.data[other].kind);
                 }
             }
@@ -104,6 +103,11 @@ impl Writes {
     /// Whether all changes happen in the ordinary course of routines, so that they can be tracked.
     pub(super) fn orderly(&self, datum: DatumId) -> bool {
         self.by_datum.get(datum).copied().flatten().is_none_or(|(_, worst)| worst <= How::Perhaps)
+    }
+
+    /// Whether a parameter by reference may mean a datum that is changed where the ways through the routines do not show it.
+    pub(super) fn means_what_changes_unseen(&self, param: DatumId) -> bool {
+        self.aliases.of(param).any(|datum| self.unseen.contains(datum))
     }
 
     fn add(&mut self, datum: DatumId, write: Write, kind: DatumKind) {

@@ -1,5 +1,6 @@
 //! Emitted programs executed by the virtual controller on the deformed robot reach what the originals meant.
 
+mod aliases;
 mod arcs;
 mod cell;
 mod counting;

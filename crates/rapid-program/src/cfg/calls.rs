@@ -103,11 +103,8 @@ impl<'a> CfgBuilder<'_, 'a> {
         out: &mut Vec<Node<'a>>,
     ) {
         for root in doubtful_arguments(self.index(), self.ctx, args, callee) {
-            if let Some(slot) = self.slot(root) {
-                let written = as_text(self.text(name));
-                let why = self.why(at, format!("{written} is not given and may change it"));
-                self.invalidate(slot, why, at, out);
-            }
+            let written = as_text(self.text(name));
+            self.invalidate(root, &format!("{written} is not given and may change it"), at, out);
         }
     }
 

@@ -21,11 +21,8 @@ impl<'a> CfgBuilder<'_, 'a> {
         let Callee::Name(name) = &call.callee else { return };
         let lower = lower_case(self.text(*name));
         for expr in written_by_instruction(self.index(), self.ctx, &lower, &call.args) {
-            if let Some((root, _)) = root_of(expr)
-                && let Some(slot) = self.slot(root)
-            {
-                let why = self.why(at, format!("{} writes it", as_text(self.text(*name))));
-                self.invalidate(slot, why, at, out);
+            if let Some((root, _)) = root_of(expr) {
+                self.invalidate(root, &format!("{} writes it", as_text(self.text(*name))), at, out);
             }
         }
     }
@@ -195,14 +192,10 @@ impl<'a> CfgBuilder<'_, 'a> {
                 "singarea" => FlowStep::Blocker(Blocker::LockedAxis, named()),
                 "syncmoveon" | "syncmoveoff" => FlowStep::Blocker(Blocker::MultiMove, named()),
                 "cirpathmode" => FlowStep::Blocker(Blocker::WristOnArcs, named()),
-                _ => match self.slot(word) {
-                    Some(slot) => {
-                        let why = self.why(at, "text that was not understood names it".into());
-                        self.invalidate(slot, why, at, out);
-                        continue;
-                    }
-                    None => continue,
-                },
+                _ => {
+                    self.invalidate(word, "text that was not understood names it", at, out);
+                    continue;
+                }
             }));
         }
         out.push(Node::Step(FlowStep::UnknownPosition));

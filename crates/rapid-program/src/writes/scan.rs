@@ -2,7 +2,8 @@
 //!
 //! Says where and how a datum is changed; what that means for its value, it does not know.
 
-use super::{How, PassedDatum, Write, Writes};
+use super::{How, Write, Writes};
+use crate::aliases::{Handed, PartStep};
 use crate::built_in::is_built_in_function;
 use crate::call_arguments::{MatchedArgument, NotGiven, doubtful_arguments, match_arguments};
 use crate::expressions::{every_call, expressions_of, root_of, words};
@@ -19,28 +20,42 @@ use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{
     Arg, ArgKind, CallStmt, Callee, Expr, ExprKind, ModuleItem, ParamMode, RoutineKind, Stmt, StmtKind,
 };
+use std::collections::BTreeSet;
 
 /// What the text of all files changes.
 pub(super) struct ScannedWrites {
     pub(super) writes: Writes,
     /// What is handed to parameters by reference.
-    pub(super) passed: Vec<PassedDatum>,
+    passed: Vec<PassedDatum>,
+    /// The same, together with what else the same call hands to such parameters.
+    pub(super) calls: BTreeSet<Vec<Handed>>,
     /// Names of data that are set by their name, and where.
     pub(super) by_name: Vec<(Sym, Span)>,
+}
+
+/// A datum handed to a routine's parameter by reference, which then stands for it.
+struct PassedDatum {
+    datum: DatumId,
+    param: DatumId,
+    at: Span,
+    in_trap: bool,
 }
 
 impl ScannedWrites {
     /// The changes in all files of an index.
     pub(super) fn of(index: &Index<'_>) -> Self {
         let writes = Writes { by_datum: Table::filled(index.data.len(), None), ..Writes::default() };
-        let mut scan = WriteScan { index, changes: Self { writes, passed: Vec::new(), by_name: Vec::new() } };
+        let changes = Self { writes, passed: Vec::new(), calls: BTreeSet::new(), by_name: Vec::new() };
+        let mut scan = WriteScan { index, changes, in_trap: false };
         for (id, routine) in index.routines.numbered() {
             let trap = routine.tree.kind == RoutineKind::Trap;
+            scan.in_trap = trap;
             scan.body(&routine.tree.body, id, trap);
             for handler in &routine.tree.handlers {
                 scan.body(&handler.body, id, true);
             }
         }
+        scan.in_trap = false;
         for (id, module) in index.modules.numbered() {
             let ctx = Ctx { file: module.file, module: id, routine: None };
             for item in &module.tree.items {
@@ -57,6 +72,8 @@ impl ScannedWrites {
 struct WriteScan<'i, 'a> {
     index: &'i Index<'a>,
     changes: ScannedWrites,
+    /// What is being read is a trap, which runs at any time.
+    in_trap: bool,
 }
 
 impl WriteScan<'_, '_> {
@@ -89,6 +106,9 @@ impl WriteScan<'_, '_> {
 
     fn written_name(&mut self, name: TextRange, ctx: Ctx, write: Write) {
         if let Some(datum) = self.datum(name, ctx) {
+            if self.in_trap {
+                self.changes.writes.unseen.insert(datum);
+            }
             self.changes.writes.add(datum, write, self.index.data[datum].kind);
         }
     }
@@ -130,6 +150,7 @@ impl WriteScan<'_, '_> {
     }
 
     fn handed_to(&mut self, args: &[Arg], routine: RoutineIndex, ctx: Ctx, at: Span) {
+        let mut call = Vec::new();
         for MatchedArgument { param, value, handed_on } in match_arguments(self.index, ctx, routine, args) {
             let by_reference =
                 !matches!(self.index.data[param].kind, DatumKind::Param { mode: ParamMode::In, .. });
@@ -138,8 +159,36 @@ impl WriteScan<'_, '_> {
                 && let Some(name) = name
                 && let Some(datum) = self.datum(name, ctx)
             {
-                self.changes.passed.push(PassedDatum { datum, param, at });
+                self.changes.passed.push(PassedDatum { datum, param, at, in_trap: self.in_trap });
+                let mut part = Vec::new();
+                value.into_iter().for_each(|value| self.part_of(value, ctx, &mut part));
+                call.push(Handed { datum, param, part });
             }
+        }
+        if !call.is_empty() {
+            self.changes.calls.insert(call);
+        }
+    }
+
+    /// The steps from the datum at the root of `a.b{1}.c` to what is meant.
+    fn part_of(&self, expr: &Expr, ctx: Ctx, part: &mut Vec<PartStep>) {
+        match &expr.kind {
+            ExprKind::Field(field) => {
+                self.part_of(&field.base, ctx, part);
+                part.extend(self.index.name_at(ctx.file, field.name).map(PartStep::Component));
+            }
+            ExprKind::Index(element) => {
+                self.part_of(&element.base, ctx, part);
+                let literal = |index: &Expr| match index.kind {
+                    ExprKind::Number => {
+                        value::number(self.index.text(ctx.file, index.range)).map(|n| n as u32)
+                    }
+                    _ => None,
+                };
+                part.push(PartStep::Element(element.indices.iter().map(literal).collect()));
+            }
+            ExprKind::Paren(inner) => self.part_of(inner, ctx, part),
+            _ => {}
         }
     }
 
@@ -187,6 +236,7 @@ impl WriteScan<'_, '_> {
             if self.index.names.text(datum.type_name) == type_name
                 || self.index.type_text(datum.type_name) == type_name
             {
+                self.changes.writes.unseen.insert(id);
                 self.changes.writes.add(id, Write { at, how: How::AnyTime }, datum.kind);
             }
         }
@@ -208,6 +258,8 @@ impl WriteScan<'_, '_> {
                 }
                 Some(Resolved::Nowhere) | None if is_built_in_function(&lower) => {
                     for expr in written_by_function(self.index, ctx, &lower, args) {
+                        let datum = root_of(expr).and_then(|(root, _)| self.datum(root, ctx));
+                        self.changes.writes.unseen.extend(datum);
                         self.written(expr, ctx, Write { at, how: How::AnyTime });
                     }
                 }
@@ -230,7 +282,7 @@ impl WriteScan<'_, '_> {
     fn follow_parameters(&mut self) {
         loop {
             let mut changed = false;
-            for PassedDatum { datum, param, at } in &self.changes.passed {
+            for PassedDatum { datum, param, at, .. } in &self.changes.passed {
                 if self.changes.writes.first(*param).is_some() && self.changes.writes.orderly(*datum) {
                     let write = Write { at: *at, how: How::Aliased };
                     self.changes.writes.add(*datum, write, self.index.data[*datum].kind);
@@ -239,6 +291,11 @@ impl WriteScan<'_, '_> {
             }
             if !changed {
                 break;
+            }
+        }
+        for PassedDatum { datum, param, in_trap, .. } in &self.changes.passed {
+            if *in_trap && self.changes.writes.first(*param).is_some() {
+                self.changes.writes.unseen.insert(*datum);
             }
         }
     }
