@@ -158,3 +158,45 @@ fn a_parameter_by_reference_changes_with_all_other_names_of_its_datum() {
         }
     }
 }
+
+/// A routine that calls itself has its own parameters back behind the call, whatever the inner call made of those of the same names.
+#[test]
+fn a_routine_that_calls_itself_goes_on_with_its_own_parameters() {
+    let paper = Deformation::paper();
+    for (name, call, routines) in [
+        (
+            "a copy",
+            "r 0,1;",
+            "PROC r(num a,num d) IF d>0 THEN a:=250; r 0,d-1; ENDIF wC.uframe.trans.y:=a; MoveJ pA,v100,fine,tGun\\WObj:=wC; ENDPROC",
+        ),
+        (
+            "a variable of its own",
+            "r 1;",
+            "PROC r(num d) VAR num a:=0; IF d>0 THEN a:=250; r d-1; ENDIF wC.uframe.trans.y:=a; MoveJ pA,v100,fine,tGun\\WObj:=wC; ENDPROC",
+        ),
+        (
+            "another between",
+            "r 0,1;",
+            "PROC r(num a,num d) IF d>0 THEN a:=250; s d-1; ENDIF wC.uframe.trans.y:=a; MoveJ pA,v100,fine,tGun\\WObj:=wC; ENDPROC \
+             PROC s(num e) r 0,e; ENDPROC",
+        ),
+        (
+            "by reference",
+            "r n,m,1;",
+            "PROC r(INOUT num a,INOUT num b,num d) a:=0; IF d>0 THEN a:=250; r b,b,d-1; ENDIF wC.uframe.trans.y:=a; \
+             MoveJ pA,v100,fine,tGun\\WObj:=wC; ENDPROC",
+        ),
+    ] {
+        let original = original(call, routines);
+        for form in [FormChoice::Schedule, FormChoice::Ramp] {
+            let (program, _) = made_as(form, &original, &paper, &warmth()).unwrap();
+            let mut s = session(&program, &original, &paper, false);
+            s.at_minutes(&[0.0, 180.0]).unwrap();
+            for pass in s.into_report().passes {
+                assert_eq!((&pass.failure, &pass.mismatch), (&None, &None), "{name}, {form:?}");
+                let off_mm = mm_from_m(pass.corrected.max_m);
+                assert!(off_mm < 0.0105, "{name}, {form:?}, minute {}: {off_mm} mm", pass.t_min);
+            }
+        }
+    }
+}

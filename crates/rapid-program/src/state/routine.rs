@@ -7,7 +7,10 @@ use super::in_force::{lose, same, same_or_none, unknown};
 use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, StateAnalysis};
 use crate::flow::{ForwardAnalysis, walk};
 use crate::ids::RoutineIndex;
+use crate::index::DatumKind;
 use crate::motion::MotionId;
+use crate::value::Value;
+use rapid_syntax::tree::{DataKind, ParamMode};
 use std::rc::Rc;
 
 impl StateAnalysis<'_, '_> {
@@ -83,6 +86,34 @@ impl StateAnalysis<'_, '_> {
         }
         self.walked[routine].push((entry, after.clone()));
         after
+    }
+
+    /// What a call has left, seen from the caller, in which it was `before`: where routines call themselves, another call of the caller may
+    /// have had its own parameters and variables under the same names.
+    pub(super) fn back_in_caller(&self, after: After, before: &State) -> After {
+        let caller = self.busy.last().filter(|_| self.busy.iter().any(|busy| busy.recursive));
+        let Some(caller) = caller.map(|busy| busy.routine) else { return after };
+        let After { mut exit, mut failed } = after;
+        for (slot, &datum) in self.tracked.data.numbered() {
+            let entry = &self.evaluator.index.data[datum];
+            let is_own = entry.ctx.routine == Some(caller);
+            for state in [&mut exit, &mut failed].into_iter().flatten().filter(|_| is_own) {
+                let (Some(now), Some(before)) = (state.slots.get_mut(slot), before.slots.get(slot)) else {
+                    continue;
+                };
+                match entry.kind {
+                    DatumKind::Param { mode: ParamMode::In, .. } | DatumKind::Declared(DataKind::Var) => {
+                        now.clone_from(before);
+                    }
+                    // What it stands for the other call may have changed.
+                    DatumKind::Param { .. } => {
+                        now.value = Value::Unknown(unknown("its routine calls itself"));
+                    }
+                    DatumKind::Declared(_) | DatumKind::LoopVariable => {}
+                }
+            }
+        }
+        After { exit, failed }
     }
 
     /// A routine that calls itself: the outer call is walked again until it covers this one as well.

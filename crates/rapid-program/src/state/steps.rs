@@ -162,6 +162,7 @@ impl StateAnalysis<'_, '_> {
             let mut entry = entry.clone();
             loop {
                 let after = self.call(routine, entry.clone());
+                let after = self.back_in_caller(after, state);
                 if let Some(mut failed) = after.failed {
                     self.fails(&failed);
                     self.handled(&mut failed);
