@@ -2,6 +2,7 @@
 //! program was, or would be, wrong without a word.
 
 mod other_robots;
+mod pers_values;
 
 use driftpost::application::{Compensated, Refusal};
 use driftpost::{Compensation, Course, Deformation, ProgramFiles, Robot, Simulation, TrueRobot};

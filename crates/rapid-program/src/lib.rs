@@ -19,6 +19,7 @@ mod convert;
 mod errors;
 mod expressions;
 mod file_pairs;
+mod file_values;
 mod finite_set;
 mod fixed_point;
 mod flow;

@@ -166,7 +166,7 @@ pub struct RoutineInfo {
     pub range: TextRange,
 }
 
-/// A PERS whose value goes into a motion's target: a controller may hold another value than the file.
+/// A PERS whose value goes into a motion's target or frames: a controller may hold another value than the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PersTarget {
     /// The motion that goes there.
@@ -175,6 +175,17 @@ pub struct PersTarget {
     pub name: String,
     /// Where it is declared.
     pub declaration: Span,
+    /// What of the motion it goes into.
+    pub goes_into: PersUse,
+}
+
+/// What of a motion a PERS goes into.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PersUse {
+    /// One of its targets.
+    Target,
+    /// Its tool or work object, by way of what the program sets these to.
+    Frames,
 }
 
 /// A loop round motion.

@@ -9,6 +9,7 @@ mod skip_reasons;
 
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, Constant, TrackedValues};
+use super::file_values::FileValues;
 use super::finite_set::{FiniteSet, FiniteSets};
 use super::flow::Blocker;
 use super::ids::{DatumId, IdSet, Slot, Table};
@@ -60,15 +61,16 @@ impl Program {
         let sites = MotionSites::new(&mut evaluator, task);
         let tracked = TrackedData::new(&index, &writes, &sites);
         let mut control_flow = ControlFlow::new(&mut evaluator, &sites, &tracked, overrides.base_fixed);
+        let file_values = FileValues::new(&index, &writes);
         let StatesAtMotions { first, any, left } =
-            states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, &tracked);
+            states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, (&tracked, &file_values));
         let found = OwnPositions::of_searches(&index);
         let of_targets = TrackedData::of_targets(&index, &writes, &sites, &|datum| found.holds(datum));
         let on_ways = if of_targets.data.is_empty() && found.is_empty() {
             TargetsOnWays::default()
         } else {
             let ways = ControlFlow::new(&mut evaluator, &sites, &of_targets, overrides.base_fixed);
-            targets_on_ways(&mut evaluator, &sites, &ways, &of_targets, &found)
+            targets_on_ways(&mut evaluator, &sites, &ways, (&of_targets, &file_values), &found)
         };
         diagnostics.extend(super::shared_values::warnings(&mut evaluator, &sites, &writes));
         let speed_override = speed_override(&mut evaluator);
@@ -78,8 +80,8 @@ impl Program {
         let not_given = std::mem::take(&mut control_flow.not_given);
         drop(control_flow); // of many motions it is as much again
         let MotionSites { motions: sites, loops, nests, routines } = sites;
-        let mut reader =
-            MotionReader::new(evaluator, (&tracked, &left), on_ways, nests, overrides.base_fixed);
+        let known = (&tracked, &left, &file_values);
+        let mut reader = MotionReader::new(evaluator, known, on_ways, nests, overrides.base_fixed);
         let seen = first.into_iter().zip(any);
         let MotionsInOrder { motions, merge_points, also_anywhere } =
             reader.motions(sites.into_iter().zip(seen).zip(order));
@@ -162,6 +164,7 @@ struct MotionReader<'f, 'a> {
     tracked: &'f TrackedData,
     /// What the program leaves in them.
     left: &'f Table<Slot, LeftBehind>,
+    file_values: &'f FileValues,
     own_positions: OwnPositions,
     /// The combinations of loops that stand round motions.
     nests: Vec<Vec<usize>>,
@@ -182,11 +185,13 @@ struct MotionReader<'f, 'a> {
     on_ways: ByNumber<MotionId, FiniteSet>,
     /// The motions with a target that can be what a search has found.
     from_search: BTreeSet<MotionId>,
+    /// The PERS of whose value in the file targets are made, by the ways that lead to them.
+    of_file: ByNumber<MotionId, Option<DatumId>>,
     /// External axes that move neither the robot's base nor a work object.
     base_fixed: [bool; 6],
     /// Targets that are read as data elsewhere, once each.
     read_elsewhere: BTreeMap<DatumId, Diagnostic>,
-    /// The first PERS of each motion's targets.
+    /// The first PERS of each motion's targets, else of its frames.
     made_of_pers: Vec<PersTarget>,
     /// Speeds and zones that are not predefined, once each.
     guesses: BTreeMap<String, Diagnostic>,
@@ -225,7 +230,7 @@ impl MotionsInOrder {
 impl<'f, 'a> MotionReader<'f, 'a> {
     fn new(
         evaluator: ConstEvaluator<'a>,
-        (tracked, left): (&'f TrackedData, &'f Table<Slot, LeftBehind>),
+        (tracked, left, file_values): (&'f TrackedData, &'f Table<Slot, LeftBehind>, &'f FileValues),
         on_ways: TargetsOnWays,
         nests: Vec<Vec<usize>>,
         base_fixed: [bool; 6],
@@ -235,11 +240,13 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             evaluator,
             tracked,
             left,
+            file_values,
             own_positions: OwnPositions::new(index),
             read_as_data: ReadAsData::new(index),
             finite_sets: FiniteSets::new(index),
             on_ways: on_ways.values,
             from_search: on_ways.found,
+            of_file: on_ways.of_file,
             base_fixed,
             nests,
             last: None,
@@ -316,7 +323,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         self.note_frames((seen, skip_reason.is_none()), &args, ctx, Span { file: ctx.file, range });
         let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
-            self.note_targets((at, &args, ctx), read_elsewhere);
+            self.note_targets((at, &args, (ctx, form.path)), (&targets, seen), read_elsewhere);
         }
         // Where a function asks at run time, tool and work object are named in the question and in the motion.
         let mut asked_twice = [args.tool, args.wobj].into_iter().flatten();
@@ -334,20 +341,23 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             skip_reason: skip_reason.map(|skip| self.shared_skip(skip)),
             from_search: self.from_search.contains(&at),
         };
-        self.keep_as_last(site, &args, seen, &motion);
+        self.keep_as_last((site, at), &args, seen, &motion);
         motion
     }
 
     /// Keeps what is to be said of the targets of a motion that may be corrected.
     fn note_targets(
         &mut self,
-        (motion, args, ctx): (MotionId, &MoveArgs<'a>, Ctx),
+        (motion, args, (ctx, path)): (MotionId, &MoveArgs<'a>, (Ctx, Path)),
+        (targets, seen): (&[Target], &Seen<'_>),
         read_elsewhere: Vec<(DatumId, Diagnostic)>,
     ) {
         for (datum, warning) in read_elsewhere {
             self.read_elsewhere.entry(datum).or_insert(warning);
         }
-        self.made_of_pers.extend(self.first_pers(motion, args, ctx));
+        // Where joints lead hangs on neither tool nor work object.
+        let frames_in = seen.any.filter(|_| path != Path::AbsJoint);
+        self.made_of_pers.extend(self.first_pers(motion, (args, targets), frames_in, ctx));
     }
 
     /// What the text of a motion says of its setup: which kind it is, in which loops it stands, the names of its frames, and which settings

@@ -19,14 +19,15 @@ pub(super) use targets::{TargetsOnWays, targets_on_ways};
 
 use super::cfg::ControlFlow;
 use super::const_eval::{ConstEvaluator, TrackedValues};
+use super::file_values::FileValues;
 use super::flow::{RoutineCfg, every_step};
 use super::ids::{DatumId, RoutineIndex, Slot, Table};
-use super::index::Ctx;
+use super::index::{Ctx, Index};
 use super::mod_ref::{RoutineEffects, routine_effects};
 use super::motion::{MotionId, SkipReason};
 use super::names::ByNumber;
 use super::own_position::OwnPositions;
-use super::tracked::TrackedData;
+use super::tracked::{TrackedData, names_in};
 use super::value::{Value, Why};
 use rapid_syntax::tree::{Expr, RoutineKind};
 use std::collections::BTreeSet;
@@ -43,6 +44,27 @@ const MOST_STEPS: u64 = 30_000_000;
 pub(super) struct View<'s> {
     pub(super) state: &'s State,
     pub(super) tracked: &'s TrackedData,
+}
+
+impl View<'_> {
+    /// The PERS of whose value in the file an expression is made.
+    pub(super) fn of_file(
+        &self,
+        file_values: &FileValues,
+        index: &Index<'_>,
+        expr: &Expr,
+        ctx: Ctx,
+    ) -> Option<DatumId> {
+        let mut found = None;
+        names_in(index, ctx, expr, &mut |datum| {
+            let of = match self.tracked.slot(datum) {
+                Some(slot) => self.state.slots.get(slot).and_then(|slot| slot.of_file),
+                None => file_values.of_untracked(datum),
+            };
+            found = found.or(of);
+        });
+        found
+    }
 }
 
 impl TrackedValues for View<'_> {
@@ -70,9 +92,9 @@ pub(super) fn states_at_motions<'a>(
     evaluator: &mut ConstEvaluator<'a>,
     motions: usize,
     control_flow: &ControlFlow<'a>,
-    tracked: &TrackedData,
+    (tracked, file_values): (&TrackedData, &FileValues),
 ) -> StatesAtMotions {
-    let mut walker = StateAnalysis::new(evaluator, motions, control_flow, tracked);
+    let mut walker = StateAnalysis::new(evaluator, motions, control_flow, (tracked, file_values));
     walker.run();
     let first = walker.at_motions.clone();
     while walker.widen_entry() {
@@ -85,6 +107,7 @@ struct StateAnalysis<'w, 'a> {
     evaluator: &'w mut ConstEvaluator<'a>,
     control_flow: &'w ControlFlow<'a>,
     tracked: &'w TrackedData,
+    file_values: &'w FileValues,
     at_motions: Vec<Option<Rc<State>>>,
     /// The last one seen: most motions of a routine see the same.
     last_seen: Option<Rc<State>>,
@@ -114,6 +137,8 @@ struct Watched<'a> {
     target: &'a Expr,
     ctx: Ctx,
     values: Option<Vec<Value>>,
+    /// The PERS of whose value in the file it is made on some visit.
+    of_file: Option<DatumId>,
 }
 
 /// The points that searches have found, followed to the motions.
@@ -151,7 +176,7 @@ impl<'w, 'a> StateAnalysis<'w, 'a> {
         evaluator: &'w mut ConstEvaluator<'a>,
         motions: usize,
         control_flow: &'w ControlFlow<'a>,
-        tracked: &'w TrackedData,
+        (tracked, file_values): (&'w TrackedData, &'w FileValues),
     ) -> Self {
         let routines = control_flow.routines.len();
         Self {
@@ -172,6 +197,7 @@ impl<'w, 'a> StateAnalysis<'w, 'a> {
             evaluator,
             control_flow,
             tracked,
+            file_values,
         }
     }
 }

@@ -5,6 +5,7 @@ mod corpus;
 mod errors;
 mod named_on_reading;
 mod names;
+mod of_pers;
 mod order;
 mod pages;
 mod pressing_and_arcs;

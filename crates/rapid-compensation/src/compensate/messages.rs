@@ -4,7 +4,9 @@ use super::options::Options;
 use super::plan::{Form, PathDeviation, PlannedMotion, Status, Summary};
 use crate::schedule::{Chosen, Width};
 use rapid_program::Program;
-use rapid_program::motion::{Motion, MotionId, Origin, Path, PersTarget, RoutineId, SkipReason, Target};
+use rapid_program::motion::{
+    Motion, MotionId, Origin, Path, PersTarget, PersUse, RoutineId, SkipReason, Target,
+};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use robot_model::units::mm_from_m;
 use std::collections::BTreeMap;
@@ -156,28 +158,22 @@ impl Messages {
         }
     }
 
-    /// Targets made of a PERS: in `schedule` the file's value of it stands there, in `ramp` the correction of that value.
+    /// Targets and frames made of a PERS: in `schedule` the file's value of a target stands there, else the correction of that value.
     fn add_values_of_the_file(&mut self, program: &Program, planned: &[PlannedMotion]) {
-        for PersTarget { motion, name, declaration } in &program.made_of_pers {
+        for PersTarget { motion, name, declaration, goes_into } in &program.made_of_pers {
             let compensated = |planned: &&PlannedMotion| planned.status == Status::Compensated;
             let (Some(motion), Some(planned)) =
                 (program.motion(*motion), planned.get(motion.index()).filter(compensated))
             else {
                 continue;
             };
-            let (code, what, help) = match planned.form {
+            let code = match planned.form {
                 Form::Live => continue,
-                Form::Schedule => (
-                    "schedule::pers-value",
-                    "in the form schedule this motion goes by the value that the file has, and no longer by what is set on the controller",
-                    "--form ramp and --form auto go by its value of the moment; else check it against the controller, and compensate anew when it is changed",
-                ),
-                _ => (
-                    "ramp::pers-value",
-                    "this motion goes by its value of the moment, with the correction that belongs to the value that the file has",
-                    "right within some millimetres, as of a point that is touched up; where it is set elsewhere compensate anew, or --form live asks for its correction too",
-                ),
+                Form::Schedule => "schedule::pers-value",
+                _ => "ramp::pers-value",
             };
+            let one_of = motion.targets.iter().any(Target::is_one_of);
+            let (what, help) = of_the_file(planned.form, *goes_into, one_of);
             let message = format!("line {}: {name} is a PERS: {what}", motion.line);
             self.add(
                 Some(motion.setup.routine),
@@ -220,6 +216,30 @@ impl Messages {
             .collect();
         all.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         all
+    }
+}
+
+/// What becomes of a motion that a PERS goes into, and what to do; `one_of`: its target is one of a few that the text knows.
+fn of_the_file(form: Form, goes_into: PersUse, one_of: bool) -> (&'static str, &'static str) {
+    match (form, goes_into) {
+        (_, PersUse::Frames) => (
+            "the work object or tool of this motion is made of it, and has its value of the moment, with the correction that belongs to \
+             the value that the file has",
+            "right within some millimetres of the frame; where it is set elsewhere compensate anew, or --form live asks for its \
+             correction too",
+        ),
+        (Form::Schedule, PersUse::Target) => (
+            "in the form schedule this motion goes by the value that the file has, and no longer by what is set on the controller",
+            "--form ramp and --form auto go by its value of the moment; else check it against the controller, and compensate anew when it is changed",
+        ),
+        (_, PersUse::Target) if one_of => (
+            "this motion is corrected where it goes by the value that the file has, and goes uncorrected by another",
+            "where it is set elsewhere compensate anew, or --form live asks for its correction too",
+        ),
+        (_, PersUse::Target) => (
+            "this motion goes by its value of the moment, with the correction that belongs to the value that the file has",
+            "right within some millimetres, as of a point that is touched up; where it is set elsewhere compensate anew, or --form live asks for its correction too",
+        ),
     }
 }
 

@@ -77,7 +77,7 @@ impl<'a> MotionReader<'_, 'a> {
     /// the next one.
     pub(super) fn keep_as_last(
         &mut self,
-        site: &MotionSite<'a>,
+        (site, at): (&MotionSite<'a>, MotionId),
         args: &MoveArgs<'a>,
         seen: &Seen<'_>,
         motion: &Motion,
@@ -88,7 +88,10 @@ impl<'a> MotionReader<'_, 'a> {
         let frames = [args.speed, args.zone, args.tool].into_iter().flatten();
         let values = frames.chain(args.options.iter().filter_map(|(_, value)| *value));
         let names_alone = args.conditional.is_empty() && values.into_iter().all(|e| e.kind == ExprKind::Name);
-        if !names_alone || motion.skip_reason.is_some() || motion.setup.path == Path::AbsJoint {
+        // What is to be said of this one is to be said of one like it, too.
+        let is_mentioned = self.made_of_pers.last().is_some_and(|made| made.motion == at);
+        if !names_alone || is_mentioned || motion.skip_reason.is_some() || motion.setup.path == Path::AbsJoint
+        {
             return;
         }
         let (Some(states), Some(expr)) = (states_of(seen), inline_target(site)) else { return };

@@ -8,9 +8,10 @@ use crate::data::external_axis_letter;
 use crate::finite_set::FiniteSet;
 use crate::ids::DatumId;
 use crate::index::{Ctx, DatumKind};
-use crate::motion::{MotionId, Origin, Path, PersTarget, SkipReason, Target, TargetValue};
+use crate::motion::{MotionId, Origin, Path, PersTarget, PersUse, SkipReason, Target, TargetValue};
 use crate::motion_site::MoveArgs;
 use crate::names::as_text;
+use crate::state::{State, View};
 use crate::tracked::names_in;
 use crate::value::{DataName, Reached, Value};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
@@ -86,22 +87,44 @@ impl<'a> MotionReader<'_, 'a> {
         reached.iter().all(own)
     }
 
-    /// The first PERS that a motion's targets name.
-    pub(super) fn first_pers(&self, motion: MotionId, args: &MoveArgs<'a>, ctx: Ctx) -> Option<PersTarget> {
+    /// The first PERS of whose value a motion's targets are made, else its tool and work object: one that a target names, or one whose
+    /// value in the file has come there.
+    pub(super) fn first_pers(
+        &self,
+        motion: MotionId,
+        (args, targets): (&MoveArgs<'a>, &[Target]),
+        state: Option<&State>,
+        ctx: Ctx,
+    ) -> Option<PersTarget> {
         let index = self.evaluator.index;
-        let mut first = None;
+        let followed = self.of_file.get(&motion).copied();
+        let (mut named, mut made_of) = (None, followed.flatten());
         for expr in &args.targets {
             names_in(index, ctx, expr, &mut |datum| {
                 if index.data[datum].kind == DatumKind::Declared(DataKind::Pers) {
-                    first.get_or_insert(datum);
+                    named.get_or_insert(datum);
+                }
+                if followed.is_none() {
+                    made_of = made_of.or(self.file_values.of_untracked(datum));
                 }
             });
         }
-        first.map(|datum| PersTarget {
-            motion,
-            name: self.evaluator.name_of(datum),
-            declaration: index.declaration(datum),
-        })
+        // All elements of an array are corrected, whichever a PERS chooses.
+        let is_any_element =
+            |target: &Target| target.indices().is_some_and(|indices| indices.occurring.is_none());
+        let of_targets = named.or(made_of.filter(|_| !targets.iter().any(is_any_element)));
+        let frames = [args.tool, args.wobj].into_iter().flatten();
+        let in_state = state.map(|state| View { state, tracked: self.tracked });
+        let of_frames = || {
+            let of_file = |expr| in_state.as_ref()?.of_file(self.file_values, index, expr, ctx);
+            frames.filter_map(of_file).next()
+        };
+        let (datum, goes_into) = match of_targets {
+            Some(datum) => (datum, PersUse::Target),
+            None => (of_frames()?, PersUse::Frames),
+        };
+        let (name, declaration) = (self.evaluator.name_of(datum), index.declaration(datum));
+        Some(PersTarget { motion, name, declaration, goes_into })
     }
 
     fn target(

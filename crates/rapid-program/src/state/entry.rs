@@ -10,6 +10,7 @@ use super::in_force::{lose, same, unknown};
 use super::{MOST_STEPS, SlotState, State, StateAnalysis};
 use crate::const_eval::Constant;
 use crate::data::LoadData;
+use crate::file_values::differs_on_controllers;
 use crate::flow::BLOCKERS;
 use crate::ids::{DatumId, IdSet, RoutineIndex, Slot, Table};
 use crate::index::DatumKind;
@@ -156,7 +157,8 @@ impl StateAnalysis<'_, '_> {
             }
             let outlives = self.outlives(datum);
             // What a search has found the next cycle begins with, too.
-            slots.push(SlotState { value, at_entry: outlives, found: outlives, set_at: None });
+            let of_file = differs_on_controllers(self.evaluator.index, datum).then_some(datum);
+            slots.push(SlotState { value, at_entry: outlives, found: outlives, of_file, set_at: None });
         }
         // From its beginning a program grips nothing.
         let grip = Some(LoadData::default());

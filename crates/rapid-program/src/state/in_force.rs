@@ -5,7 +5,7 @@
 
 use crate::data::LoadData;
 use crate::flow::{BLOCKERS, Blocker};
-use crate::ids::{Slot, Table};
+use crate::ids::{DatumId, Slot, Table};
 use crate::mod_ref::RoutineEffects;
 use crate::motion::SkipReason;
 use crate::value::{Value, Why};
@@ -20,6 +20,8 @@ pub(crate) struct SlotState {
     pub(crate) at_entry: bool,
     /// It can be what a search has found; looked at for data alone that can hold such a point at some time.
     pub(super) found: bool,
+    /// The PERS of whose value in the file it is made on some way that leads here.
+    pub(super) of_file: Option<DatumId>,
     pub(super) set_at: Option<Span>,
 }
 
@@ -53,10 +55,12 @@ pub(super) fn same(a: &State, b: &State) -> bool {
         && a.conf_j == b.conf_j
         && a.grip == b.grip
         && a.blockers.iter().zip(&b.blockers).all(|(a, b)| a.is_some() == b.is_some())
-        && a.slots
-            .iter()
-            .zip(&b.slots)
-            .all(|(a, b)| a.at_entry == b.at_entry && a.found == b.found && a.value.same(&b.value))
+        && a.slots.iter().zip(&b.slots).all(|(a, b)| {
+            a.at_entry == b.at_entry
+                && a.found == b.found
+                && a.of_file.is_some() == b.of_file.is_some()
+                && a.value.same(&b.value)
+        })
 }
 
 pub(super) fn same_or_none(a: Option<&State>, b: Option<&State>) -> bool {

@@ -6,7 +6,7 @@ use crate::const_eval::Constant;
 use crate::data::LoadData;
 use crate::errors::Recovery;
 use crate::flow::{BLOCKERS, Binding, FlowStep, ForwardAnalysis};
-use crate::ids::{RoutineIndex, Slot};
+use crate::ids::{DatumId, RoutineIndex, Slot};
 use crate::index::{Ctx, DatumKind};
 use crate::motion::{MotionId, SkipReason};
 use crate::names::Sym;
@@ -38,6 +38,7 @@ impl<'a> ForwardAnalysis<'a> for StateAnalysis<'_, 'a> {
             a.value = a.value.join(&b.value, &why);
             a.at_entry |= b.at_entry;
             a.found |= b.found;
+            a.of_file = a.of_file.or(b.of_file);
             a.set_at = at;
         }
         into.join_settings(other);
@@ -64,8 +65,13 @@ impl<'a> ForwardAnalysis<'a> for StateAnalysis<'_, 'a> {
             FlowStep::Invalidate { slot, why, at } => {
                 if let Some(old) = state.slots.get_mut(*slot) {
                     let value = Value::Unknown(why.clone());
-                    *old =
-                        SlotState { value: value.clone(), at_entry: false, found: true, set_at: Some(*at) };
+                    *old = SlotState {
+                        value: value.clone(),
+                        at_entry: false,
+                        found: true,
+                        of_file: None,
+                        set_at: Some(*at),
+                    };
                     self.leave_behind(*slot, value, *at);
                 }
             }
@@ -128,11 +134,13 @@ impl StateAnalysis<'_, '_> {
     ) {
         let new = self.value(value, ctx, state);
         let found = self.reads_found(value, ctx, state);
+        let of_file = self.of_file(value, ctx, state);
         let type_name = self.tracked.data.get(slot).map(|&datum| self.evaluator.index.data[datum].type_name);
         if let (Some(old), Some(type_name)) = (state.slots.get_mut(slot), type_name) {
             let value = self.with_component(&old.value, type_name, path, new);
             let found = found || !path.is_empty() && old.found;
-            *old = SlotState { value: value.clone(), at_entry: false, found, set_at: Some(at) };
+            let of_file = of_file.or(old.of_file.filter(|_| !path.is_empty()));
+            *old = SlotState { value: value.clone(), at_entry: false, found, of_file, set_at: Some(at) };
             self.leave_behind(slot, value, at);
         }
     }
@@ -153,8 +161,9 @@ impl StateAnalysis<'_, '_> {
                 None => self.evaluator.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
             };
             let found = binding.value.is_some_and(|value| self.reads_found(value, ctx, state));
+            let of_file = binding.value.and_then(|value| self.of_file(value, ctx, state));
             if let Some(slot) = entry.slots.get_mut(binding.slot) {
-                *slot = SlotState { value, at_entry: false, found, set_at: None };
+                *slot = SlotState { value, at_entry: false, found, of_file, set_at: None };
             }
         }
         let mut out = maybe.then(|| state.clone());
@@ -178,6 +187,12 @@ impl StateAnalysis<'_, '_> {
             }
         }
         out
+    }
+
+    /// The PERS of whose value in the file an expression is made.
+    pub(super) fn of_file(&self, expr: &Expr, ctx: Ctx, state: &State) -> Option<DatumId> {
+        let view = View { state, tracked: self.tracked };
+        view.of_file(self.file_values, self.evaluator.index, expr, ctx)
     }
 
     fn value(&mut self, expr: &Expr, ctx: Ctx, state: &State) -> Value {

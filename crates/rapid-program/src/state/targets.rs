@@ -6,6 +6,7 @@
 
 use super::{ControlFlow, FoundPoints, MOST_STEPS, State, StateAnalysis, TrackedData, View, Watched};
 use crate::const_eval::ConstEvaluator;
+use crate::file_values::FileValues;
 use crate::finite_set::{FiniteSet, MOST_VALUES};
 use crate::ids::{DatumId, IdSet};
 use crate::index::Ctx;
@@ -26,6 +27,8 @@ pub(crate) struct TargetsOnWays {
     pub(crate) values: ByNumber<MotionId, FiniteSet>,
     /// The motions with a target, tool or work object that can be what a search has found.
     pub(crate) found: BTreeSet<MotionId>,
+    /// The PERS of whose value in the file the one target of a motion is made, if it is, where it was followed.
+    pub(crate) of_file: ByNumber<MotionId, Option<DatumId>>,
 }
 
 /// What is known of the targets of all motions, `found` being what searches have found at some time.
@@ -33,11 +36,11 @@ pub(crate) fn targets_on_ways<'a>(
     evaluator: &mut ConstEvaluator<'a>,
     sites: &MotionSites<'a>,
     control_flow: &ControlFlow<'a>,
-    tracked: &TrackedData,
+    (tracked, file_values): (&TrackedData, &FileValues),
     found: &OwnPositions,
 ) -> TargetsOnWays {
     let index = evaluator.index;
-    let mut walker = StateAnalysis::new(evaluator, sites.motions.len(), control_flow, tracked);
+    let mut walker = StateAnalysis::new(evaluator, sites.motions.len(), control_flow, (tracked, file_values));
     let mut to_found = ByNumber::default();
     for (motion, site) in sites.motions.iter().enumerate().map(|(at, site)| (MotionId::new(at), site)) {
         let (args, ctx) = (site.args(index), site.ctx(index));
@@ -49,7 +52,7 @@ pub(crate) fn targets_on_ways<'a>(
         let mut changes = false;
         names_in(index, ctx, target, &mut |datum| changes |= tracked.slot(datum).is_some());
         if changes {
-            walker.watched.insert(motion, Watched { target, ctx, values: Some(Vec::new()) });
+            walker.watched.insert(motion, Watched { target, ctx, values: Some(Vec::new()), of_file: None });
         }
     }
     let any_found: BTreeSet<MotionId> = to_found.keys().copied().collect();
@@ -61,7 +64,7 @@ pub(crate) fn targets_on_ways<'a>(
     }
     walker.run();
     if walker.steps > MOST_STEPS {
-        return TargetsOnWays { values: ByNumber::default(), found: any_found };
+        return TargetsOnWays { found: any_found, ..TargetsOnWays::default() };
     }
     let sources = sources(index);
     let with_sources = |watched: &Watched<'a>| {
@@ -80,8 +83,9 @@ pub(crate) fn targets_on_ways<'a>(
         Some((motion, FiniteSet { values, made_of: with_sources(watched) }))
     });
     let values = known.collect();
+    let of_file = walker.watched.iter().map(|(&motion, watched)| (motion, watched.of_file)).collect();
     let found = walker.found.map(|found| found.motions).unwrap_or_default();
-    TargetsOnWays { values, found }
+    TargetsOnWays { values, found, of_file }
 }
 
 impl StateAnalysis<'_, '_> {
@@ -108,11 +112,13 @@ impl StateAnalysis<'_, '_> {
 
     /// Notes what the target of a motion that is watched is on one more visit.
     pub(super) fn watch(&mut self, motion: MotionId, state: &State) {
-        let Some(Watched { target, ctx, values: Some(_) }) = self.watched.get(&motion) else { return };
+        let Some(Watched { target, ctx, .. }) = self.watched.get(&motion) else { return };
         let (target, ctx) = (*target, *ctx);
+        let of_file = self.of_file(target, ctx, state);
         let view = View { state, tracked: self.tracked };
         let value = self.evaluator.fold(target, ctx, &view).ok().map(|typed| typed.value);
         let Some(watched) = self.watched.get_mut(&motion) else { return };
+        watched.of_file = watched.of_file.or(of_file);
         let Some(values) = &mut watched.values else { return };
         match value {
             Some(value) if !matches!(value, Value::Unknown(_) | Value::Reached(_)) => {

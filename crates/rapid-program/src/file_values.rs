@@ -1,0 +1,89 @@
+//! Data that are worth what the file says of a PERS, or are made of it: a controller may hold another value than the file.
+//!
+//! Knows nothing of ways through the program. What is tracked [`state`](super::state) follows; of all other data any way counts.
+
+use super::ids::DatumId;
+use super::index::{Ctx, DatumKind, Index};
+use super::names::ByNumber;
+use super::parameter_flow::ParameterFlow;
+use super::statements::{bodies, every_statement};
+use super::tracked::{names_in, sources};
+use super::value_flow::ValueFlow;
+use super::writes::Writes;
+use rapid_syntax::diagnostic::{FileId, TextRange};
+use rapid_syntax::tree::{DataKind, StmtKind};
+
+/// For each datum the PERS of whose value in the file it is made.
+#[derive(Debug, Default)]
+pub(super) struct FileValues(ByNumber<DatumId, DatumId>);
+
+impl FileValues {
+    /// By all PERS that the program leaves as they are.
+    pub(super) fn new(index: &Index<'_>, writes: &Writes) -> Self {
+        let is_from_file = |&id: &DatumId| differs_on_controllers(index, id) && writes.first(id).is_none();
+        let from_file: Vec<DatumId> = index.data.ids().filter(is_from_file).collect();
+        if from_file.is_empty() {
+            return Self::default();
+        }
+        let mut goes_into: ByNumber<DatumId, Vec<DatumId>> = ByNumber::default();
+        let late = ParameterFlow::new(index);
+        let declared = of_declarations(index);
+        for flow in sources(index).as_slice().iter().chain(&late.into).chain(&late.out_of).chain(&declared) {
+            goes_into.entry(flow.from).or_default().push(flow.to);
+        }
+        let mut of = ByNumber::default();
+        for pers in from_file {
+            let mut new = vec![pers];
+            while let Some(datum) = new.pop() {
+                if of.insert(datum, pers).is_none() {
+                    new.extend(goes_into.get(&datum).into_iter().flatten().filter(|to| !of.contains_key(to)));
+                }
+            }
+        }
+        Self(of)
+    }
+
+    /// The PERS of whose value in the file a datum is made that is not tracked.
+    pub(super) fn of_untracked(&self, datum: DatumId) -> Option<DatumId> {
+        self.0.get(&datum).copied()
+    }
+}
+
+/// Whether a datum is a PERS whose value tells where a motion goes. Tools, work objects and loads are PERS as a rule, and taken as the
+/// files have them.
+pub(super) fn differs_on_controllers(index: &Index<'_>, datum: DatumId) -> bool {
+    let entry = &index.data[datum];
+    entry.kind == DatumKind::Declared(DataKind::Pers)
+        && !matches!(index.type_text(entry.type_name), "tooldata" | "wobjdata" | "loaddata")
+}
+
+/// What goes into data by their declarations, and into the variables of FOR loops by the bounds of these.
+fn of_declarations(index: &Index<'_>) -> Vec<ValueFlow> {
+    let mut flows = Vec::new();
+    let mut loop_variables: ByNumber<(FileId, TextRange), DatumId> = ByNumber::default();
+    for (to, datum) in index.data.numbered() {
+        if let Some(init) = datum.init {
+            names_in(index, datum.ctx, init, &mut |from| flows.push(ValueFlow { to, from }));
+        }
+        if datum.kind == DatumKind::LoopVariable {
+            loop_variables.insert((datum.ctx.file, datum.name_range), to);
+        }
+    }
+    for routine in &index.routines {
+        let ctx: Ctx = routine.ctx;
+        for body in bodies(routine.tree) {
+            every_statement(body, &mut |stmt| {
+                if let StmtKind::For(looped) = &stmt.kind
+                    && let Some(&to) = loop_variables.get(&(ctx.file, looped.var))
+                {
+                    for bound in
+                        [Some(&looped.from), Some(&looped.to), looped.step.as_ref()].into_iter().flatten()
+                    {
+                        names_in(index, ctx, bound, &mut |from| flows.push(ValueFlow { to, from }));
+                    }
+                }
+            });
+        }
+    }
+    flows
+}

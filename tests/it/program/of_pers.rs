@@ -1,0 +1,82 @@
+//! The PERS of whose value in the file motions are made, which a controller may hold otherwise: named in a target, copied, handed on,
+//! counted to, or gone into a tool or a work object.
+
+use super::{at, codes, module, tool};
+use rapid_program::Program;
+use rapid_program::motion::PersUse;
+
+/// For each motion of a program the PERS that is told of, and what it goes into.
+fn made_of(read: &Program) -> Vec<(usize, &str, PersUse)> {
+    read.made_of_pers.iter().map(|made| (made.motion.index(), made.name.as_str(), made.goes_into)).collect()
+}
+
+fn read(statements: &str, routines: &str) -> Program {
+    let frame = "[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]]";
+    module(&format!(
+        "PERS tooldata t:={};\nPERS wobjdata w:={frame};\nPERS wobjdata wD:={frame};\nCONST robtarget p:={};\nPERS num np:=2;
+PERS num nSet:=2;\nPERS pose pfx:=[[0,0,0],[1,0,0,0]];\nPERS robtarget pp:={};\nVAR robtarget pv;\nVAR num n;
+CONST robtarget pa{{3}}:=[{},{},{}];\nPROC main()\n{statements}\nENDPROC\n{routines}",
+        tool(1),
+        at(5, 5, 5),
+        at(6, 5, 5),
+        at(7, 5, 5),
+        at(8, 5, 5),
+        at(9, 5, 5),
+    ))
+}
+
+const MOVE: &str = "MoveL p,v100,fine,t\\WObj:=w;\n";
+
+#[test]
+fn a_pers_that_goes_into_a_frame_is_told_of() {
+    let frames = |name| vec![(0, name, PersUse::Frames)];
+    for (set, expected) in [
+        ("w.uframe.trans.y:=np;", frames("np")),
+        ("w.uframe:=pfx;", frames("pfx")),
+        ("w.uframe.trans:=pp.trans;", frames("pp")),
+        ("n:=np+1;\nw.oframe.trans.z:=2*n;", frames("np")),
+        ("t.tframe.trans.x:=np;", frames("np")),
+        // What the program itself has set is no value of the file.
+        ("nSet:=5;\nw.uframe.trans.y:=nSet;", vec![]),
+        ("w.uframe.trans.y:=np;\nw.uframe:=[[0,0,1],[1,0,0,0]];\nw:=wD;", vec![]),
+        // Tools and work objects are PERS as a rule.
+        ("w:=wD;", vec![]),
+        ("w.uframe:=wD.uframe;", vec![]),
+        ("n:=np;", vec![]),
+    ] {
+        let read = read(&format!("{set}\n{MOVE}"), "");
+        assert_eq!((codes(&read), made_of(&read)), (vec!["-"], expected), "{set}");
+    }
+    let handed = read("go np;", &format!("PROC go(num z)\nw.uframe.trans.z:=z;\n{MOVE}{MOVE}ENDPROC"));
+    assert_eq!(made_of(&handed), [(0, "np", PersUse::Frames), (1, "np", PersUse::Frames)]);
+    // A motion to joints asks for neither tool nor work object.
+    let joints = "w.uframe:=pfx;\nMoveAbsJ [[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,t\\WObj:=w;";
+    assert_eq!(made_of(&read(joints, "")), []);
+    // Paths of points without names: each of them.
+    let inline = |x| format!("MoveL {},v100,fine,t\\WObj:=w;\n", at(x, 5, 5));
+    let path = read(&format!("w.uframe:=pfx;\n{}{}{}", inline(1), inline(2), inline(3)), "");
+    assert_eq!(made_of(&path).len(), 3);
+}
+
+#[test]
+fn a_pers_that_chooses_among_targets_is_told_of() {
+    let target = |motion, name| vec![(motion, name, PersUse::Target)];
+    for (statements, expected) in [
+        ("MoveL pa{np},v100,fine,t;", target(0, "np")),
+        ("pv:=pa{np};\nMoveL pv,v100,fine,t;", target(0, "np")),
+        ("pv:=pa{np};\nMoveL Offs(pv,0,0,10),v100,fine,t;", target(0, "np")),
+        ("pv:=pp;\nMoveL pv,v100,fine,t;", target(0, "pp")),
+        ("FOR k FROM 1 TO np DO\nMoveL Offs(p,0,15*k,0),v100,fine,t;\nENDFOR", target(0, "np")),
+        ("go pa{np},1;", target(0, "np")),
+        ("go p,np;", target(1, "np")),
+        ("pv:=pa{np};\npv:=p;\nMoveL pv,v100,fine,t;", vec![]),
+        ("FOR k FROM 1 TO 3 DO\nMoveL Offs(p,0,15*k,0),v100,fine,t;\nENDFOR", vec![]),
+        // Every element is corrected, whichever is asked for.
+        ("n:=AInput(ai1);\nMoveL pa{n},v100,fine,t;", vec![]),
+    ] {
+        let go =
+            "PROC go(robtarget q,num k)\nMoveL q,v100,fine,t;\nMoveL Offs(p,0,k*10,0),v100,fine,t;\nENDPROC";
+        let read = read(statements, if statements.starts_with("go") { go } else { "" });
+        assert_eq!(made_of(&read), expected, "{statements}");
+    }
+}
