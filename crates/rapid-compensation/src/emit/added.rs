@@ -165,12 +165,15 @@ impl<'p> Added<'p> {
     ) {
         let name = context.names.core(function);
         let added = name.len() + arguments.len() + 2;
-        let mut before = EditText::from(name.as_bytes());
+        let parting = parting(file, range.start);
+        let mut before = EditText::from(parting);
+        before.extend_from_slice(name.as_bytes());
         before.extend_from_slice(b"(");
         let mut behind = EditText::default();
         if insertion::line_length(file, range.start) + added > MAX_LINE {
             before.extend_from_slice(style.eol);
         }
+        before.extend_from_slice(parting);
         if insertion::line_length(file, range.end) + added > MAX_LINE {
             behind.extend_from_slice(style.eol);
         }
@@ -211,6 +214,12 @@ impl<'p> Added<'p> {
             .or_else(|| self.names.claim(&format!("tc{}", motion.line)))
             .ok_or_else(|| EmitError::NoName { path: file.path.clone().into(), line: motion.line })
     }
+}
+
+/// What parts the instruction from the name that is put in the place of its target: a blank in `MoveL[[...`. It stands once more behind
+/// the name's bracket, `MoveL tcAt( [[...`, by which `restore` knows that the source has none.
+fn parting(file: &SourceFile, target: u32) -> &'static [u8] {
+    if insertion::is_behind_word(&file.bytes, target) { b" " } else { b"" }
 }
 
 fn mismatch(file: &SourceFile, what: &str) -> EmitError {

@@ -96,6 +96,12 @@ pub(super) const fn white(byte: u8) -> bool {
     blank(byte) || byte == b'\n' || byte == b'\r'
 }
 
+/// Whether a word ends right before `offset`: another one that is put there would be part of it.
+pub(super) fn is_behind_word(source: &[u8], offset: u32) -> bool {
+    let before = (offset as usize).checked_sub(1).and_then(|at| source.get(at));
+    before.is_some_and(|&b| b.is_ascii_alphanumeric() || b == b'_' || !b.is_ascii())
+}
+
 /// The first byte of the line that holds `offset`.
 pub(super) fn line_start(source: &[u8], offset: usize) -> usize {
     source[..offset.min(source.len())].iter().rposition(|&b| b == b'\n' || b == b'\r').map_or(0, |at| at + 1)

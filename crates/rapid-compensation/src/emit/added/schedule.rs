@@ -3,7 +3,7 @@
 //! Knows nothing of how buckets were chosen.
 
 use super::argument::Argument;
-use super::{Added, Declaration, mismatch};
+use super::{Added, Declaration, mismatch, parting};
 use crate::compensate::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget};
 use crate::emit::context::EmitContext;
 use crate::emit::options::EmitError;
@@ -27,7 +27,9 @@ impl<'p> Added<'p> {
             let index = argument.index;
             let array = self.array(file, (motion, target), argument, rows)?;
             let Some(Declaration::Array(array)) = self.declarations.get(array) else { continue };
-            self.edits.push(Edit { range: target.range, text: element(context, &array.name, index, k) });
+            let parting = parting(file, target.range.start);
+            let text = element(context, (&array.name, index, k), parting);
+            self.edits.push(Edit { range: target.range, text });
         }
         Ok(())
     }
@@ -126,12 +128,18 @@ fn with_elements_that_never_occur<'p>(
     all.map(|(row, value)| row.map_or_else(|| never(value), Ok)).collect()
 }
 
-/// What stands in a motion for its `k`-th target: the array's element of the bucket in force.
-fn element(context: &EmitContext<'_>, array: &str, index: Option<&[u8]>, k: usize) -> EditText {
+/// What stands in a motion for its `k`-th target: the array's element of the bucket in force; `parting` stands before it.
+fn element(
+    context: &EmitContext<'_>,
+    (array, index, k): (&str, Option<&[u8]>, usize),
+    parting: &[u8],
+) -> EditText {
     // The second point of an arc sees the moment of the first.
     let element = context.names.core(if k == 0 { "tcK" } else { "tcI" });
-    let mut text = EditText::from(array.as_bytes());
+    let mut text = EditText::from(parting);
+    text.extend_from_slice(array.as_bytes());
     text.extend_from_slice(b"{");
+    text.extend_from_slice(parting);
     if let Some(index) = index {
         text.extend_from_slice(index);
         text.extend_from_slice(b",");

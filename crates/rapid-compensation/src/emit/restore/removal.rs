@@ -192,15 +192,14 @@ impl<'w> Remover<'w> {
                         && let Some(at) =
                             NamedArray::find(arrays, next, &self.text(name).to_ascii_lowercase())
                     {
-                        arrays[at].uses.push(Use { expr: expr.range, index, routine });
+                        let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
+                        arrays[at].uses.push(Use { expr, index, routine });
                         next = at + 1;
                     } else if let Some((inner, asked_with)) = self.inside(expr) {
                         if !self.goes_with(&call.args, asked_with) {
                             self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
                         }
-                        let (start, end) = (expr.range.start, expr.range.end);
-                        self.edits.remove(TextRange::new(start, inner.start));
-                        self.edits.remove(TextRange::new(inner.end, end));
+                        self.uncover(expr.range, inner);
                         if let Some(original) = declarations.original(inner, routine)
                             && let Some(now) = fingerprints.add(self.bytes, original)
                         {
@@ -230,6 +229,26 @@ impl<'w> Remover<'w> {
         touched.extend(self.put_back(arrays, &declarations)?);
         touched.sort_by_key(|t| t.line);
         Ok(touched)
+    }
+
+    /// Takes out what stands round the target in an argument.
+    fn uncover(&mut self, argument: TextRange, target: TextRange) {
+        let inside = target.start.saturating_sub(1);
+        let TextRange { start, end } = self.with_parting(argument, inside, target.of(self.bytes));
+        self.edits.remove(TextRange::new(start, target.start));
+        self.edits.remove(TextRange::new(target.end, end));
+    }
+
+    /// An argument with the blank that parts it from its instruction, where that was put there with it: then it stands in the bracket as well,
+    /// at `inside`. A source has it where the `original` is a word.
+    fn with_parting(&self, argument: TextRange, inside: u32, original: &[u8]) -> TextRange {
+        let before = argument.start.saturating_sub(1);
+        let is_blank = |at: u32| self.bytes.get(at as usize) == Some(&b' ');
+        let was_put = is_blank(inside)
+            && is_blank(before)
+            && insertion::is_behind_word(self.bytes, before)
+            && !insertion::is_behind_word(original, 1);
+        TextRange::new(if was_put { before } else { argument.start }, argument.end)
     }
 
     /// Puts back the arguments that name arrays, with what the touched-up elements mean.
