@@ -1,6 +1,7 @@
 //! What `program` makes of RAPID: one file for each subject, snippets written by hand, values worked out
 //! by hand.
 
+mod called_by_text;
 mod corpus;
 mod errors;
 mod named_on_reading;

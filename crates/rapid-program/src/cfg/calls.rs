@@ -7,14 +7,17 @@ use crate::const_eval::Constant;
 use crate::errors::arguments_may_fail;
 use crate::expressions::every_call;
 use crate::flow::{Binding, FlowStep, Node};
-use crate::ids::{DatumId, RoutineIndex};
+use crate::ids::{DatumId, IdSet, RoutineIndex};
 use crate::index::{DatumKind, Resolved};
 use crate::motion::MotionId;
 use crate::move_instructions::Special;
 use crate::names::{as_text, lower_case};
-use crate::value::{self, Value};
+use crate::tracked::names_in;
+use crate::value::Value;
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, CallStmt, Callee, Expr, ExprKind, RoutineKind, Stmt};
+use rapid_syntax::tree::{
+    Arg, ArgKind, BinaryOp, CallStmt, Callee, DataKind, Expr, ExprKind, RoutineKind, Stmt,
+};
 
 impl<'a> CfgBuilder<'_, 'a> {
     pub(super) fn call(&mut self, stmt: &'a Stmt, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
@@ -111,37 +114,14 @@ impl<'a> CfgBuilder<'_, 'a> {
     /// A call by a name that is worked out at run time: one of the routines whose name fits.
     fn late(&mut self, expr: &'a Expr, args: &'a [Arg], stmt: Span, out: &mut Vec<Node<'a>>) {
         let ctx = self.ctx;
-        let index = self.index();
         let required = args.iter().filter(|a| matches!(a.kind, ArgKind::Positional(_))).count();
-        let known = self.evaluator.fold(expr, ctx, &Constant).map(|t| t.value);
-        let (start, end, whole) = match &known {
-            Ok(Value::Text(name)) => {
-                let name = lower_case(name);
-                let name = name.rsplit(':').next().unwrap_or_default().to_owned();
-                (name, String::new(), true)
-            }
-            _ => {
-                let start = lower_case(&self.literal(expr, true));
-                let start = start.rsplit(':').next().unwrap_or_default().to_owned();
-                (start, lower_case(&self.literal(expr, false)), false)
-            }
+        let called = self.called_name(expr);
+        let (start, whole) = (called.start.rsplit(':').next().unwrap_or_default().to_owned(), called.whole);
+        let fits = |name: &str| match whole {
+            true => name == start,
+            false => name.starts_with(&start) && name.ends_with(&called.end) && name != "main",
         };
-        let task = index.modules.get(ctx.module).map(|m| m.task);
-        let fits = |id: &RoutineIndex| {
-            let entry = &index.routines[*id];
-            let name = index.names.text(entry.name);
-            let wanted =
-                |&&p: &&DatumId| !matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
-            entry.tree.kind == RoutineKind::Proc
-                && index.modules.get(entry.ctx.module).map(|m| m.task) == task
-                && entry.params.iter().filter(wanted).count() == required
-                && if whole {
-                    name == start
-                } else {
-                    name.starts_with(&start) && name.ends_with(&end) && name != "main"
-                }
-        };
-        let routines: Vec<RoutineIndex> = index.routines.ids().filter(fits).collect();
+        let routines = self.procedures(required, &fits);
         if !routines.is_empty() {
             out.push(self.known_call(routines.clone(), args, !whole || self.recovery.next));
         }
@@ -157,28 +137,102 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
     }
 
-    /// The string literal that a sum of strings begins or ends with.
-    pub(super) fn literal(&self, expr: &Expr, first: bool) -> Vec<u8> {
+    /// The procedures of the same task with so many `required` parameters whose name fits.
+    fn procedures(&self, required: usize, fits: &dyn Fn(&str) -> bool) -> Vec<RoutineIndex> {
+        let index = self.index();
+        let task = index.modules.get(self.ctx.module).map(|m| m.task);
+        let is_meant = |id: &RoutineIndex| {
+            let entry = &index.routines[*id];
+            let wanted =
+                |&&p: &&DatumId| !matches!(index.data[p].kind, DatumKind::Param { optional: true, .. });
+            entry.tree.kind == RoutineKind::Proc
+                && index.modules.get(entry.ctx.module).map(|m| m.task) == task
+                && entry.params.iter().filter(wanted).count() == required
+                && fits(index.names.text(entry.name))
+        };
+        index.routines.ids().filter(is_meant).collect()
+    }
+
+    /// What the text tells of a name that is worked out at run time.
+    fn called_name(&mut self, expr: &Expr) -> CalledName {
+        match self.fixed_text(expr) {
+            Some(start) => CalledName { start, end: String::new(), whole: true },
+            None => {
+                let [start, end] = [true, false].map(|first| self.literal(expr, first));
+                CalledName { start, end, whole: false }
+            }
+        }
+    }
+
+    /// The text, in lower case, that an expression is on every controller.
+    fn fixed_text(&mut self, expr: &Expr) -> Option<String> {
+        if self.can_be_set(expr) {
+            return None;
+        }
+        let ctx = self.ctx;
+        match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
+            Value::Text(text) => Some(lower_case(&text)),
+            _ => None,
+        }
+    }
+
+    /// Whether a PERS goes into an expression: a pendant, an operator panel or another task sets such data, so that a controller may hold
+    /// another value than the text has.
+    fn can_be_set(&self, expr: &Expr) -> bool {
+        let index = self.index();
+        let (mut seen, mut new) = (IdSet::default(), Vec::new());
+        names_in(index, self.ctx, expr, &mut |datum| new.push(datum));
+        while let Some(datum) = new.pop() {
+            let entry = &index.data[datum];
+            if entry.kind == DatumKind::Declared(DataKind::Pers) {
+                return true;
+            }
+            if let Some(init) = entry.init.filter(|_| seen.insert(datum)) {
+                names_in(index, entry.ctx, init, &mut |datum| new.push(datum));
+            }
+        }
+        false
+    }
+
+    /// The text, in lower case, that a sum of strings begins or ends with.
+    fn literal(&mut self, expr: &Expr, first: bool) -> String {
         match &expr.kind {
-            ExprKind::String => value::string(self.text(expr.range)),
             ExprKind::Paren(inner) => self.literal(inner, first),
             ExprKind::Binary(sum) if sum.op == BinaryOp::Add => {
                 self.literal(if first { &sum.lhs } else { &sum.rhs }, first)
             }
-            _ => Vec::new(),
+            ExprKind::String | ExprKind::Name => self.fixed_text(expr).unwrap_or_default(),
+            _ => String::new(),
         }
     }
 
-    pub(super) fn by_number(&self, start: &str, out: &mut Vec<Node<'a>>) {
-        let index = self.index();
-        let fits = |id: &RoutineIndex| {
-            let name = index.names.text(index.routines[*id].name);
-            let rest = name.strip_prefix(start);
-            rest.is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
+    /// `CallByVar "proc", n`: one of the procedures whose name is the text and a number.
+    pub(super) fn call_by_number(&mut self, call: &CallStmt, out: &mut Vec<Node<'a>>) {
+        let Some(ArgKind::Positional(text)) = call.args.first().map(|arg| &arg.kind) else { return };
+        let called = self.called_name(text);
+        let fits = |name: &str| {
+            let text = name.trim_end_matches(|c: char| c.is_ascii_digit());
+            match called.whole {
+                true => name.strip_prefix(&called.start).is_some_and(is_number),
+                // Of what is not known the end may be a digit, too.
+                false => name.len() > text.len() && name.starts_with(&called.start),
+            }
         };
-        let routines: Vec<RoutineIndex> = index.routines.ids().filter(fits).collect();
+        let routines = self.procedures(0, &fits);
         if !routines.is_empty() {
             out.push(self.known_call(routines, &[], true));
         }
     }
+}
+
+/// What the text tells of a name, in lower case.
+struct CalledName {
+    start: String,
+    /// Nothing where `start` is all of it.
+    end: String,
+    whole: bool,
+}
+
+fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }

@@ -138,14 +138,6 @@ impl<'a> CfgBuilder<'_, 'a> {
         })
     }
 
-    /// `CallByVar "proc", n` calls `procn`.
-    fn call_by_number(&mut self, call: &'a CallStmt, out: &mut Vec<Node<'a>>) {
-        if let Some(ArgKind::Positional(expr)) = call.args.first().map(|arg| &arg.kind) {
-            let start = lower_case(&self.literal(expr, true));
-            self.by_number(&start, out);
-        }
-    }
-
     /// Whether the pose given to PDispSet is a constant that displaces nothing.
     fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
         let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
