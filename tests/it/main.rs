@@ -73,6 +73,7 @@ mod tabulate;
 #[path = "../../fuzz/targets/mod.rs"]
 mod targets;
 mod touch;
+mod traps;
 mod tree_check;
 mod unusual;
 mod virtual_controller;

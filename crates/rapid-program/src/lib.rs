@@ -53,6 +53,7 @@ mod state;
 mod statements;
 mod target;
 mod tracked;
+mod trap_return;
 mod value;
 mod value_flow;
 mod writes;
@@ -66,7 +67,7 @@ pub use pgf::{modules_of_pgf, pgf_with_module, pgf_without_module};
 pub use speed_override::SpeedOverride;
 
 use module_facts::Facts;
-use motion::{Loop, Motion, MotionId, PersTarget, RoutineInfo};
+use motion::{AfterTraps, Loop, Motion, MotionId, PersTarget, RoutineId, RoutineInfo};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -107,6 +108,8 @@ pub struct Program {
     pub merge_points: BTreeMap<MotionId, Vec<MotionId>>,
     /// Those of them to which the arm may also come from where the text does not say, as behind an error handler that goes on.
     pub also_anywhere: BTreeSet<MotionId>,
+    /// Where traps may leave the arm before any motion of a routine; not of those that no trap which moves it may interrupt.
+    pub after_traps: BTreeMap<RoutineId, AfterTraps>,
     /// The motions whose targets a PERS goes into, in file order.
     pub made_of_pers: Vec<PersTarget>,
     /// Modules, remarks, routines that a program can begin with.

@@ -166,6 +166,25 @@ pub struct RoutineInfo {
     pub range: TextRange,
 }
 
+/// Where traps that move the arm may leave it, between any two statements of a routine that they interrupt.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct AfterTraps {
+    /// The motions that they may end with, in file order.
+    pub motions: Vec<MotionId>,
+    /// One may also leave it where the text does not say.
+    pub anywhere: bool,
+}
+
+impl AfterTraps {
+    /// Takes in where others leave it.
+    pub(super) fn add(&mut self, other: Self) {
+        self.motions.extend(other.motions);
+        self.motions.sort_unstable();
+        self.motions.dedup();
+        self.anywhere |= other.anywhere;
+    }
+}
+
 /// A PERS whose value goes into a motion's target or frames: a controller may hold another value than the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PersTarget {

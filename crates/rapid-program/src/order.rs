@@ -4,11 +4,12 @@ use super::cfg::ControlFlow;
 use super::flow::{FlowStep, ForwardAnalysis, Node, every_step, walk};
 use super::ids::{IdSet, RoutineIndex, Table};
 use super::index::{Index, RoutineEntry};
-use super::motion::MotionId;
-use super::motion_site::MotionSites;
+use super::motion::{AfterTraps, MotionId, RoutineId};
+use super::motion_site::{MotionSite, MotionSites};
 use super::move_instructions::Special;
+use super::trap_return::goes_back;
 use rapid_syntax::tree::RoutineKind;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
 /// Where a junction may lead from so many motions; more are as good as any.
@@ -61,12 +62,20 @@ pub(super) enum Predecessors {
     Unknown,
 }
 
-/// For each motion what runs just before it.
+/// What runs before motions.
+pub(super) struct MotionOrder {
+    /// For each motion what runs just before it.
+    pub(super) before: Vec<Predecessors>,
+    /// Where traps may leave the arm, for the motions of routines that they may interrupt.
+    pub(super) after_traps: BTreeMap<RoutineId, AfterTraps>,
+}
+
+/// In what order motions run.
 pub(super) fn order(
     index: &Index<'_>,
     sites: &MotionSites<'_>,
     control_flow: &ControlFlow<'_>,
-) -> Vec<Predecessors> {
+) -> MotionOrder {
     let mut walker = OrderAnalysis {
         sites,
         control_flow,
@@ -84,8 +93,9 @@ pub(super) fn order(
     for id in control_flow.routines.ids() {
         walker.exit(id);
     }
+    let after_traps = walker.after_traps(index);
     let entries = walker.entries(index);
-    let previous = |(at, site): (&Option<Predecessor>, &super::motion_site::MotionSite<'_>)| {
+    let previous = |(at, site): (&Option<Predecessor>, &MotionSite<'_>)| {
         let entry = site.ctx(index).routine.and_then(|r| entries.get(r)?.as_ref());
         match resolve(at.as_ref().unwrap_or(&Predecessor::Anywhere), entry.unwrap_or(&Predecessor::Anywhere))
         {
@@ -100,7 +110,8 @@ pub(super) fn order(
             }
         }
     };
-    walker.at_motions.iter().zip(&sites.motions).map(previous).collect()
+    let before = walker.at_motions.iter().zip(&sites.motions).map(previous).collect();
+    MotionOrder { before, after_traps }
 }
 
 /// A call of a routine.
@@ -149,6 +160,36 @@ impl OrderAnalysis<'_, '_> {
             *known = Some(exit.clone());
         }
         exit
+    }
+
+    /// Where the traps that move the arm leave it, for each routine with motion that they may interrupt: between any two statements of their
+    /// task, as nobody knows when an interrupt comes.
+    fn after_traps(&mut self, index: &Index<'_>) -> BTreeMap<RoutineId, AfterTraps> {
+        let task = |id: RoutineIndex| index.modules.get(index.routines[id].ctx.module).map(|m| m.task);
+        let is_trap = |id: RoutineIndex| index.routines[id].tree.kind == RoutineKind::Trap;
+        let mut by_task: BTreeMap<Option<u32>, AfterTraps> = BTreeMap::new();
+        for trap in index.routines.ids().filter(|&id| is_trap(id)) {
+            let mut left = AfterTraps::default();
+            match self.exit(trap) {
+                None | Some(Predecessor::Entry | Predecessor::Start) => {}
+                Some(Predecessor::Motion(motion)) => left.motions.push(motion),
+                Some(Predecessor::OneOf(origins)) => {
+                    left.anywhere = origins.anywhere;
+                    left.motions.extend(&origins.motions);
+                }
+                Some(Predecessor::Anywhere | Predecessor::ManyPlaces) => left.anywhere = true,
+            }
+            left.motions.retain(|&motion| !goes_back(index, &self.sites.motions, motion));
+            if left.anywhere || !left.motions.is_empty() {
+                by_task.entry(task(trap)).or_default().add(left);
+            }
+        }
+        // Traps wait for each other.
+        let interrupted = |site: &MotionSite<'_>| {
+            let routine = site.ctx(index).routine.filter(|&id| !is_trap(id))?;
+            Some((site.info, by_task.get(&task(routine))?.clone()))
+        };
+        self.sites.motions.iter().filter_map(interrupted).collect()
     }
 
     /// Where the arm comes from when each routine is entered: what all its calls have in common.

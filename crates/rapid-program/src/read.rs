@@ -18,7 +18,7 @@ use super::module_facts::facts;
 use super::motion::{Motion, MotionId, MotionSetup, Path, PersTarget, SkipReason, Target, WobjArgument};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{ByNumber, as_text};
-use super::order::{Predecessors, order};
+use super::order::{MotionOrder, Predecessors, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
 use super::read_as_data::ReadAsData;
@@ -74,7 +74,7 @@ impl Program {
         };
         diagnostics.extend(super::shared_values::warnings(&mut evaluator, &sites, &writes));
         let speed_override = speed_override(&mut evaluator);
-        let order = order(&index, &sites, &control_flow);
+        let MotionOrder { before, after_traps } = order(&index, &sites, &control_flow);
         let mut facts = facts(&index, &control_flow.called());
         facts.retain(|file| is_of_task(&index.file(file).path, task));
         let not_given = std::mem::take(&mut control_flow.not_given);
@@ -84,7 +84,7 @@ impl Program {
         let mut reader = MotionReader::new(evaluator, known, on_ways, nests, overrides.base_fixed);
         let seen = first.into_iter().zip(any);
         let MotionsInOrder { motions, merge_points, also_anywhere } =
-            reader.motions(sites.into_iter().zip(seen).zip(order));
+            reader.motions(sites.into_iter().zip(seen).zip(before));
         let made_of_pers = std::mem::take(&mut reader.made_of_pers);
         let settable = reader.settable_names();
         diagnostics.extend(super::position_tests::warning(&index, &reader.own_positions));
@@ -101,6 +101,7 @@ impl Program {
             motions,
             merge_points,
             also_anywhere,
+            after_traps,
             made_of_pers,
             facts,
             speed_override,

@@ -239,17 +239,19 @@ impl StateAnalysis<'_, '_> {
         self.at_any_time();
     }
 
-    /// ConfL and the like in traps and handlers may come into force anywhere.
+    /// ConfL and the like in traps and handlers may come into force anywhere, and so may what a trap grips.
     fn at_any_time(&mut self) {
         let index = self.evaluator.index;
         let mut any = RoutineEffects::default();
+        let mut a_trap_grips = false;
         for (id, in_handlers) in self.in_handlers.numbered() {
             if index.routines[id].tree.kind == RoutineKind::Trap {
                 any.add(&self.effects[id]);
+                a_trap_grips |= self.effects[id].grip;
             }
             any.add(in_handlers);
         }
-        if !any.conf_l && !any.conf_j && any.blockers.iter().all(Option::is_none) {
+        if !any.conf_l && !any.conf_j && !a_trap_grips && any.blockers.iter().all(Option::is_none) {
             return;
         }
         for state in self.at_motions.iter_mut().flatten().map(Rc::make_mut) {

@@ -1,7 +1,7 @@
 //! Back edges of the control flow between motions: from a motion to one that runs before it, as loops have them.
 
 use rapid_program::Program;
-use rapid_program::motion::{MotionId, Path};
+use rapid_program::motion::{AfterTraps, MotionId, Path};
 
 /// An edge of the control flow: from one motion to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -16,6 +16,11 @@ pub(super) fn predecessors(program: &Program, motion: MotionId) -> impl Iterator
     let merge_point = program.merge_points.get(&motion).map_or(&[][..], Vec::as_slice);
     let all = motions[motion.index()].previous.iter().chain(merge_point).copied();
     all.filter(|before| before.index() < motions.len())
+}
+
+/// Where traps may have left the arm before a motion; `None` where none that moves it may have interrupted the program there.
+pub(super) fn after_traps(program: &Program, motion: MotionId) -> Option<&AfterTraps> {
+    program.after_traps.get(&program.motions.get(motion.index())?.setup.routine)
 }
 
 /// The edges without which none leads in a circle, sorted: those of loops back to where they begin, as a depth-first search finds

@@ -4,7 +4,7 @@
 //! far the gap is bridged, can turn round a joint that moves little or not at all in the program. So the way is asked of the
 //! corrected targets, before play is added.
 
-use super::back_edges::predecessors;
+use super::back_edges::{after_traps, predecessors};
 use super::joint_side::{
     LAST_MIN_RAD, LAST_SHARE, STILL_RAD, Side, TargetJoints, WhyUnknown, common, merged, side_at,
 };
@@ -192,6 +192,11 @@ impl Ways<'_> {
         if motion.from_start || anywhere || edges.is_empty() {
             let start_rad = self.start_rad.filter(|_| motion.from_start && !anywhere && !from_anywhere);
             edges.push(from(start_rad.map(|q_rad| self.joints_at(q_rad, None, [true; 6])), None));
+        }
+        if let Some(traps) = after_traps(self.program, id) {
+            let known = traps.motions.iter().filter(|last| last.index() < self.resolved.len());
+            edges.extend(known.map(|&last| from(exit(last), Some(last))));
+            edges.extend(traps.anywhere.then(|| from(None, None)));
         }
         edges
     }

@@ -1,6 +1,6 @@
 //! Where each motion is meant to go, and with which joints: one after the other, each after those that run before it.
 
-use super::back_edges::{Edge, back_edges, predecessors};
+use super::back_edges::{Edge, after_traps, back_edges, predecessors};
 use super::branch::{Branch, StartPosture, WRIST_DEG, branch_of};
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
@@ -12,7 +12,7 @@ use super::resolved::Resolved;
 use nalgebra::Isometry3;
 use rapid_program::Program;
 use rapid_program::data::{ConfData, JointTarget};
-use rapid_program::motion::{Motion, MotionId, SkipReason, TargetValue};
+use rapid_program::motion::{AfterTraps, Motion, MotionId, SkipReason, TargetValue};
 use rapid_program::one_or_many::OneOrMany;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::rad_from_deg;
@@ -77,7 +77,17 @@ impl Resolver<'_> {
         if from.is_empty() || self.program.also_anywhere.contains(&motion) {
             from.push(StartPosture::Anywhere);
         }
+        if let Some(traps) = self.traps_before(motion) {
+            from.extend(traps.motions.iter().filter_map(|&last| done(last).map(Resolved::exit)));
+            from.extend(traps.anywhere.then_some(StartPosture::Anywhere));
+        }
         from
+    }
+
+    /// Where traps may have left the arm before a motion, where that tells its branch: a controller that checks confdata goes by them, or stops.
+    fn traps_before(&self, motion: MotionId) -> Option<&AfterTraps> {
+        let is_checked = self.program.motion(motion)?.setup.conf_monitored == Some(true);
+        after_traps(self.program, motion).filter(|_| !is_checked)
     }
 
     fn pass(&self) -> (Vec<Resolved>, Messages) {
@@ -110,6 +120,8 @@ impl Resolver<'_> {
                         done[from.index()].is_none() && !waiting[from.index()] && !is_back_edge(from)
                     };
                     stack.extend(predecessors(self.program, motion).filter(first));
+                    let of_traps = self.traps_before(motion).map_or(&[][..], |traps| &traps.motions);
+                    stack.extend(of_traps.iter().copied().filter(first));
                     if stack.len() > pending {
                         continue;
                     }
@@ -132,7 +144,9 @@ impl Resolver<'_> {
     /// The merge points at which not all edges lead to what was resolved.
     fn merge_points_apart(&self, resolved: &[Resolved]) -> BTreeSet<MotionId> {
         let mut apart = self.apart.clone();
-        for &id in self.program.merge_points.keys() {
+        let all = (0..self.program.motions.len()).map(MotionId::new);
+        let behind_traps = all.filter(|&id| self.traps_before(id).is_some());
+        for id in self.program.merge_points.keys().copied().chain(behind_traps) {
             let i = id.index();
             let Some(motion) = self.program.motions.get(i).filter(|_| !apart.contains(&id)) else { continue };
             let from = self.start_postures(id, |before| resolved.get(before.index()));

@@ -1,6 +1,6 @@
 //! Motions whose branch the text does not tell: corrected only where every branch needs the same correction.
 
-use super::back_edges::predecessors;
+use super::back_edges::{after_traps, predecessors};
 use super::messages::span_of;
 use super::model::Model;
 use super::placement::skip;
@@ -74,6 +74,10 @@ fn why_unknown(program: &Program, start_is_known: bool, at: MotionId) -> (String
     let (mut seen, mut ways) = (BTreeSet::from([at]), VecDeque::from([at]));
     while let Some(at) = ways.pop_front() {
         let motion = &program.motions[at.index()];
+        if let Some(traps) = after_traps(program, at).filter(|_| motion.setup.conf_monitored != Some(true)) {
+            let last = traps.motions.first().and_then(|&last| program.motion(last));
+            return ("a trap that moves the arm may run before it".to_owned(), last.map(span_of));
+        }
         if seen.len() > 1 && motion.targets.last().is_none_or(|target| target.values().next().is_none()) {
             let path = &program.file(motion.file).path;
             let (kind, line) = (motion.setup.kind, motion.line);
