@@ -126,6 +126,53 @@ fn live_asks_for_the_tools_own_load_or_for_the_one_that_is_given() {
     assert!(!said.contains("model::live-load") && after_mm < 0.001, "{after_mm} {said}");
 }
 
+/// `\TLoad` says what hangs there in one motion, in place of the tool's own load and of what is gripped: the virtual controller's robot sags so.
+#[test]
+fn the_total_load_of_a_motion_hangs_there_in_every_form() {
+    let dir = tempfile::tempdir().unwrap();
+    let at = |name: &str| path(dir.path(), name);
+    std::fs::write(at("sag.toml"), SAG).unwrap();
+    let (program, out, model, json_file) = (at("p.mod"), at("out.mod"), at("sag.toml"), at("s.json"));
+    let with = |load: &str| {
+        gripping("    GripLoad part;\n", "").replace("fine,t;", &format!("fine,t\\TLoad:={load};"))
+    };
+    let all = "PERS loaddata all:=[6,[0,0,120],[1,0,0,0],0,0,0];\n  PROC main()";
+    let with_all = with("all").replace("PROC main()", all);
+    let run = |text: &str, form: &str| {
+        std::fs::write(&program, text).unwrap();
+        let args = ["compensate", &program, "--model", &model, "--form", form, "-o", &out, "--diff", "none"];
+        let made = driftpost(&args);
+        assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
+        let args = ["simulate", &out, "--original", &program, "--model", &model, "--minutes", "0"];
+        let simulated = driftpost(&[&args[..], &["--json", &json_file]].concat());
+        assert!(simulated.status.code().is_some_and(|code| code < 2), "{simulated:?}");
+        let minute = json(&json_file)["minutes"][0].clone();
+        let mm = |which: &str| minute[which]["max_mm"].as_f64().unwrap();
+        let said = String::from_utf8_lossy(&made.stderr).into_owned();
+        ([mm("before"), mm("after")], said, std::fs::read_to_string(&out).unwrap())
+    };
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let ([before_mm, after_mm], said, text) = run(&with_all, form);
+        assert!(after_mm < 0.001 && before_mm > 0.05, "{form}: {before_mm} {after_mm}");
+        assert!(!said.contains("model::live-load"), "{form}: {said}");
+        assert!(!text.contains("MoveJ tcLive"), "{form}: {text}");
+        // load0 counts as not given: then the part hangs there.
+        let ([gripped_mm, after_mm], ..) = run(&with("load0"), form);
+        assert!(
+            after_mm < 0.001 && (gripped_mm - before_mm).abs() > 0.005,
+            "{form}: {gripped_mm} {after_mm}"
+        );
+    }
+    // What run time alone knows asks for the tool's own load.
+    for form in ["live", "auto"] {
+        let ([_, after_mm], said, _) = run(&asking(&with_all), form);
+        assert!(
+            said.contains("warning[model::live-load]: line 12:") && after_mm > 0.01,
+            "{form}: {after_mm} {said}"
+        );
+    }
+}
+
 /// With a stationary tool the robot holds the work object, and the centre of what is gripped is given in its object frame: 50 mm before
 /// the flange, as the gripper's own.
 #[test]

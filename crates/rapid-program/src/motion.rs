@@ -115,6 +115,8 @@ pub struct MotionSetup {
     pub conf_monitored: Option<bool>,
     /// The load that GripLoad put on the tool, its centre in the tool's frame; `None` = not known.
     pub grip: Option<LoadData>,
+    /// `\TLoad` says what hangs there in place of the tool's own load, which `tool` then has, or may say it.
+    pub has_total_load: bool,
     /// Of an arc: why it stays as it is where its tool turns (`CirPathMode\CirPointOri`).
     pub uneven_turn: Option<Arc<SkipReason>>,
 }

@@ -305,7 +305,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         let (speed, zone) = (self.speed(&args, ctx, known), self.zone(&args, ctx, known));
         let time_s = self.time_s(&args, ctx, known);
         let Frames { tool, wobj, later } = self.frames(&args, (ctx, form.path), seen, &mut reasons);
-        let (tool, later_frames, grip) =
+        let (tool, later_frames, grip, has_total_load) =
             self.total_load(&args, ctx, known, (tool, later, seen.any.and_then(|state| state.grip)));
         if !self.same_frames(&args, ctx, &reached) {
             reasons.add_other_frames();
@@ -318,6 +318,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             time_s,
             zone,
             grip,
+            has_total_load,
             ..self.setup_as_written(site, &args, (ctx, seen.any))
         };
         let (skip_reason, known_at_run_time) = reasons.reported();
@@ -390,6 +391,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             zone: None,
             conf_monitored: state.and_then(|state| conf_monitored(state, site.form.path)),
             grip: None,
+            has_total_load: false,
             uneven_turn: state.and_then(|state| uneven_turn(state, site.form.path)),
         }
     }

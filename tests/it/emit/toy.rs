@@ -127,6 +127,7 @@ impl Reader<'_> {
             time_s: None,
             conf_monitored: None,
             grip: None,
+            has_total_load: false,
             uneven_turn: None,
         };
         self.program.motions.push(Motion {

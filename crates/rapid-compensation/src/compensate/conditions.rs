@@ -49,9 +49,8 @@ pub(super) fn payload_under(
 /// Whether what is asked at run time takes another load than hangs on the flange in a motion: it asks for the tool's own.
 pub(super) fn is_beyond_own_load(motion: &Motion, model: &Model<'_>) -> bool {
     let (tool, wobj) = (motion.setup.tool.as_ref(), motion.setup.wobj.as_ref());
-    needs_load(model)
-        && payload_under(tool, wobj, motion, model)
-            != payload_of((tool, wobj), LoadData::default(), model.payload_kg)
+    let own = || payload_of((tool, wobj), LoadData::default(), model.payload_kg);
+    needs_load(model) && (motion.setup.has_total_load || payload_under(tool, wobj, motion, model) != own())
 }
 
 fn needs_load(model: &Model<'_>) -> bool {

@@ -14,27 +14,28 @@ use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{Expr, ExprKind};
 
 impl<'a> MotionReader<'_, 'a> {
-    /// What `\TLoad` says of the load of one motion: in place of the tool's own and of what is gripped; `load0` says nothing.
+    /// What `\TLoad` says of the load of one motion: in place of the tool's own and of what is gripped; `load0` says nothing. At the end stands
+    /// whether it says anything, as far as the text tells.
     pub(super) fn total_load(
         &mut self,
         args: &MoveArgs<'a>,
         ctx: Ctx,
         known: &dyn TrackedValues,
         (tool, later, grip): (Option<ToolData>, Vec<LaterFrames>, Option<LoadData>),
-    ) -> (Option<ToolData>, Vec<LaterFrames>, Option<LoadData>) {
+    ) -> (Option<ToolData>, Vec<LaterFrames>, Option<LoadData>, bool) {
         if !args.has("tload") {
-            return (tool, later, grip);
+            return (tool, later, grip, false);
         }
         let given = args.options.iter().find(|(name, _)| name == "tload").and_then(|(_, value)| *value);
         let load = given.and_then(|expr| self.evaluator.fold(expr, ctx, known).ok());
         match load.and_then(|load| convert::loaddata(&load.value).ok()) {
-            Some(load) if load.weighs_nothing() => (tool, later, grip),
+            Some(load) if load.weighs_nothing() => (tool, later, grip, false),
             Some(load) => {
                 let under = |tool| ToolData { load, ..tool };
                 let later = later.into_iter().map(|l| LaterFrames { tool: under(l.tool), ..l }).collect();
-                (tool.map(under), later, Some(LoadData::default()))
+                (tool.map(under), later, Some(LoadData::default()), true)
             }
-            None => (tool, later, None),
+            None => (tool, later, None, true),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::data::call_by_name;
 use super::parameter::{ExtJoint, Instruction, Parameter, RobTarget, Unevaluated, instruction, string};
 use super::signals::put;
-use super::tools::{setup, setup_of, tool_and_object};
+use super::tools::{setup, setup_of, tool_and_object, total_load};
 use crate::arm::{ControllerArm, Move, SolvedMove, SpeedOverride};
 use crate::code::{Arg, Expr, ExprKind, Name, NameRef};
 use crate::frame::{self, Setup};
@@ -156,7 +156,8 @@ pub(crate) fn execute(
 ) -> Result<Option<String>, Fault> {
     let targets = targets_of(vm, form, args)?;
     let (tool, object) = tool_and_object(vm, args.at(form.tool)?, args.named("wobj"))?;
-    let setup = setup(&tool, &object, vm.machine)?;
+    let total_load = total_load(vm, args)?;
+    let setup = setup((&tool, total_load), &object, vm.machine)?;
     let output = form.output.map(|at| output_at(vm, args, at)).transpose()?;
     let start_q_rad = vm.arm.as_ref().and_then(|arm| arm.q_rad());
     let began_s = vm.machine.calendar.steady_s();

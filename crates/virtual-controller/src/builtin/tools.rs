@@ -2,7 +2,7 @@
 
 use crate::code::{Expr, ExprKind, NameRef};
 use crate::frame::{self, Setup};
-use crate::interpreter::Interpreter;
+use crate::interpreter::{Args, Interpreter};
 use crate::machine::{Access, DataRoot, Machine};
 use crate::outcome::{Fault, fatal};
 use crate::predefined;
@@ -52,15 +52,30 @@ fn frame_data(vm: &mut Interpreter<'_>, expr: &Expr, plain: &str) -> Result<Valu
 /// Who holds what for a tool and a work object argument.
 pub(super) fn setup_of(vm: &mut Interpreter<'_>, tool: &Expr, wobj: Option<&Expr>) -> Result<Setup, Fault> {
     let (tool, wobj) = tool_and_object(vm, tool, wobj)?;
-    setup(&tool, &wobj, vm.machine)
+    setup((&tool, None), &wobj, vm.machine)
 }
 
-/// Who holds what, by the values of tool and work object and what hangs on the flange of `machine`.
-pub(super) fn setup(tool: &Value, wobj: &Value, machine: &Machine) -> Result<Setup, Fault> {
+/// What `\TLoad` of a move says: the numbers of the whole load on the flange, its centre in the flange's frame as a tool's own. It stands for the
+/// tool's load and for what is gripped; `load0` counts as not given (ABB, RAPID reference manual, MoveL).
+pub(super) fn total_load(vm: &mut Interpreter<'_>, args: &Args<'_>) -> Result<Option<Vec<f64>>, Fault> {
+    let Some(load) = args.named("tload") else { return Ok(None) };
+    let ty = vm.program.types.loaddata.clone();
+    let load = vm.eval_as(load, &ty)?.numbers();
+    Ok(Some(load).filter(|load| load.first().is_some_and(|mass_kg| *mass_kg > NO_LOAD_KG)))
+}
+
+/// Who holds what, by the values of tool and work object and what hangs on the flange of `machine`: where a move says so its total load.
+pub(super) fn setup(
+    (tool, total_load): (&Value, Option<Vec<f64>>),
+    wobj: &Value,
+    machine: &Machine,
+) -> Result<Setup, Fault> {
     let object = wobj.numbers();
     let held = tool.numbers();
+    let gripped = if total_load.is_some() { Payload::default() } else { machine.gripped };
+    let load = total_load.as_deref().or(held.get(7..)).unwrap_or_default();
     let mut setup = Setup {
-        payload: payload(held.get(7..11).unwrap_or_default()),
+        payload: payload(load.get(..4).unwrap_or_default()),
         tool_held: tool.parts().first().and_then(Value::boolean).unwrap_or(true),
         frame_from_tcp: frame::isometry_of(&held)?,
         frame_from_object: frame::isometry_of(&object)?
@@ -69,12 +84,12 @@ pub(super) fn setup(tool: &Value, wobj: &Value, machine: &Machine) -> Result<Set
     // What is gripped has its centre in the frame of the tool, or of the work object, that the robot holds.
     let flange_from_holder = if setup.tool_held { &setup.frame_from_tcp } else { &setup.frame_from_object };
     setup.payload = match machine.payload_kg {
-        // Where the tool's own centre is, however little it weighs.
+        // Where the load's own centre is, however little it weighs.
         Some(mass_kg) => {
-            let cog_mm = held.get(8..11).and_then(|cog| <[f64; 3]>::try_from(cog).ok()).unwrap_or_default();
+            let cog_mm = load.get(1..4).and_then(|cog| <[f64; 3]>::try_from(cog).ok()).unwrap_or_default();
             Payload { mass_kg, cog_m: cog_mm.map(m_from_mm) }
         }
-        None => combined_load(setup.payload, machine.gripped, flange_from_holder),
+        None => combined_load(setup.payload, gripped, flange_from_holder),
     };
     Ok(setup)
 }

@@ -69,6 +69,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
         time_s: None,
         conf_monitored: Some(false),
         grip: None,
+        has_total_load: false,
         uneven_turn: None,
     };
     Motion {
