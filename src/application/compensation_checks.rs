@@ -5,6 +5,7 @@ use super::named::model_of_another_robot;
 use rapid_program::{Program, is_of_task};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, is_or_are};
+use rapid_syntax::tree::FileItem;
 use robot_model::robot::Robot;
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
@@ -67,6 +68,45 @@ fn already_compensated(program: &Program) -> Vec<Diagnostic> {
     found
 }
 
+/// Functions that corrected motions ask, in lower case, each with what stands behind its name.
+const ASKED: [&str; 8] =
+    ["tcat(", "tcatsame(", "tcatone(", "tcatj(", "tclive(", "tclivesame(", "tclivej(", "tck()}"];
+
+/// Corrected motions that were copied into a module of its own: they ask for what no given module declares, and would be corrected once more.
+fn copied_motions(program: &Program) -> Option<Diagnostic> {
+    let modules = program.files.iter().flat_map(|file| file.tree.items.iter().map(move |item| (file, item)));
+    let declared: Vec<String> = modules
+        .filter_map(|(file, item)| match item {
+            FileItem::Module(module) => Some((file, module)),
+            _ => None,
+        })
+        .flat_map(|(file, module)| module.routines().map(|routine| file.text(routine.name)))
+        .map(|name| String::from_utf8_lossy(name).to_ascii_lowercase())
+        .collect();
+    let found = program.motions.iter().find_map(|motion| {
+        let asked = motion.targets.iter().find_map(|target| {
+            let text = program.file(motion.file).text(target.range).to_ascii_lowercase();
+            let asked = ASKED.into_iter().find(|asked| match asked.ends_with('(') {
+                true => text.starts_with(asked.as_bytes()),
+                false => text.starts_with(b"tc") && text.ends_with(asked.as_bytes()),
+            })?;
+            let name = asked.trim_end_matches(['(', ')', '}']);
+            (!declared.iter().any(|declared| declared == name)).then_some(target.range)
+        })?;
+        Some((motion, asked))
+    })?;
+    let (motion, asked) = found;
+    let text = format!(
+        "line {}: this {} is already compensated, and what it asks for is in none of the given files",
+        motion.line, motion.setup.kind
+    );
+    Some(
+        Diagnostic::error("refuse::already-compensated", text)
+            .at(program.file(motion.file).span(asked))
+            .help("put the original target there, or take the routine from the original"),
+    )
+}
+
 impl Compensation {
     /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
     /// of how it was made.
@@ -77,6 +117,9 @@ impl Compensation {
         found.extend(self.check_robot(program));
         found.extend(self.check_table());
         found.extend(already_compensated(program));
+        if found.iter().all(|message| message.code != "refuse::already-compensated") {
+            found.extend(copied_motions(program));
+        }
         for remark in program.facts.kinematics.iter().filter(|remark| !remark.is_nominal()) {
             let text = format!("made with {} kinematics, not with nominal ones", remark.word);
             let (severity, help) = if self.allow_non_nominal {

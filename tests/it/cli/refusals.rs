@@ -128,6 +128,22 @@ fn programs_that_must_not_be_corrected_are_refused() {
     assert_eq!(driftpost(&["compensate", &good]).status.code(), Some(0));
     let emitted = bench.path("good_tc.mod").display().to_string();
     refused(&bench, &[&emitted], "refuse::already-compensated");
+    // Motions that were copied from a corrected module ask for what is not there.
+    for asked in ["tcAt(p,tcP)", "tcLive(p,tool0)", "tc12{tcK()}", "TCLIVEJ(j,tool0)"] {
+        let move_name = if asked.contains('j') { "MoveAbsJ" } else { "MoveL" };
+        let copied =
+            GOOD.replace("  ENDPROC", &format!("    {move_name} {asked},v100,fine,tool0;\n  ENDPROC"));
+        assert_ne!(copied, GOOD);
+        let copied = bench.file("copied.mod", copied);
+        let message = refused(&bench, &[&copied, "--form", "auto"], "refuse::already-compensated");
+        assert!(message.contains("is in none of the given files"), "{message}");
+    }
+    // A function of one's own may bear such a name.
+    let own = "  FUNC robtarget tcAt(robtarget p)\n    RETURN p;\n  ENDFUNC\nENDMODULE";
+    let own =
+        GOOD.replace("ENDMODULE", own).replace("  ENDPROC", "    MoveL tcAt(p),v100,fine,tool0;\n  ENDPROC");
+    let own = bench.file("own.mod", own);
+    assert_eq!(driftpost(&["compensate", &own]).status.code(), Some(0));
 }
 
 #[test]
