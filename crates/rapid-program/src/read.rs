@@ -64,14 +64,7 @@ impl Program {
         let file_values = FileValues::new(&index, &writes);
         let StatesAtMotions { first, any, left } =
             states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, (&tracked, &file_values));
-        let found = OwnPositions::of_searches(&index);
-        let of_targets = TrackedData::of_targets(&index, &writes, &sites, &|datum| found.holds(datum));
-        let on_ways = if of_targets.data.is_empty() && found.is_empty() {
-            TargetsOnWays::default()
-        } else {
-            let ways = ControlFlow::new(&mut evaluator, &sites, &of_targets, overrides.base_fixed);
-            targets_on_ways(&mut evaluator, &sites, &ways, (&of_targets, &file_values), &found)
-        };
+        let on_ways = by_ways(&mut evaluator, (&index, &writes), &sites, &file_values, overrides.base_fixed);
         diagnostics.extend(super::shared_values::warnings(&mut evaluator, &sites, &writes));
         let speed_override = speed_override(&mut evaluator);
         let MotionOrder { before, after_traps } = order(&index, &sites, &control_flow);
@@ -109,6 +102,23 @@ impl Program {
             diagnostics,
         }
     }
+}
+
+/// Targets that a program assigns, by the ways on which their motions are come to.
+fn by_ways<'a>(
+    evaluator: &mut ConstEvaluator<'a>,
+    (index, writes): (&'a Index<'a>, &'a Writes),
+    sites: &MotionSites<'a>,
+    file_values: &FileValues,
+    base_fixed: [bool; 6],
+) -> TargetsOnWays {
+    let found = OwnPositions::of_searches(index);
+    let of_targets = TrackedData::of_targets(index, writes, sites, &|datum| found.holds(datum));
+    if of_targets.data.is_empty() && found.is_empty() {
+        return TargetsOnWays::default();
+    }
+    let ways = ControlFlow::new(evaluator, sites, &of_targets, base_fixed);
+    targets_on_ways(evaluator, sites, &ways, (&of_targets, file_values), &found)
 }
 
 /// Warnings about what is given and what is not, whatever motions make of it.
