@@ -71,7 +71,9 @@ impl Quantity<'_> {
         let is_empty =
             |name: &&str| empty.get(name).is_some_and(|lines| without.iter().any(|l| lines.contains(l)));
         let named: Vec<&str> = self.names.iter().copied().filter(is_empty).collect();
-        let what = format!("{} {} empty or no number", named.join(", "), is_or_are(named.len()));
+        let nothing =
+            if self.names == QUATERNION { "empty, all 0 or no number" } else { "empty or no number" };
+        let what = format!("{} {} {nothing}", named.join(", "), is_or_are(named.len()));
         let is_absent = without.len() as f64 > MOSTLY_EMPTY * needed as f64;
         warnings.push(if is_absent {
             let columns = if self.names.len() > 1 { self.names.join(", ") } else { "the column".to_owned() };

@@ -176,6 +176,22 @@ mod tests {
         from_table(&Table::from_csv(text.as_bytes())?)
     }
 
+    /// Of three rows one has four zeros: it is left out as one whose cells are empty; with two such rows there are no orientations.
+    #[test]
+    fn four_zeros_are_no_orientation() {
+        let with = |turns: [&str; 3]| {
+            let rows = turns.map(|turn| format!("0,0,0,0,0,0,1,2,3,{turn}\n")).concat();
+            read(&format!("{HEADER},qw,qx,qy,qz\n{rows}")).unwrap()
+        };
+        let one = with(["1,0,0,0", "0,0,0,0", "1,0,0,0"]);
+        assert_eq!(one.rows.iter().map(|row| row.line).collect::<Vec<_>>(), [2, 4]);
+        assert!(one.channels.orientation);
+        let text = one.warnings.iter().map(|w| w.message.as_str()).collect::<Vec<_>>().join(" ");
+        assert!(text.contains("qw, qx, qy, qz are empty, all 0 or no number"), "{text}");
+        let two = with(["0,0,0,0", "0.0,0.0,0.0,0.0", "1,0,0,0"]);
+        assert!(two.rows.len() == 3 && !two.channels.orientation);
+    }
+
     #[test]
     fn columns_stand_in_any_order_and_become_si() {
         let text = "z_mm,x_mm,y_mm,dir1,dir2,dir3,dir4,dir5,dir6,q6_deg,q5_deg,q4_deg,q3_deg,q2_deg,q1_deg,t_min\n\

@@ -156,7 +156,15 @@ impl RowCells<'_> {
             let per_joint = self.columns.directions.iter().chain(self.columns.temperatures).copied();
             single.into_iter().chain(QUATERNION).chain(per_joint)
         };
-        all.filter(|name| self.text(name).is_some_and(is_nothing))
+        let no_turn = self.has_no_turn();
+        all.filter(move |name| {
+            self.text(name).is_some_and(is_nothing) || no_turn && QUATERNION.contains(name)
+        })
+    }
+
+    /// Four zeros are what an instrument writes that saw no orientation.
+    fn has_no_turn(&self) -> bool {
+        QUATERNION.iter().all(|name| self.text(name).is_some_and(|text| text.parse() == Ok(0.0)))
     }
 
     fn number(&self, name: &str) -> Result<f64, MeasureError> {
@@ -295,6 +303,7 @@ impl RowCells<'_> {
         };
         let orientation = match self.optional_all(QUATERNION)? {
             None => None,
+            Some(_) if self.has_no_turn() => None,
             Some([w, x, y, z]) => {
                 let quaternion = Quaternion::new(w, x, y, z);
                 if (quaternion.norm() - 1.0).abs() > QUATERNION_LENGTH {
