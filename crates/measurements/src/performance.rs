@@ -20,6 +20,8 @@ const FEWEST_CYCLES: usize = 5;
 /// A cycle is far off by so many times the middle distance, and by so much at least, metres.
 const FAR_TIMES: f64 = 20.0;
 const FAR_M: f64 = 1e-3;
+/// AP that is smaller by less than this share for what was fitted is not worth a word.
+const WORTH_TELLING: f64 = 0.1;
 /// Of more rows so many are asked whether they contradict the robot; each asks the others.
 const MOST_CHECKED: usize = 6000;
 /// Lines that a message lists at most.
@@ -165,6 +167,7 @@ pub fn performance(
         Err(error) => return Err(error.into()),
     };
     let poses = pose_by_pose(measurements, &used, &chain, registration.as_ref());
+    let few = registration.as_ref().and_then(|_| few_poses(&gathered.stations, gathered.targets, compared));
     let far = far_cycles(measurements, &used);
     let left_out = checked.out_of_range.iter().filter_map(|&row| measurements.rows.get(row));
     Ok(Performance {
@@ -172,7 +175,29 @@ pub fn performance(
         poses,
         registration,
         lines_left_out: left_out.map(|row| row.line).collect(),
-        warnings: checked.warnings.into_iter().chain(seen.warnings).chain(far).collect(),
+        warnings: checked.warnings.into_iter().chain(seen.warnings).chain(few).chain(far).collect(),
+    })
+}
+
+/// That what is fitted takes much of the accuracy of so few poses: of 3 numbers a pose each that is fitted takes one from the sum of squares.
+fn few_poses(stations: &[Station], targets: usize, compared: ComparisonFrame) -> Option<Diagnostic> {
+    let (what, fitted) = match compared {
+        ComparisonFrame::Fitted => ("base and target", 6 + 3 * targets),
+        ComparisonFrame::BaseFitted(_) => ("the base", 6),
+        ComparisonFrame::AsMeasured(_) => return None,
+    };
+    let poses: BTreeSet<(usize, usize)> = stations.iter().map(|s| (s.pose, s.target)).collect();
+    let seen = 3 * poses.len();
+    let smaller_by = 1.0 - (1.0 - fitted as f64 / seen as f64).max(0.0).sqrt();
+    (smaller_by > WORTH_TELLING).then(|| {
+        let text = format!(
+            "{what} ({fitted} numbers) are fitted to the {seen} of {} poses: AP comes out smaller than it is, by some {:.0} % in the middle of many such \
+             measurements",
+            poses.len(),
+            100.0 * smaller_by
+        );
+        Diagnostic::warning("measure::few-poses", text)
+            .help("measure more poses, spread ones; or fit less (--register base, or none) where target and base are known")
     })
 }
 
@@ -333,6 +358,24 @@ mod tests {
 
     /// One pose seen five times places no base: repeatability is the same in the instrument's frame. By hand, distances from the
     /// barycentre 1, 1, 1, 1, 0 mm: mean 0.8, S = sqrt(0.2), RP = 0.8 + 3 sqrt(0.2).
+    /// 9 numbers of 15: the square root of 6/15 is left; of 30 poses 5 %.
+    #[test]
+    fn of_few_poses_it_is_named_what_the_fit_takes() {
+        let stations = |n: usize| -> Vec<Station> {
+            let point = Reading::Point { position_m: Vector3::zeros() };
+            (0..n).map(|pose| Station::bare(pose, Joints::all(6, 0.0), point.clone())).collect()
+        };
+        let five = few_poses(&stations(5), 1, ComparisonFrame::Fitted).unwrap();
+        assert!(
+            five.message.starts_with("base and target (9 numbers) are fitted to the 15 of 5 poses"),
+            "{}",
+            five.message
+        );
+        assert!(five.message.contains("by some 37 %"), "{}", five.message);
+        assert_eq!(few_poses(&stations(30), 1, ComparisonFrame::Fitted), None);
+        assert_eq!(few_poses(&stations(5), 1, ComparisonFrame::AsMeasured(Vector3::zeros())), None);
+    }
+
     #[test]
     fn a_single_repeated_pose_has_a_repeatability_and_no_accuracy() {
         let mut text = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
