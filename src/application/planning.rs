@@ -82,6 +82,19 @@ impl Planning {
         self.six_axis().map(drop)
     }
 
+    /// What a person should look at in what is asked for: a payload that the arm may not carry, by its name.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Diagnostic> {
+        let largest_kg = self.options.payloads_kg.iter().copied().fold(0.0, f64::max);
+        let beyond = self.robot.rated_payload_kg().filter(|rated_kg| largest_kg > *rated_kg);
+        let warning = beyond.map(|rated_kg| {
+            let text =
+                format!("--payloads-kg {largest_kg}: {} carries {rated_kg} kg by its name", self.robot.name);
+            Diagnostic::warning("plan::payload", text).help("the name of a type says what the arm may carry")
+        });
+        warning.into_iter().collect()
+    }
+
     fn six_axis(&self) -> Result<Option<Robot>, PlanningError> {
         let joints = self.robot.joints.len();
         if let Some(joint) = self.options.sweeps.joints.iter().find(|joint| joint.index() >= joints) {

@@ -1,6 +1,7 @@
 //! Planned measurements: what is planned can be driven, is what the sheet says, and tells more than chance.
 
 use assert_cmd::Command;
+use driftpost::application::Planning;
 use exam::effect::Effect;
 use exam::generate::{data_set, planned_set};
 use exam::harmonics::Harmonics;
@@ -338,4 +339,17 @@ fn planned_poses_tell_more_than_random_ones() {
         (logs.iter().sum::<f64>() / logs.len() as f64).exp()
     };
     assert!(sigma(&planned) < 0.95 * sigma(&chance), "{} {}", sigma(&planned), sigma(&chance));
+}
+
+/// An IRB 140-6/0.8 carries 6 kg.
+#[test]
+fn a_payload_that_the_arm_may_not_carry_is_named() {
+    let robot = SerialArm::built_in("irb140").unwrap();
+    let warned = |payloads_kg: Vec<f64>| {
+        let mut job = Planning::new(robot.clone());
+        job.options.payloads_kg = payloads_kg;
+        job.warnings().into_iter().map(|warning| warning.message).collect::<Vec<_>>()
+    };
+    assert_eq!(warned(vec![0.0, 6.0]), [""; 0]);
+    assert_eq!(warned(vec![0.0, 5000.0]), ["--payloads-kg 5000: ABB IRB 140-6/0.8 carries 6 kg by its name"]);
 }
