@@ -286,7 +286,7 @@ pub fn from_one_stand<'a>(
 /// rests on them.
 ///
 /// # Errors
-/// What it contradicts.
+/// The first contradiction that is found in it, of rows, columns or robot.
 pub fn from_sound_file(
     measurements: &Measurements,
     robot: &SerialArm,

@@ -73,6 +73,18 @@ impl Registration {
         [fixed_point.x, fixed_point.y, fixed_point.z, turn.x, turn.y, turn.z]
     }
 
+    /// Where on the flange at pose `base_from_flange` the point of `station` was seen, metres; `None` where no point was.
+    #[must_use]
+    pub fn seen_on_flange_m(
+        &self,
+        station: &Station,
+        base_from_flange: &Isometry3<f64>,
+    ) -> Option<Vector3<f64>> {
+        let seen_m = Point3::from(station.reading.position_m()?);
+        let in_base_m = self.instrument_from_base.inverse_transform_point(&seen_m);
+        Some(base_from_flange.inverse_transform_point(&in_base_m).coords)
+    }
+
     /// Predicted position of the target in the base, metres; of a nest, whose "flange" is the base as it has moved.
     #[must_use]
     pub fn predicted_m(&self, station: &Station, base_from_flange: &Isometry3<f64>) -> Vector3<f64> {

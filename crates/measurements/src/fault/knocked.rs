@@ -1,9 +1,8 @@
 //! One of several targets on the flange that was knocked: it shows between the targets of one visit, whatever the arm does.
 
 use super::far_rows::PosedRow;
-use crate::rows::SAME_POSE_RAD;
-use crate::{Reading, Registration, Station, median, register};
-use nalgebra::{Isometry3, Matrix3, Point3, Vector3};
+use crate::{Reading, Registration, Standing, Station, median, register};
+use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::units::mm_from_m;
 
 /// Fewer visits before or after the knock tell no place.
@@ -57,24 +56,21 @@ pub fn find_moved_target(rows: &[PosedRow], as_named: &[usize], targets: usize) 
 
 /// Whole visits of all targets, each target about its own middle.
 fn visits(rows: &[PosedRow], as_named: &[usize], named: usize, registration: &Registration) -> Vec<Visit> {
-    let base_from_instrument = registration.instrument_from_base.inverse();
     let off_m = |i: &usize| {
-        let Reading::Point { position_m } = rows[*i].station.reading else { return None };
-        let seen = rows[*i].pose.inverse_transform_point(&(base_from_instrument * Point3::from(position_m)));
-        Some(seen.coords - registration.tools_m.get(rows[*i].station.target)?)
+        let PosedRow { station, pose } = &rows[*i];
+        let seen_m = registration.seen_on_flange_m(station, pose)?;
+        matches!(station.reading, Reading::Point { .. })
+            .then_some(seen_m - registration.tools_m.get(station.target)?)
     };
     let mut all = Vec::new();
     let mut open: Vec<Option<usize>> = vec![None; named];
-    let mut joints_rad = None;
+    let mut before: Option<Standing<'_>> = None;
     for (i, (row, &target)) in rows.iter().zip(as_named).enumerate() {
-        let q_rad = row.station.q_rad;
-        let stays = joints_rad.is_some_and(|before: robot_model::robot::Joints| {
-            before.iter().zip(q_rad.iter()).all(|(a, b)| (a - b).abs() < SAME_POSE_RAD)
-        });
-        if !stays || open[target].is_some() {
+        let standing = Standing { q_rad: &row.station.q_rad, t_min: row.station.t_min };
+        if !before.is_some_and(|before| before.may_be(&standing)) || open[target].is_some() {
             open = vec![None; named];
         }
-        joints_rad = Some(q_rad);
+        before = Some(standing);
         open[target] = Some(i);
         if let Some(rows) = open.iter().copied().collect::<Option<Vec<usize>>>() {
             if let Some(off_m) = rows.iter().map(off_m).collect::<Option<Vec<_>>>() {

@@ -3,7 +3,7 @@
 use super::far_rows::{FarRows, PartFault, PosedRow};
 use crate::rows::SAME_POSE_RAD;
 use crate::{FreeParameters, Reading, Station, median, register_with};
-use nalgebra::{Isometry3, Point3, Vector3};
+use nalgebra::{Isometry3, Vector3};
 use robot_model::robot::Joints;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::ops::Range;
@@ -132,9 +132,7 @@ impl FarRows<'_> {
 
     /// Where on the flange the point of `row` lies, metres.
     fn on_flange_m(&self, row: &PosedRow) -> Option<Vector3<f64>> {
-        let seen_m = Point3::from(row.station.reading.position_m()?);
-        let in_base_m = self.registration.instrument_from_base.inverse_transform_point(&seen_m);
-        Some(row.pose.inverse_transform_point(&in_base_m).coords)
+        self.registration.seen_on_flange_m(&row.station, &row.pose)
     }
 }
 
