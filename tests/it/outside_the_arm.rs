@@ -67,6 +67,21 @@ fn what_takes_little_of_the_gap_does_not_stand_for_all_of_it() {
     assert!(lines.next().unwrap().starts_with("Explained: backlash of joint 4"), "{}", answer.text);
 }
 
+/// 0.06 m is 60 mm, and no place 0.12 mm from the flange.
+#[test]
+fn a_tool_in_other_units_than_millimetres_is_refused() {
+    for tool in ["0.06,0.04,0.1", "60000,40000,100000"] {
+        let mut plan = Command::cargo_bin("driftpost").unwrap();
+        let output = plan.args(["plan", "--robot", "irb140", "--tool", tool]).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        assert!(
+            message.contains("diagnose::tool") && message.contains("the numbers are millimetres"),
+            "{message}"
+        );
+    }
+}
+
 /// Those that take seconds: `cargo test --test it -- --ignored long::`.
 mod long {
     use super::*;
