@@ -346,12 +346,20 @@ fn is_error(message: &LocatedDiagnostic) -> bool {
 /// What there is to be said, and why each motion is kept.
 fn why_no_plan(error: CompensateError) -> (Vec<Diagnostic>, Vec<Arc<SkipReason>>) {
     let (code, text) = (error.code(), error.to_string());
+    let mut help = None;
     let (mut messages, kept) = match error {
-        CompensateError::NothingToCompensate { diagnostics, kept, .. } => (diagnostics, kept),
+        CompensateError::NothingToCompensate { diagnostics, kept, for_run_time, .. } => {
+            help = (for_run_time > 0).then(|| crate::report::auto_corrects(for_run_time, kept.len()));
+            (diagnostics, kept)
+        }
         CompensateError::NoDrift { diagnostics, .. } => (diagnostics, Vec::new()),
         _ => (Vec::new(), Vec::new()),
     };
-    messages.push(Diagnostic::error(code, text));
+    let refusal = Diagnostic::error(code, text);
+    messages.push(match help {
+        Some(help) => refusal.help(help),
+        None => refusal,
+    });
     (messages, kept)
 }
 

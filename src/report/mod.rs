@@ -65,7 +65,7 @@ pub(crate) use page::{CompensationPage, DiagnosisPage};
 pub(crate) use rapid_syntax::diagnostic::{counted, plural};
 #[cfg(feature = "mcap")]
 pub(crate) use recording::{LoggedCorrection, RecordingMoment};
-pub(crate) use review::{Review, write_review, write_verdict};
+pub(crate) use review::{Review, auto_corrects, write_review, write_verdict};
 #[cfg(feature = "cli")]
 pub(crate) use short_diff::{ShortDiff, write_coloured};
 pub(crate) use table::{Align, Table};

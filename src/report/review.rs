@@ -37,7 +37,8 @@ pub fn write_review(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()> 
     write_figures(out, review)
 }
 
-/// Writes what a reviewer reads first: how many motions, and how far they are off before and after. Two lines.
+/// Writes what a reviewer reads first: how many motions, and how far they are off before and after; of those that are
+/// kept how many run time could correct. Two or three lines.
 ///
 /// # Errors
 /// Those of writing to `out`.
@@ -58,6 +59,9 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
         totals.kept,
         totals.refused,
     )?;
+    if totals.kept_for_run_time > 0 {
+        writeln!(out, "{}", auto_corrects(totals.kept_for_run_time, totals.kept))?;
+    }
     if !has_known_targets(review) {
         return writeln!(
             out,
@@ -74,6 +78,20 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
         out,
         "worst TCP error of the compensated motions{known} over all minutes: {} mm before, {after} after{rounding}",
         mm(s.worst_before_m)
+    )
+}
+
+/// That run time could correct so many `of` the motions that are kept, and how.
+#[must_use]
+pub(crate) fn auto_corrects(count: usize, of: usize) -> String {
+    let which = match (count == of, count) {
+        (true, 1) => "the one kept goes".to_owned(),
+        (true, _) => format!("all {count} kept go"),
+        (false, 1) => "1 of those kept goes".to_owned(),
+        (false, _) => format!("{count} of those kept go"),
+    };
+    format!(
+        "{which} to what only the running program knows: --form auto lets the controller work out the correction there"
     )
 }
 

@@ -274,3 +274,49 @@ fn the_original_loads_its_modules_too() {
     let alone = driftpost(&["simulate", &cell, "--minutes", "0"]);
     assert_eq!(alone.status.code(), Some(0), "{}", out(&alone));
 }
+
+/// Two motions in a frame that a camera gives, after one that is known.
+const SEEN: &str = "MODULE m
+  PERS wobjdata wSeen:=[FALSE,TRUE,\"\",[[0,0,0],[1,0,0,0]],[[0,0,0],[1,0,0,0]]];
+  CONST robtarget p1:=[[400,100,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p2:=[[380,50,300],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    VAR string answer;
+    VAR bool isPose;
+    VAR pose seen;
+KNOWN    SocketReceive camera\\Str:=answer;
+    isPose:=StrToVal(answer,seen);
+    wSeen.oframe:=seen;
+    MoveL p1,v100,fine,tool0\\WObj:=wSeen;
+    MoveL p2,v100,fine,tool0\\WObj:=wSeen;
+  ENDPROC
+  VAR socketdev camera;
+ENDMODULE
+";
+
+#[test]
+fn where_run_time_can_correct_what_is_kept_that_is_said() {
+    let bench = Bench::default();
+    let known = bench.file("known.mod", SEEN.replace("KNOWN", "    MoveL p1,v100,fine,tool0;\n"));
+    let unknown = bench.file("unknown.mod", SEEN.replace("KNOWN", ""));
+    let emitted = bench.path("out.mod").display().to_string();
+    let made = |source: &str, form: &str| {
+        driftpost(&["compensate", source, "--form", form, "-o", &emitted, "--diff", "none"])
+    };
+    for form in ["schedule", "ramp"] {
+        let part = out(&made(&known, form));
+        assert!(
+            part.contains("\nall 2 kept go to what only the running program knows: --form auto lets"),
+            "{part}"
+        );
+        let none = made(&unknown, form);
+        assert_eq!(none.status.code(), Some(2));
+        assert!(
+            err(&none).contains("= help: all 2 kept go to what only the running program knows: --form auto")
+        );
+    }
+    for source in [&known, &unknown] {
+        let all = out(&made(source, "auto"));
+        assert!(all.contains(" 0 kept,") && !all.contains("--form auto"), "{all}");
+    }
+}

@@ -80,6 +80,8 @@ pub enum CompensateError {
         first: Arc<SkipReason>,
         /// The reasons of all, by motion.
         kept: Vec<Arc<SkipReason>>,
+        /// How many of them the form `auto` would correct.
+        for_run_time: usize,
         /// What there is to be said about all of them.
         diagnostics: Vec<Diagnostic>,
     },

@@ -1,16 +1,16 @@
 //! Targets that are known at run time alone: which motions can ask the deformed model.
 
+use super::at_run_time::{of_controller, open_configuration, stationary_tool};
 use super::branch::configuration;
 use super::conditions;
 use super::live_basis::LiveBasis;
 use super::model::Model;
 use super::options::Options;
-use super::placement::skip;
 use super::plan::{Form, PlannedMotion};
 use super::warm_joints::JOINT_CHANGE_DEG;
 use crate::schedule::TimeFunctions;
 use rapid_program::Program;
-use rapid_program::motion::{Motion, Path, SkipReason, Target, TargetValue};
+use rapid_program::motion::{Motion, SkipReason, Target, TargetValue};
 use robot_model::units::rad_from_deg;
 
 /// What a program must hold whose corrections are scaled by `functions`.
@@ -65,37 +65,4 @@ pub(super) fn form_of_known(
         && of_controller(program, motion).is_none()
         && live.lacks().is_none();
     if fits { Form::Live } else { Form::Ramp }
-}
-
-/// Why the model cannot be asked where nobody checks confdata: the controller then goes to the solution that is nearest, whatever they say.
-fn open_configuration(motion: &Motion) -> Option<SkipReason> {
-    (motion.setup.path != Path::AbsJoint && motion.setup.conf_monitored != Some(true)).then(|| {
-        let own = motion.skip_reason.as_deref().map(|why| format!("{}; ", why.reason));
-        let reason = format!(
-            "{}where ConfL or ConfJ is off the configuration may not be the one that is reached, so that run time cannot be \
-             asked",
-            own.unwrap_or_default()
-        );
-        skip("keep::live-configuration", reason)
-    })
-}
-
-/// Why the model cannot be asked where the robot holds the work object: the arm that is asked carries the tool.
-fn stationary_tool(motion: &Motion) -> Option<SkipReason> {
-    let tool_stands = motion.setup.tool.as_ref().is_some_and(|tool| !tool.robhold);
-    let object_is_held = motion.setup.wobj.as_ref().is_some_and(|wobj| wobj.robhold);
-    (tool_stands || object_is_held).then(|| {
-        skip(
-            "keep::live-stationary-tool",
-            "its target is known at run time alone, and the tool is stationary: what is asked at run time holds for a \
-             tool that the robot carries",
-        )
-    })
-}
-
-/// What the controller that the program is for lacks.
-fn of_controller(program: &Program, motion: &Motion) -> Option<SkipReason> {
-    let path = &program.file(motion.file).path;
-    let s4c = path.rsplit('.').next().is_some_and(|extension| extension.eq_ignore_ascii_case("prg"));
-    s4c.then(|| skip("keep::live-controller", "an S4C controller has no CalcJointT to ask at run time"))
 }

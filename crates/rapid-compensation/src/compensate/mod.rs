@@ -2,6 +2,7 @@
 //!
 //! Knows nothing of text: where the targets stand is known only as the motion's number.
 
+mod at_run_time;
 mod back_edges;
 mod branch;
 mod circle_points;

@@ -1,6 +1,7 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
+use super::at_run_time::could_ask;
 use super::circle_points::{skip_uneven_turns, turn_with_arcs};
 use super::correct::Moments;
 use super::corrector::{CorrectedMotions, Corrector, SIDE_BY_SIDE};
@@ -212,12 +213,14 @@ fn nothing<'k>(
 ) -> CompensateError {
     conditions::check_model(model, None, &mut messages);
     let mut kept = Vec::new();
+    let mut for_run_time = 0;
     let mut first = None;
     for (id, motion) in program.numbered_motions() {
         if let Some(why) = reason(id) {
             messages.add_skipped(motion, why);
             first.get_or_insert((motion.line, Arc::clone(why)));
             kept.push(Arc::clone(why));
+            for_run_time += usize::from(could_ask(program, motion, why));
         }
     }
     match first {
@@ -226,6 +229,7 @@ fn nothing<'k>(
             line,
             first,
             kept,
+            for_run_time,
             diagnostics: [of_plan.finish(), messages.finish()].concat(),
         },
         None => CompensateError::NoMotion,
