@@ -5,6 +5,7 @@ mod compensate;
 mod diff;
 mod outputs;
 mod refusals;
+mod restored;
 mod reviewing;
 mod robots;
 mod settings;

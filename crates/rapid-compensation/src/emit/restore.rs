@@ -9,7 +9,9 @@ mod arrays;
 mod comment_block;
 mod declared;
 mod findings;
+mod known_again;
 mod lines;
+mod originals;
 mod removal;
 mod undo;
 

@@ -114,6 +114,17 @@ pub enum Altered {
         /// Its first line, from 1.
         line: u32,
     },
+    /// A motion asks with an original that was none of its module's: touched up, or put there by hand.
+    #[error(
+        "{target} is none of the originals that motions had: touched up, or put in by hand, where other motions were taken out or \
+         put in too, so that what it was cannot be told; it stays as it is"
+    )]
+    Original {
+        /// What stands in the motion.
+        target: String,
+        /// The line of its value, from 1.
+        line: u32,
+    },
     /// What the model is asked for is not what the motion goes with.
     #[error("the model is asked with another tool or work object than the motion goes with")]
     Arguments {
@@ -127,7 +138,10 @@ impl Altered {
     #[must_use]
     pub fn line(&self) -> u32 {
         match self {
-            Self::Header { line } | Self::Code { line, .. } | Self::Arguments { line } => *line,
+            Self::Header { line }
+            | Self::Code { line, .. }
+            | Self::Original { line, .. }
+            | Self::Arguments { line } => *line,
         }
     }
 
@@ -137,6 +151,7 @@ impl Altered {
         match self {
             Self::Header { .. } => "restore::header",
             Self::Code { .. } => "restore::code",
+            Self::Original { .. } => "restore::original",
             Self::Arguments { .. } => "restore::arguments",
         }
     }

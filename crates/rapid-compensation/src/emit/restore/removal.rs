@@ -8,7 +8,7 @@ use crate::emit::array_reader::ArrayReader;
 use crate::emit::checksum::{self, Elements};
 use crate::emit::header::Record;
 use crate::emit::insertion;
-use crate::emit::point::{self, Declarations, Fingerprints};
+use crate::emit::point::Declarations;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::ranges_of_numbers;
 use rapid_syntax::tree::{Arg, ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
@@ -180,9 +180,8 @@ impl<'w> Remover<'w> {
         routines: &[&'w Routine],
         arrays: &mut [NamedArray<'w>],
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
-        let (mut touched, mut next) = (Vec::new(), 0);
+        let mut next = 0;
         let declarations = Declarations::new(self.bytes, self.module);
-        let (mut fingerprints, mut made) = (Fingerprints::default(), self.record.points.as_slice());
         for routine in routines {
             for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
@@ -200,32 +199,11 @@ impl<'w> Remover<'w> {
                             self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
                         }
                         self.uncover(expr.range, inner);
-                        if let Some(original) = declarations.original(inner, routine)
-                            && let Some(now) = fingerprints.add(self.bytes, original)
-                        {
-                            let (own, rest) = made.split_at_checked(now.len()).unwrap_or((made, &[]));
-                            made = rest;
-                            if now != own {
-                                let (moved, unit) = point::moved(original.value.of(self.bytes), own);
-                                touched.push(ModifiedTarget {
-                                    array: None,
-                                    target: self.text(inner),
-                                    value: self.text(original.value),
-                                    line: self.lines.line(original.value.start),
-                                    into: if original.declared {
-                                        ModifiedIn::Declaration
-                                    } else {
-                                        ModifiedIn::Motion
-                                    },
-                                    moved,
-                                    unit,
-                                });
-                            }
-                        }
                     }
                 }
             }
         }
+        let mut touched = self.touched_originals(routines, &declarations);
         touched.extend(self.put_back(arrays, &declarations)?);
         touched.sort_by_key(|t| t.line);
         Ok(touched)
@@ -376,7 +354,7 @@ impl<'w> Remover<'w> {
     }
 
     /// The target that a function of ours stands round, and the tool and work object that a model is asked with.
-    fn inside<'e>(&self, expr: &'e Expr) -> Option<(TextRange, &'e [Arg])> {
+    pub(super) fn inside<'e>(&self, expr: &'e Expr) -> Option<(TextRange, &'e [Arg])> {
         let ExprKind::Call(call) = &expr.kind else { return None };
         let is_any = |functions: &[&str]| functions.iter().any(|function| self.is_core(call.name, function));
         let (target, rest) = call.args.split_first()?;

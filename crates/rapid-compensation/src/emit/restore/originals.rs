@@ -1,0 +1,93 @@
+//! Originals that stay in the module: which of them were touched up since.
+
+use super::findings::{Altered, ModifiedIn, ModifiedTarget};
+use super::known_again::{Past, pasts};
+use super::removal::Remover;
+use crate::emit::insertion;
+use crate::emit::point::{self, Declarations, Fingerprints, Original};
+use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::tree::{ArgKind, Routine, StmtKind};
+
+/// An original that a motion asks with, and its fingerprint of today.
+struct Asked {
+    /// The motion's target, as it stands there.
+    target: TextRange,
+    original: Original,
+    fingerprint: Vec<u8>,
+}
+
+impl<'w> Remover<'w> {
+    /// Those of the originals that stay in the module which were touched up since.
+    pub(super) fn touched_originals(
+        &mut self,
+        routines: &[&'w Routine],
+        declarations: &Declarations<'w>,
+    ) -> Vec<ModifiedTarget> {
+        let record = self.record;
+        if !record.is_whole {
+            return Vec::new();
+        }
+        let made = record.points.as_slice();
+        let mut all = Fingerprints::default();
+        self.each_original(routines, declarations, |_, original| {
+            all.add(self.bytes, original);
+        });
+        if all.text() == made {
+            return Vec::new();
+        }
+        let (mut fingerprints, mut asked) = (Fingerprints::default(), Vec::new());
+        self.each_original(routines, declarations, |target, original| {
+            if let Some(own) = fingerprints.add(self.bytes, original) {
+                asked.push(Asked { target, original, fingerprint: own.to_vec() });
+            }
+        });
+        let now: Vec<&[u8]> = asked.iter().map(|one| one.fingerprint.as_slice()).collect();
+        let mut touched = Vec::new();
+        for (one, past) in asked.iter().zip(pasts(&now, made)) {
+            match past {
+                Past::Same => {}
+                Past::Was(was) => touched.push(self.touched_original(one, was)),
+                Past::Unknown => {
+                    let line = self.lines.line(one.original.value.start);
+                    self.altered.push(Altered::Original { target: self.text(one.target), line });
+                }
+            }
+        }
+        touched
+    }
+
+    fn touched_original(&self, Asked { target, original, .. }: &Asked, was: &[u8]) -> ModifiedTarget {
+        let (moved, unit) = point::moved(original.value.of(self.bytes), was);
+        ModifiedTarget {
+            array: None,
+            target: self.text(*target),
+            value: self.text(original.value),
+            line: self.lines.line(original.value.start),
+            into: if original.declared { ModifiedIn::Declaration } else { ModifiedIn::Motion },
+            moved,
+            unit,
+        }
+    }
+
+    /// Hands over each target of a motion that asks with its original, and where that stands.
+    fn each_original(
+        &self,
+        routines: &[&'w Routine],
+        declarations: &Declarations<'w>,
+        mut each: impl FnMut(TextRange, Original),
+    ) {
+        for routine in routines {
+            for stmt in insertion::statements(routine) {
+                let StmtKind::Call(call) = &stmt.kind else { continue };
+                for arg in &call.args {
+                    let ArgKind::Positional(expr) = &arg.kind else { continue };
+                    if let Some((target, _)) = self.inside(expr)
+                        && let Some(original) = declarations.original(target, routine)
+                    {
+                        each(target, original);
+                    }
+                }
+            }
+        }
+    }
+}

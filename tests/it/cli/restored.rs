@@ -1,0 +1,95 @@
+//! What `restore` says of a module in which motions were taken out or put in by hand.
+
+use super::{Bench, driftpost, err};
+
+const CONF: &str = "[0.70710678,0,0.70710678,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+
+/// A module of three named targets and an inline one, compensated in the form ramp.
+fn emitted(bench: &Bench) -> String {
+    let source = format!(
+        "MODULE A\n  CONST robtarget p10:=[[400,0,350],{CONF};\n  CONST robtarget p20:=[[420,30,350],{CONF};
+  CONST robtarget p30:=[[440,60,350],{CONF};\n  PROC main()
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;\n    MoveL p10,v100,fine,tool0;
+    MoveL p20,v100,fine,tool0;\n    MoveL [[430,40,350],{CONF},v100,fine,tool0;\n    MoveL p30,v100,fine,tool0;
+  ENDPROC\nENDMODULE\n"
+    );
+    let (from, to) = (bench.file("a.mod", source), bench.path("o.mod").display().to_string());
+    let made = driftpost(&["compensate", &from, "-o", &to, "--form", "ramp", "--diff", "none"]);
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    bench.text("o.mod")
+}
+
+/// What is said of a changed module, and the original that is got back; it ends with `code`.
+fn restored(bench: &Bench, changed: &str, code: i32) -> (String, String) {
+    let (from, to) = (bench.file("changed.mod", changed), bench.path("back.mod").display().to_string());
+    let output = driftpost(&["restore", &from, "-o", &to]);
+    assert_eq!(output.status.code(), Some(code), "{}", err(&output));
+    (err(&output), bench.text("back.mod"))
+}
+
+/// The text without its motion that holds `what`.
+fn without(text: &str, what: &str) -> String {
+    let is_it = |line: &&str| line.trim_start().starts_with("Move") && line.contains(what);
+    assert_eq!(text.lines().filter(is_it).count(), 1);
+    text.lines().filter(|line| !is_it(line)).map(|line| format!("{line}\n")).collect()
+}
+
+#[test]
+fn motions_that_were_taken_out_or_replaced_leave_the_others_as_they_were() {
+    let bench = Bench::default();
+    let text = emitted(&bench);
+    let replaced = |from: &str, by: &str| {
+        assert!(text.contains(from));
+        text.replacen(from, by, 1)
+    };
+    for (changed, motions) in [
+        (without(&text, "(p20,"), 4),
+        (without(&text, "(p10,"), 4),
+        (without(&text, "[[430,"), 4),
+        (without(&text, "(p30,"), 4),
+        (without(&text, "tcAtJ("), 4),
+        (without(&without(&text, "(p10,"), "[[430,"), 3),
+        (replaced("tcAt(p20,tcP20)", "tcAt(p30,tcP30)"), 5),
+        (replaced("tcAt(p20,tcP20)", "p30"), 5),
+        (
+            replaced(
+                "    MoveL tcAt(p20,",
+                "    MoveL tcAt(p30,tcP30),v100,fine,tool0;\n    MoveL tcAt(p20,",
+            ),
+            6,
+        ),
+    ] {
+        let (message, back) = restored(&bench, &changed, 0);
+        assert!(!message.contains("touched up") && !message.contains("warning"), "{message}\n{changed}");
+        assert_eq!(back.matches("    Move").count(), motions, "{back}");
+    }
+}
+
+#[test]
+fn a_point_that_was_touched_up_beside_a_motion_taken_out_is_told() {
+    let bench = Bench::default();
+    let text = emitted(&bench);
+    // p30 by 3 and 4 mm; between it and what was taken out stands a motion as it was.
+    let touched = text.replacen("p30:=[[440,60,", "p30:=[[443,64,", 1);
+    let (message, back) = restored(&bench, &without(&touched, "(p20,"), 1);
+    assert!(message.contains("p30 was touched up on the controller by 5.0000 mm"), "{message}");
+    assert!(!message.contains("[[430") && back.contains("p30:=[[443,64,"), "{message}");
+    // Of what stands right beside a motion that is gone nobody knows what it was.
+    let (message, back) = restored(&bench, &without(&touched, "[[430,"), 1);
+    assert!(
+        message.contains("warning[restore::original]") && message.contains("p30 is none of"),
+        "{message}"
+    );
+    assert!(!message.contains("was touched up") && back.contains("p30:=[[443,64,"), "{message}");
+    // A motion put in by hand, that asks with a point of its own.
+    let own = text.replacen(
+        "(p20,",
+        &format!("([[425,35,350],{CONF},tcP20),v100,fine,tool0;\n    MoveL tcAt(p20,"),
+        1,
+    );
+    let (message, _) = restored(&bench, &own, 1);
+    assert!(
+        message.contains("warning[restore::original]") && !message.contains("was touched up"),
+        "{message}"
+    );
+}
