@@ -8,11 +8,11 @@ mod declare;
 
 use declare::task_of;
 
-use super::ids::{DatumId, ModuleId, RoutineIndex, Table};
+use super::ids::{DatumId, IdSet, ModuleId, RoutineIndex, Table};
 use super::names::{ByNumber, Interner, Sym};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
-use rapid_syntax::tree::{DataKind, Expr, FileItem, Module, ParamMode, RecordDecl, Routine};
+use rapid_syntax::tree::{DataKind, Expr, FileItem, Module, ParamMode, RecordDecl, Routine, RoutineKind};
 
 /// Name of the module with which a plan's poses are measured.
 pub const MEASURING_MODULE: &str = "DriftpostPlan";
@@ -112,9 +112,16 @@ pub(super) struct Index<'a> {
     routines_at: ByNumber<(NameScope, Sym), ScopedName<RoutineIndex>>,
     records: ByNumber<Sym, (FileId, &'a RecordDecl)>,
     aliases: ByNumber<Sym, Sym>,
+    /// Procedures that moves call in their corners, once they are looked for.
+    pub(super) called_by_moves: IdSet<RoutineIndex>,
 }
 
 impl<'a> Index<'a> {
+    /// Whether a routine may run between any two statements of its task: a trap, or a procedure that a move calls in its corner.
+    pub(super) fn interrupts(&self, id: RoutineIndex) -> bool {
+        self.routines[id].tree.kind == RoutineKind::Trap || self.called_by_moves.contains(id)
+    }
+
     /// Whether what stands there belongs to a measuring program that `plan` has written: its module's name.
     pub(super) fn is_measurement_run(&self, ctx: Ctx) -> bool {
         self.modules.get(ctx.module).is_some_and(|module| {
@@ -135,6 +142,7 @@ impl<'a> Index<'a> {
             routines_at: ByNumber::default(),
             records: ByNumber::default(),
             aliases: ByNumber::default(),
+            called_by_moves: IdSet::default(),
         };
         index.intern_predefined(super::record::TYPES);
         let mut tasks: Vec<String> = Vec::new();

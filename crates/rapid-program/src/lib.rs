@@ -26,6 +26,7 @@ mod flow;
 mod functions;
 mod ids;
 mod index;
+mod interrupting;
 
 mod late_bound;
 pub mod loads;

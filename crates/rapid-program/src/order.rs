@@ -166,7 +166,7 @@ impl OrderAnalysis<'_, '_> {
     /// task, as nobody knows when an interrupt comes.
     fn after_traps(&mut self, index: &Index<'_>) -> BTreeMap<RoutineId, AfterTraps> {
         let task = |id: RoutineIndex| index.modules.get(index.routines[id].ctx.module).map(|m| m.task);
-        let is_trap = |id: RoutineIndex| index.routines[id].tree.kind == RoutineKind::Trap;
+        let is_trap = |id: RoutineIndex| index.interrupts(id);
         let mut by_task: BTreeMap<Option<u32>, AfterTraps> = BTreeMap::new();
         for trap in index.routines.ids().filter(|&id| is_trap(id)) {
             let mut left = AfterTraps::default();
@@ -202,6 +202,7 @@ impl OrderAnalysis<'_, '_> {
         let first = |(id, r): (RoutineIndex, &RoutineEntry<'_>)| match r.tree.kind {
             RoutineKind::Trap => Some(Predecessor::Anywhere),
             _ if is_main(r) => Some(self.begins(id)),
+            _ if index.interrupts(id) => Some(Predecessor::Anywhere),
             _ if called.contains(id) => None,
             RoutineKind::Proc if !has_main => Some(Predecessor::Start),
             RoutineKind::Proc | RoutineKind::Func { .. } => Some(Predecessor::Anywhere),

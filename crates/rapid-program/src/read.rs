@@ -14,6 +14,7 @@ use super::finite_set::{FiniteSet, FiniteSets};
 use super::flow::Blocker;
 use super::ids::{DatumId, IdSet, Slot, Table};
 use super::index::{Ctx, Index};
+use super::interrupting::called_by_moves;
 use super::module_facts::facts;
 use super::motion::{Motion, MotionId, MotionSetup, Path, PersTarget, SkipReason, Target, WobjArgument};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
@@ -51,7 +52,8 @@ impl Program {
     pub fn read(mut files: Vec<SourceFile>, overrides: &Overrides) -> Self {
         let mut diagnostics = Vec::new();
         let given = super::overrides::given(overrides, &mut diagnostics);
-        let index = Index::new(&files);
+        let mut index = Index::new(&files);
+        index.called_by_moves = called_by_moves(&index);
         let writes = Writes::new(&index);
         let mut evaluator = ConstEvaluator::new(&index, &writes);
         evaluator.given = given;

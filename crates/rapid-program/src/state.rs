@@ -208,8 +208,12 @@ impl StateAnalysis<'_, '_> {
         let index = self.evaluator.index;
         let entered = self.entry();
         let ids = self.control_flow.routines.ids();
-        for id in ids.clone().filter(|&id| index.routines[id].tree.kind == RoutineKind::Trap) {
-            let anything = self.anything("a trap may run at any time");
+        for id in ids.clone().filter(|&id| index.interrupts(id)) {
+            let what = match index.routines[id].tree.kind {
+                RoutineKind::Trap => "a trap may run at any time",
+                _ => "a procedure that a motion calls may run at any time",
+            };
+            let anything = self.anything(what);
             self.call(id, anything);
         }
         let [begins, by_hand] = self.not_called();
@@ -245,7 +249,7 @@ impl StateAnalysis<'_, '_> {
         let mut any = RoutineEffects::default();
         let mut a_trap_grips = false;
         for (id, in_handlers) in self.in_handlers.numbered() {
-            if index.routines[id].tree.kind == RoutineKind::Trap {
+            if index.interrupts(id) {
                 any.add(&self.effects[id]);
                 a_trap_grips |= self.effects[id].grip;
             }
@@ -280,8 +284,11 @@ impl StateAnalysis<'_, '_> {
     }
 }
 
-/// What a trap or an error handler puts in force.
+/// What a trap, an error handler or a procedure that a motion calls puts in force.
 fn at_any_time(by: &Why) -> Why {
-    let reason = format!("a trap or an error handler may put it in force: {}", by.reason);
+    let reason = format!(
+        "a trap, an error handler or a procedure that a motion calls may put it in force: {}",
+        by.reason
+    );
     Rc::new(SkipReason { reason, ..(**by).clone() })
 }

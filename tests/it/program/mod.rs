@@ -1,6 +1,7 @@
 //! What `program` makes of RAPID: one file for each subject, snippets written by hand, values worked out
 //! by hand.
 
+mod at_any_time;
 mod called_by_text;
 mod corpus;
 mod errors;

@@ -18,7 +18,7 @@ use crate::mod_ref::RoutineEffects;
 use crate::motion::SkipReason;
 use crate::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
-use rapid_syntax::tree::{DataKind, RoutineKind};
+use rapid_syntax::tree::DataKind;
 use std::rc::Rc;
 
 /// More values are too many to look at each.
@@ -124,7 +124,7 @@ impl StateAnalysis<'_, '_> {
         let called: IdSet<RoutineIndex> = self.effects.iter().flat_map(|t| t.calls.iter()).collect();
         let task =
             |id: RoutineIndex| index.modules.get(index.routines[id].ctx.module).map(|module| module.task);
-        let of_kind = |id: RoutineIndex| index.routines[id].tree.kind != RoutineKind::Trap;
+        let of_kind = |id: RoutineIndex| !index.interrupts(id);
         let ids = self.control_flow.routines.ids();
         let with_main: Vec<Option<u32>> = ids.clone().filter(|&id| self.is_main(id)).map(task).collect();
         let entries = ids.filter(|&id| of_kind(id) && !called.contains(id));

@@ -9,6 +9,7 @@ use crate::call_arguments::{MatchedArgument, NotGiven, doubtful_arguments, match
 use crate::expressions::{every_call, expressions_of, root_of, words};
 use crate::ids::{DatumId, RoutineIndex, Table};
 use crate::index::{Ctx, DatumKind, Index, Resolved};
+use crate::interrupting::called_at_any_time;
 use crate::late_bound;
 use crate::move_instructions::move_form;
 use crate::names::{Sym, lower_case};
@@ -18,7 +19,7 @@ use crate::value;
 use crate::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{
-    Arg, ArgKind, CallStmt, Callee, Expr, ExprKind, ModuleItem, ParamMode, RoutineKind, Stmt, StmtKind,
+    Arg, ArgKind, CallStmt, Callee, Expr, ExprKind, ModuleItem, ParamMode, Stmt, StmtKind,
 };
 use std::collections::BTreeSet;
 
@@ -46,16 +47,18 @@ impl ScannedWrites {
     pub(super) fn of(index: &Index<'_>) -> Self {
         let writes = Writes { by_datum: Table::filled(index.data.len(), None), ..Writes::default() };
         let changes = Self { writes, passed: Vec::new(), calls: BTreeSet::new(), by_name: Vec::new() };
-        let mut scan = WriteScan { index, changes, in_trap: false };
+        let mut scan = WriteScan { index, changes, in_trap: false, is_called_by_one: false };
+        let called = called_at_any_time(index);
         for (id, routine) in index.routines.numbered() {
-            let trap = routine.tree.kind == RoutineKind::Trap;
+            let trap = index.interrupts(id);
             scan.in_trap = trap;
+            scan.is_called_by_one = called.contains(id);
             scan.body(&routine.tree.body, id, trap);
             for handler in &routine.tree.handlers {
                 scan.body(&handler.body, id, true);
             }
         }
-        scan.in_trap = false;
+        (scan.in_trap, scan.is_called_by_one) = (false, false);
         for (id, module) in index.modules.numbered() {
             let ctx = Ctx { file: module.file, module: id, routine: None };
             for item in &module.tree.items {
@@ -74,6 +77,8 @@ struct WriteScan<'i, 'a> {
     changes: ScannedWrites,
     /// What is being read is a trap, which runs at any time.
     in_trap: bool,
+    /// A trap calls it: what is not its own changes at any time, too.
+    is_called_by_one: bool,
 }
 
 impl WriteScan<'_, '_> {
@@ -106,11 +111,18 @@ impl WriteScan<'_, '_> {
 
     fn written_name(&mut self, name: TextRange, ctx: Ctx, write: Write) {
         if let Some(datum) = self.datum(name, ctx) {
-            if self.in_trap {
+            let is_hidden = self.is_hidden(datum);
+            if is_hidden {
                 self.changes.writes.unseen.insert(datum);
             }
-            self.changes.writes.add(datum, write, self.index.data[datum].kind);
+            let how = if is_hidden { write.how.max(How::AnyTime) } else { write.how };
+            self.changes.writes.add(datum, Write { how, ..write }, self.index.data[datum].kind);
         }
+    }
+
+    /// Whether a datum that is written here changes where the ways through the routines do not show it.
+    fn is_hidden(&self, datum: DatumId) -> bool {
+        self.in_trap || (self.is_called_by_one && self.index.data[datum].ctx.routine.is_none())
     }
 
     fn datum(&self, name: TextRange, ctx: Ctx) -> Option<DatumId> {
@@ -159,7 +171,8 @@ impl WriteScan<'_, '_> {
                 && let Some(name) = name
                 && let Some(datum) = self.datum(name, ctx)
             {
-                self.changes.passed.push(PassedDatum { datum, param, at, in_trap: self.in_trap });
+                let in_trap = self.is_hidden(datum);
+                self.changes.passed.push(PassedDatum { datum, param, at, in_trap });
                 let mut part = Vec::new();
                 value.into_iter().for_each(|value| self.part_of(value, ctx, &mut part));
                 call.push(Handed { datum, param, part });
