@@ -47,6 +47,7 @@ mod read;
 mod read_as_data;
 mod record;
 mod repeated_moves;
+mod seam_tracking;
 mod set_all_data;
 mod shared_values;
 mod speed_override;

@@ -68,6 +68,7 @@ impl Program {
             states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, (&tracked, &file_values));
         let on_ways = by_ways(&mut evaluator, (&index, &writes), &sites, &file_values, overrides.base_fixed);
         diagnostics.extend(super::shared_values::warnings(&mut evaluator, &sites, &writes));
+        diagnostics.extend(super::seam_tracking::warning(&index, &sites));
         let speed_override = speed_override(&mut evaluator);
         let MotionOrder { before, after_traps } = order(&index, &sites, &control_flow);
         let mut facts = facts(&index, &control_flow.called());

@@ -41,3 +41,24 @@ fn the_way_in_which_arcs_turn_the_tool_is_followed() {
     let body = format!("{arc}IF DI1=1 CirPathMode\\Wrist45;\n");
     assert_eq!(read(&body).0, ["keep::circle-orientation"]);
 }
+
+/// Arc welding, `\Track`: the sensor moves the path. It is said once, at the first weld that does.
+#[test]
+fn welds_that_follow_their_seam_are_told_of() {
+    let weld = |name: &str, targets: &str, option: &str| {
+        format!("{name} {targets},v100,sm,wd,z10,t\\WObj:=w{option};\n")
+    };
+    let seam = "VAR num sm;\nVAR num wd;\nVAR num td;\n";
+    let read = |body: &str| main_of(&format!("{}{seam}", data()), body);
+    let plain = format!("{}{}", weld("ArcLStart", "p", ""), weld("ArcCEnd", "p,p", ""));
+    assert_eq!((codes(&read(&plain)), warnings(&read(&plain))), (vec!["-"; 2], vec![]));
+    for tracked in [
+        weld("ArcL", "p", "\\Track:=td"),
+        format!("{}{}", weld("ArcLStart", "p", "\\Track:=td"), weld("ArcLEnd", "p", "\\Track:=td")),
+        weld("ArcC", "p,p", " \\track:=td"),
+    ] {
+        let read = read(&format!("{MOVE}{tracked}"));
+        assert_eq!(warnings(&read), ["path::seam-tracking"], "{tracked}");
+        assert!(codes(&read).iter().all(|code| *code == "-"), "{tracked}");
+    }
+}
