@@ -20,7 +20,7 @@ use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
 
 /// Functions of the controller that read where the robot stands.
-const READINGS: [&str; 3] = ["crobt", "cjointt", "cpos"];
+const READINGS: [&str; 4] = ["crobt", "cjointt", "cpos", "readmotor"];
 
 /// Types of data that say where something stands.
 const PLACES: [&str; 7] = ["robtarget", "jointtarget", "robjoint", "pos", "pose", "tooldata", "wobjdata"];
@@ -49,9 +49,34 @@ pub(super) struct OwnPositions {
 impl OwnPositions {
     /// Those of a program: by assignment, by declaration, as an argument, through functions.
     pub(super) fn new(index: &Index<'_>) -> Self {
-        let found = Self { readings: &READINGS, ..Self::default() };
-        let reads = index.routines.iter().any(|routine| found.reads(index, routine));
+        let mut found = Self { readings: &READINGS, ..Self::default() };
+        found.read_by_instruction(index);
+        let reads =
+            !found.data.is_empty() || index.routines.iter().any(|routine| found.reads(index, routine));
         if reads { Self { are_asked_for: true, ..found }.closed(index) } else { found }
+    }
+
+    /// `GetJointData 1\Position:=angle;`: an axis' angle where the arm stands.
+    fn read_by_instruction(&mut self, index: &Index<'_>) {
+        for routine in &index.routines {
+            let ctx = routine.ctx;
+            let is = |name: TextRange, wanted: &str| lower_case(index.text(ctx.file, name)) == wanted;
+            in_all(index, routine, &mut |stmt| {
+                let StmtKind::Call(call) = &stmt.kind else { return };
+                let Callee::Name(name) = call.callee else { return };
+                if !is(name, "getjointdata") || index.declares_routine(name, ctx) {
+                    return;
+                }
+                for arg in &call.args {
+                    if let ArgKind::Named { name, value: Some(value) } = &arg.kind
+                        && is(*name, "position")
+                    {
+                        let at = Span { file: ctx.file, range: stmt.range };
+                        names_in(index, ctx, value, &mut |datum| self.add([(datum, at)]));
+                    }
+                }
+            });
+        }
     }
 
     /// The same of points that searches have found.

@@ -1,6 +1,6 @@
 //! What a program does that a correction would change, named when it is read.
 
-use super::{at, module, tool};
+use super::{at, codes, main_of, module, tool, warnings};
 
 /// A tool and a target, and a motion to it.
 fn data() -> String {
@@ -48,4 +48,26 @@ fn a_statement_that_sets_all_data_of_a_type_is_named() {
     ] {
         assert_eq!(found(statement), named, "{statement}");
     }
+}
+
+/// ReadMotor gives the angle of an axis' motor, where the arm stands: drift included.
+#[test]
+fn a_motors_angle_is_the_arms_own_place() {
+    let data = format!(
+        "PERS tooldata t:={};\nVAR jointtarget j;\nCONST robtarget p:={};\nVAR num n;",
+        tool(1),
+        at(5, 5, 5)
+    );
+    let read = |statements: &str| main_of(&data, statements);
+    let target = read("j.robax.rax_1:=ReadMotor(1)/121;\nMoveAbsJ j,v100,fine,t;");
+    assert_eq!(codes(&target), ["keep::own-position"]);
+    let handed_on = read("n:=ReadMotor(\\MecUnit:=ROB_1,3);\nMoveL Offs(p,0,0,n),v100,fine,t;");
+    assert_eq!(codes(&handed_on), ["keep::own-position"]);
+    // GetJointData gives the joint's own angle; a speed is none.
+    let given = |what: &str| read(&format!("GetJointData 1\\{what}:=n;\nMoveL Offs(p,0,0,n),v100,fine,t;"));
+    assert_eq!(codes(&given("Position")), ["keep::own-position"]);
+    assert_eq!(codes(&given("Speed")), ["keep::runtime-target"]);
+    let tested = read("IF ReadMotor(1)>0.5 THEN\nMoveL p,v100,fine,t;\nENDIF");
+    assert_eq!(warnings(&tested), ["state::position-tested"]);
+    assert_eq!(warnings(&read("IF n>0.5 THEN\nMoveL p,v100,fine,t;\nENDIF")), Vec::<&str>::new());
 }
