@@ -207,7 +207,7 @@ impl<'a> CfgBuilder<'_, 'a> {
     fn while_loop(&mut self, cond: &'a Expr, body: &'a [Stmt], at: Span, out: &mut Vec<Node<'a>>) {
         let ctx = self.ctx;
         let known = self.evaluator.fold(cond, ctx, &Constant).map(|t| t.value);
-        let endless = matches!(known, Ok(Value::Bool(true)));
+        let endless = matches!(known, Ok(Value::Bool(true))) && !self.can_be_set(cond);
         self.functions([cond], at, out);
         let mut body = self.body(body);
         self.functions([cond], at, &mut body);
@@ -219,6 +219,9 @@ impl<'a> CfgBuilder<'_, 'a> {
 
     /// Whether constants say that a FOR runs at least once.
     fn runs(&mut self, from: &Expr, to: &Expr, step: Option<&Expr>) -> bool {
+        if step.is_some_and(|step| [from, to, step].iter().any(|bound| self.can_be_set(bound))) {
+            return false;
+        }
         let ctx = self.ctx;
         let mut number = |expr| match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
             Value::Num(n) => Some(n),

@@ -2,7 +2,7 @@
 //!
 //! Knows nothing of ways through the program. What is tracked [`state`](super::state) follows; of all other data any way counts.
 
-use super::ids::DatumId;
+use super::ids::{DatumId, IdSet};
 use super::index::{Ctx, DatumKind, Index};
 use super::names::ByNumber;
 use super::parameter_flow::ParameterFlow;
@@ -11,7 +11,7 @@ use super::tracked::{names_in, sources};
 use super::value_flow::ValueFlow;
 use super::writes::Writes;
 use rapid_syntax::diagnostic::{FileId, TextRange};
-use rapid_syntax::tree::{DataKind, StmtKind};
+use rapid_syntax::tree::{DataKind, Expr, StmtKind};
 
 /// For each datum the PERS of whose value in the file it is made.
 #[derive(Debug, Default)]
@@ -55,6 +55,28 @@ pub(super) fn differs_on_controllers(index: &Index<'_>, datum: DatumId) -> bool 
     let entry = &index.data[datum];
     entry.kind == DatumKind::Declared(DataKind::Pers)
         && !matches!(index.type_text(entry.type_name), "tooldata" | "wobjdata" | "loaddata")
+}
+
+/// Whether a PERS goes into an expression: a pendant, an operator panel or another task sets such data, so that a controller may hold
+/// another value than the text has.
+pub(super) fn can_be_set(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+    first_pers(index, ctx, expr).is_some()
+}
+
+/// The first PERS that goes into an expression, by declarations, too.
+pub(super) fn first_pers(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> Option<DatumId> {
+    let (mut seen, mut new) = (IdSet::default(), Vec::new());
+    names_in(index, ctx, expr, &mut |datum| new.push(datum));
+    while let Some(datum) = new.pop() {
+        let entry = &index.data[datum];
+        if entry.kind == DatumKind::Declared(DataKind::Pers) {
+            return Some(datum);
+        }
+        if let Some(init) = entry.init.filter(|_| seen.insert(datum)) {
+            names_in(index, entry.ctx, init, &mut |datum| new.push(datum));
+        }
+    }
+    None
 }
 
 /// What goes into data by their declarations, and into the variables of FOR loops by the bounds of these.

@@ -80,3 +80,57 @@ fn a_pers_that_chooses_among_targets_is_told_of() {
         assert_eq!(made_of(&read), expected, "{statements}");
     }
 }
+
+/// A pendant sets it to another displacement, or starts the loop that the file shows ended.
+#[test]
+fn what_a_pers_decides_or_displaces_is_open() {
+    let decided = |data: &str, statements: &str| {
+        let program = module(&format!(
+            "PERS tooldata t:={};\nCONST robtarget p:={};\n{data}\nPROC main()\nt:={};\n{statements}\nMoveL p,v100,fine,t;\nENDPROC",
+            tool(1),
+            at(5, 5, 5),
+            tool(1)
+        ));
+        codes(&program)
+    };
+    let set = format!("t:={};", tool(200));
+    // What another value of it would run counts, and so does what it would leave out.
+    for value in ["TRUE", "FALSE"] {
+        let data = format!("PERS bool b:={value};");
+        assert_eq!(
+            decided(&data, &format!("WHILE b DO\n{set}\nENDWHILE")),
+            ["keep::tool-unknown"],
+            "{value}"
+        );
+        assert_eq!(decided(&data, &format!("IF b THEN\n{set}\nENDIF")), ["keep::tool-unknown"], "{value}");
+        assert_eq!(decided(&data, &format!("IF b GOTO l1;\n{set}\nl1:")), ["keep::tool-unknown"], "{value}");
+    }
+    let counted = format!("FOR k FROM 1 TO n STEP 1 DO\n{set}\nENDFOR");
+    assert_eq!(decided("PERS num n:=1;", &counted), ["keep::tool-unknown"]);
+    assert_eq!(decided("CONST num n:=1;", &counted), ["-"]);
+    for (kind, expected) in [("PERS", "keep::displacement"), ("CONST", "-")] {
+        let data = format!("{kind} pose pe:=[[0,0,0],[1,0,0,0]];\nCONST pose pc:=[[0,0,0],[1,0,0,0]];");
+        assert_eq!(decided(&data, "PDispSet pe;"), [expected]);
+        assert_eq!(decided(&data, "PDispSet pc;"), ["-"]);
+    }
+    let axes = |kind: &str| decided(&format!("{kind} extjoint e:=[0,0,0,0,0,0];"), "EOffsSet e;");
+    assert_eq!((axes("CONST"), axes("PERS")), (vec!["-"], vec!["keep::external-offset"]));
+}
+
+/// Loads are PERS as a rule, and taken as the file has them; which of them is gripped, a PERS may choose.
+#[test]
+fn the_load_that_a_pers_chooses_is_open() {
+    let load = |kg: u32| format!("[{kg},[0,0,80],[1,0,0,0],0,0,0]");
+    let gripped_kg = |grip: &str| {
+        let program = module(&format!(
+            "PERS tooldata t:={};\nCONST robtarget p:={};\nPERS num np:=1;\nPERS loaddata la{{2}}:=[{},{}];\nPROC main()
+GripLoad {grip};\nMoveL p,v100,fine,t;\nENDPROC",
+            tool(1),
+            at(5, 5, 5),
+            load(5),
+            load(1)
+        ));
+        program.motions[0].setup.grip.as_ref().map(|load| load.mass_kg)
+    };
+    assert_eq!((gripped_kg("la{2}"), gripped_kg("la{np}")), (Some(1.0), None));
+}

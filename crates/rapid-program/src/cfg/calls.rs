@@ -6,18 +6,16 @@ use crate::call_arguments::{NotGiven, doubtful_arguments, match_arguments};
 use crate::const_eval::Constant;
 use crate::errors::arguments_may_fail;
 use crate::expressions::every_call;
+use crate::file_values::can_be_set;
 use crate::flow::{Binding, FlowStep, Node};
-use crate::ids::{DatumId, IdSet, RoutineIndex};
+use crate::ids::{DatumId, RoutineIndex};
 use crate::index::{DatumKind, Resolved};
 use crate::motion::MotionId;
 use crate::move_instructions::Special;
 use crate::names::{as_text, lower_case};
-use crate::tracked::names_in;
 use crate::value::Value;
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{
-    Arg, ArgKind, BinaryOp, CallStmt, Callee, DataKind, Expr, ExprKind, RoutineKind, Stmt,
-};
+use rapid_syntax::tree::{Arg, ArgKind, BinaryOp, CallStmt, Callee, Expr, ExprKind, RoutineKind, Stmt};
 
 impl<'a> CfgBuilder<'_, 'a> {
     pub(super) fn call(&mut self, stmt: &'a Stmt, call: &'a CallStmt, at: Span, out: &mut Vec<Node<'a>>) {
@@ -178,20 +176,8 @@ impl<'a> CfgBuilder<'_, 'a> {
 
     /// Whether a PERS goes into an expression: a pendant, an operator panel or another task sets such data, so that a controller may hold
     /// another value than the text has.
-    fn can_be_set(&self, expr: &Expr) -> bool {
-        let index = self.index();
-        let (mut seen, mut new) = (IdSet::default(), Vec::new());
-        names_in(index, self.ctx, expr, &mut |datum| new.push(datum));
-        while let Some(datum) = new.pop() {
-            let entry = &index.data[datum];
-            if entry.kind == DatumKind::Declared(DataKind::Pers) {
-                return true;
-            }
-            if let Some(init) = entry.init.filter(|_| seen.insert(datum)) {
-                names_in(index, entry.ctx, init, &mut |datum| new.push(datum));
-            }
-        }
-        false
+    pub(super) fn can_be_set(&self, expr: &Expr) -> bool {
+        can_be_set(self.index(), self.ctx, expr)
     }
 
     /// The text, in lower case, that a sum of strings begins or ends with.

@@ -5,7 +5,7 @@ use crate::call_arguments::NotGiven;
 use crate::const_eval::Constant;
 use crate::convert;
 use crate::data::LoadData;
-use crate::expressions::{root_of, words};
+use crate::expressions::{every_index, root_of, words};
 use crate::flow::{Blocker, FlowStep, Node};
 use crate::motion::MotionId;
 use crate::names::{as_text, lower_case};
@@ -127,6 +127,9 @@ impl<'a> CfgBuilder<'_, 'a> {
         // Without \ExeP it is measured where the arm stands.
         match instruction == "pdispon" && !self.has_option(call, "exep") {
             true => "a program displacement is in force, which holds the correction of the motion before it",
+            false if instruction == "pdispset" && self.is_by_pers(call) => {
+                "a program displacement is in force that a PERS gives, which a controller may hold otherwise than the file"
+            }
             false => "a program displacement is in force",
         }
     }
@@ -138,9 +141,18 @@ impl<'a> CfgBuilder<'_, 'a> {
         })
     }
 
+    /// Whether a PERS goes into what an instruction is given.
+    fn is_by_pers(&self, call: &CallStmt) -> bool {
+        let first = call.args.first().map(|arg| &arg.kind);
+        matches!(first, Some(ArgKind::Positional(given)) if self.can_be_set(given))
+    }
+
     /// Whether the pose given to PDispSet is a constant that displaces nothing.
     fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
         let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        if self.can_be_set(pose) {
+            return false;
+        }
         let ctx = self.ctx;
         let pose = self.evaluator.fold(pose, ctx, &Constant).map(|typed| convert::pose(&typed.value));
         matches!(pose, Ok(Ok(pose)) if pose == Isometry3::identity())
@@ -149,6 +161,9 @@ impl<'a> CfgBuilder<'_, 'a> {
     /// Whether the offsets given to EOffsSet are constant and of axes alone that move no robot.
     fn offsets_nothing(&mut self, call: &CallStmt) -> bool {
         let Some(ArgKind::Positional(offsets)) = call.args.first().map(|arg| &arg.kind) else { return false };
+        if self.can_be_set(offsets) {
+            return false;
+        }
         let ctx = self.ctx;
         let Ok(offsets) = self.evaluator.fold(offsets, ctx, &Constant) else { return false };
         let Ok(offsets) = convert::extjoint(&offsets.value) else { return false };
@@ -161,6 +176,14 @@ impl<'a> CfgBuilder<'_, 'a> {
             ArgKind::Positional(load) => Some(load),
             _ => None,
         })?;
+        // A load is a PERS as a rule; which of several it is may be set on the pendant.
+        let mut is_chosen_there = false;
+        every_index(load, &mut |_, element_of| {
+            is_chosen_there |= element_of.indices.iter().any(|index| self.can_be_set(index));
+        });
+        if is_chosen_there {
+            return None;
+        }
         let ctx = self.ctx;
         let load = self.evaluator.fold(load, ctx, &Constant).ok()?;
         convert::loaddata(&load.value).ok()
