@@ -153,3 +153,44 @@ fn a_work_object_that_is_handed_on_if_present_is_asked_for_at_run_time() {
         assert!(restore(&program[0].1).unwrap().exact);
     }
 }
+
+/// A PERS that chooses the element is set on the pendant after the program was corrected: the arm goes where that says, corrected.
+#[test]
+fn an_element_that_a_pers_chooses_is_the_one_of_the_controllers_value() {
+    let rest = "[0.0871557,0,0.9961947,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+    let source = format!(
+        "MODULE Rows\n  PERS tooldata tGun:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  CONST robtarget pRow{{3}}:=[[[430,60,300],{rest},[[430,90,300],{rest},[[430,105,300],{rest}];\n  PERS num nRow:=2;
+  PROC main()\n    MoveAbsJ [[5,10,20,5,50,5],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;\n    MoveJ pRow{{nRow}},v100,fine,tGun;
+    MoveL Offs(pRow{{nRow}},0,0,15),v100,fine,tGun;\n  ENDPROC\nENDMODULE\n"
+    );
+    let (paper, original) = (Deformation::paper(), vec![("Rows.mod".to_owned(), source.into_bytes())]);
+    let set_to = |files: &Files, row: u32| -> Files {
+        vec![(
+            files[0].0.clone(),
+            text(files).replace("PERS num nRow:=2;", &format!("PERS num nRow:={row};")).into_bytes(),
+        )]
+    };
+    for (form, within_mm) in [
+        (FormChoice::Schedule, 0.0055),
+        (FormChoice::Ramp, 5e-4),
+        (FormChoice::Auto, 5e-4),
+        (FormChoice::Live, 5e-4),
+    ] {
+        let (program, kept) = made_as(form, &original, &paper, &warmth()).unwrap();
+        assert_eq!(kept, 0, "{form:?}");
+        for row in 1..=3 {
+            let mut s = session(&set_to(&program, row), &set_to(&original, row), &paper, false);
+            s.at_minutes(&MINUTES).unwrap();
+            for pass in s.into_report().passes {
+                let off_mm = mm_from_m(pass.corrected.max_m);
+                assert!(
+                    pass.failure.is_none() && pass.n == 3 && off_mm <= within_mm,
+                    "{form:?}, row {row}: {off_mm} mm at {}",
+                    pass.t_min
+                );
+            }
+        }
+        assert!(restore(&program[0].1).unwrap().exact, "{form:?}");
+    }
+}

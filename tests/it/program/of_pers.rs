@@ -62,7 +62,9 @@ fn a_pers_that_goes_into_a_frame_is_told_of() {
 fn a_pers_that_chooses_among_targets_is_told_of() {
     let target = |motion, name| vec![(motion, name, PersUse::Target)];
     for (statements, expected) in [
-        ("MoveL pa{np},v100,fine,t;", target(0, "np")),
+        // All elements are corrected.
+        ("MoveL pa{np},v100,fine,t;", vec![]),
+        ("MoveL Offs(pa{np+1},0,0,nSet),v100,fine,t;", target(0, "nSet")),
         ("pv:=pa{np};\nMoveL pv,v100,fine,t;", target(0, "np")),
         ("pv:=pa{np};\nMoveL Offs(pv,0,0,10),v100,fine,t;", target(0, "np")),
         ("pv:=pp;\nMoveL pv,v100,fine,t;", target(0, "pp")),
@@ -79,6 +81,9 @@ fn a_pers_that_chooses_among_targets_is_told_of() {
         let read = read(statements, if statements.starts_with("go") { go } else { "" });
         assert_eq!(made_of(&read), expected, "{statements}");
     }
+    // The end of an arc that a PERS chooses is known on the controller alone.
+    assert_eq!(codes(&read("MoveC p,pa{np},v100,z10,t;", "")), ["keep::runtime-target"]);
+    assert_eq!(codes(&read("MoveC p,pa{2},v100,z10,t;", "")), ["-"]);
 }
 
 /// A pendant sets it to another displacement, or starts the loop that the file shows ended.

@@ -12,8 +12,8 @@ use crate::motion::{MotionId, Origin, Path, PersTarget, PersUse, SkipReason, Tar
 use crate::motion_site::MoveArgs;
 use crate::names::as_text;
 use crate::state::{State, View};
-use crate::tracked::names_in;
-use crate::value::{DataName, Reached, Value};
+use crate::tracked::names_in_where;
+use crate::value::{DataName, Reached, Value, Why};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{DataKind, Expr, ExprKind, UnaryOp};
 use std::rc::Rc;
@@ -99,8 +99,13 @@ impl<'a> MotionReader<'_, 'a> {
         let index = self.evaluator.index;
         let followed = self.of_file.get(&motion).copied();
         let (mut named, mut made_of) = (None, followed.flatten());
-        for expr in &args.targets {
-            names_in(index, ctx, expr, &mut |datum| {
+        // All elements of an array are corrected, whichever a PERS chooses.
+        let is_any_element =
+            |target: &Target| target.indices().is_some_and(|indices| indices.occurring.is_none());
+        for (expr, target) in args.targets.iter().zip(targets) {
+            let chosen = target.indices().filter(|_| is_any_element(target)).map(|indices| indices.range);
+            let counts = |_, part: &Expr| !chosen.is_some_and(|range| range.contains(part.range));
+            names_in_where(index, ctx, expr, &counts, &mut |datum| {
                 if index.data[datum].kind == DatumKind::Declared(DataKind::Pers) {
                     named.get_or_insert(datum);
                 }
@@ -109,9 +114,6 @@ impl<'a> MotionReader<'_, 'a> {
                 }
             });
         }
-        // All elements of an array are corrected, whichever a PERS chooses.
-        let is_any_element =
-            |target: &Target| target.indices().is_some_and(|indices| indices.occurring.is_none());
         let of_targets = named.or(made_of.filter(|_| !targets.iter().any(is_any_element)));
         let frames = [args.tool, args.wobj].into_iter().flatten();
         let in_state = state.map(|state| View { state, tracked: self.tracked });
@@ -143,30 +145,18 @@ impl<'a> MotionReader<'_, 'a> {
             let target = Target::new(expr.range, origin).with_value(&TargetValue::Rob(target));
             return (target.with_literal(literal), None, None);
         }
-        let mut calc = None;
-        let folded = self.evaluator.fold(expr, ctx, &Constant).and_then(|typed| {
-            let value = typed.value;
-            let converted = match (&value, joints_wanted) {
-                (Value::Reached(reached), false) => {
-                    calc = Some(reached.clone());
-                    convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
-                }
-                (_, true) => convert::jointtarget(&value).map(TargetValue::Joint),
-                (_, false) => convert::robtarget(&value).map(TargetValue::Rob),
-            };
-            converted.map_err(|(code, reason)| {
-                let because = match &origin {
-                    Origin::Named { declaration, .. } => Some(*declaration),
-                    Origin::Inline | Origin::Expression => None,
-                };
-                Rc::new(SkipReason { code, reason, because })
-            })
-        });
+        let (folded, calc) = self.folded(expr, (ctx, joints_wanted), &origin);
         let unused_axis = |v: &TargetValue| match v {
             TargetValue::Joint(j) | TargetValue::FromJoints(j) => j.q_rad.contains(&None),
             TargetValue::Rob(_) => false,
         };
         let target = Target::new(expr.range, origin);
+        if folded.is_ok()
+            && let Some(pers) = self.chosen_by_pers(expr, ctx)
+        {
+            let (target, why) = self.chosen_on_the_controller(target, (expr, ctx), (joints_wanted, pers));
+            return (target, Some(why), calc);
+        }
         let value = match folded {
             Ok(value) => value,
             Err(why) => {
@@ -182,6 +172,35 @@ impl<'a> MotionReader<'_, 'a> {
             Some(literal) => (target.with_literal(literal), failed, calc),
             None => (target, failed, calc),
         }
+    }
+
+    /// What a target is worth, or why that is not known; and the `CalcRobT` that it is.
+    fn folded(
+        &mut self,
+        expr: &'a Expr,
+        (ctx, joints_wanted): (Ctx, bool),
+        origin: &Origin,
+    ) -> (Result<TargetValue, Why>, Option<Rc<Reached>>) {
+        let mut calc = None;
+        let folded = self.evaluator.fold(expr, ctx, &Constant).and_then(|typed| {
+            let value = typed.value;
+            let converted = match (&value, joints_wanted) {
+                (Value::Reached(reached), false) => {
+                    calc = Some(reached.clone());
+                    convert::jointtarget(&reached.joints).map(TargetValue::FromJoints)
+                }
+                (_, true) => convert::jointtarget(&value).map(TargetValue::Joint),
+                (_, false) => convert::robtarget(&value).map(TargetValue::Rob),
+            };
+            converted.map_err(|(code, reason)| {
+                let because = match origin {
+                    Origin::Named { declaration, .. } => Some(*declaration),
+                    Origin::Inline | Origin::Expression => None,
+                };
+                Rc::new(SkipReason { code, reason, because })
+            })
+        });
+        (folded, calc)
     }
 
     fn origin(&mut self, expr: &'a Expr, ctx: Ctx) -> (Origin, Option<Span>) {

@@ -10,7 +10,9 @@ use crate::const_eval::Constant;
 use crate::convert;
 use crate::data::RobTarget;
 use crate::expressions::{every_call, every_index};
+use crate::file_values::{can_be_set, first_pers};
 use crate::finite_set::FiniteSet;
+use crate::ids::DatumId;
 use crate::index::{Ctx, Index};
 use crate::motion::{Indices, SkipReason, Target, TargetValue, indices_of};
 use crate::names::lower_case;
@@ -54,6 +56,32 @@ impl<'a> MotionReader<'_, 'a> {
         }
     }
 
+    /// The PERS by which an array's element is chosen that goes into a target.
+    pub(super) fn chosen_by_pers(&self, expr: &Expr, ctx: Ctx) -> Option<DatumId> {
+        let mut found = None;
+        every_index(expr, &mut |_, element_of| {
+            let of_index = |index: &Expr| first_pers(self.evaluator.index, ctx, index);
+            found = found.or_else(|| element_of.indices.iter().find_map(of_index));
+        });
+        found
+    }
+
+    /// The target as every element of its array, where a PERS chooses among them; else why it is not known.
+    pub(super) fn chosen_on_the_controller(
+        &mut self,
+        target: Target,
+        (expr, ctx): (&'a Expr, Ctx),
+        (joints_wanted, pers): (bool, DatumId),
+    ) -> (Target, SkipReason) {
+        let because = Some(self.evaluator.index.declaration(pers));
+        let reason = format!("the PERS {} chooses it", self.evaluator.name_of(pers));
+        let why = SkipReason { code: "keep::runtime-target", reason, because };
+        match self.elements(expr, ctx, joints_wanted) {
+            Some((values, indices)) => (target.with_elements(values, indices), why),
+            None => (target, why),
+        }
+    }
+
     /// The robtargets that an expression can be, where all are known and a look at the pose tells them apart; else none.
     ///
     /// `on_ways`: what they are by the ways that lead to the motion.
@@ -89,7 +117,11 @@ impl<'a> MotionReader<'_, 'a> {
     ) -> Option<(Vec<TargetValue>, Indices)> {
         let mut named = Vec::new();
         every_index(expr, &mut |at, element_of| named.push((at, element_of)));
-        let is_const = |this: &mut Self, index: &Expr| this.evaluator.fold(index, ctx, &Constant).is_ok();
+        // What a PERS says is not what the file says of it.
+        let is_const = |this: &mut Self, index: &Expr| {
+            !can_be_set(this.evaluator.index, ctx, index)
+                && this.evaluator.fold(index, ctx, &Constant).is_ok()
+        };
         named.retain(|(_, element_of)| !element_of.indices.iter().all(|index| is_const(self, index)));
         // Of `pRow{nOrder{i}}` the row's index chooses, whatever it is made of.
         let chosen_by: Vec<TextRange> =
