@@ -14,6 +14,8 @@ use std::sync::Arc;
 
 /// More text than this is said to be large, bytes.
 const LARGE_BYTES: usize = 8_000_000;
+/// More text than this in corrections beside their originals is said to be large, bytes.
+const LARGE_ADDED_BYTES: usize = 4_000_000;
 /// What a correction and its call take, about, bytes.
 const CORRECTION_BYTES: usize = 105;
 
@@ -177,12 +179,21 @@ impl Compensated<'_> {
         table.finish()
     }
 
-    /// What `auto` would write, where arrays are large.
+    /// How much is added, where that is large, and what `auto` would write in place of a schedule.
     pub fn size_note(&self) -> Option<String> {
-        let form = self.options.form;
-        (form == FormChoice::Schedule && self.text_bytes > LARGE_BYTES).then(|| {
-            let targets: usize = self.totals.targets.iter().sum();
-            let source_bytes: usize = self.program.files.iter().map(|file| file.bytes.len()).sum();
+        let targets: usize = self.totals.targets.iter().sum();
+        let source_bytes: usize = self.program.files.iter().map(|file| file.bytes.len()).sum();
+        if self.options.form != FormChoice::Schedule {
+            let added = self.text_bytes.saturating_sub(source_bytes);
+            return (added > LARGE_ADDED_BYTES).then(|| {
+                format!(
+                    "{:.1} MB of corrections, one for each of {targets} targets: of an array each element has one, whether it is \
+                     asked for or not; an array of those that are takes less",
+                    added as f64 / 1e6
+                )
+            });
+        }
+        (self.text_bytes > LARGE_BYTES).then(|| {
             let auto = source_bytes + targets * CORRECTION_BYTES;
             format!(
                 "{:.1} MB of arrays: --form auto holds the same in at most about {:.1} MB, one correction for each of {targets} targets",

@@ -251,6 +251,33 @@ fn a_program_of_somebody_else_is_not_overwritten() {
 mod long {
     use super::*;
 
+    /// Each element of an array has a correction, whether it is asked for or not.
+    #[test]
+    #[ignore = "long"]
+    fn corrections_of_a_large_array_are_told_of() {
+        let rest = "[0.0871557,0,0.9961947,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+        let run = |count: usize, form: &str| {
+            let bench = Bench::default();
+            let row =
+                |i: usize| format!("[[{}.{:03},{},300],{rest}", 430 + i % 17, i / 17 % 1000, 60 + i % 19);
+            let rows: Vec<String> = (0..count).map(row).collect();
+            let text = format!(
+                "MODULE Rows\n  CONST robtarget pa{{{count}}}:=[{}];\n  VAR num n;\n  PROC main()
+    MoveAbsJ [[5,10,20,5,50,5],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;\n    n:=n+1;\n    MoveJ Offs(pa{{n}},0,0,10),v100,fine,tool0;
+  ENDPROC\nENDMODULE\n",
+                rows.join(",\n")
+            );
+            let (from, to) = (bench.file("rows.mod", text), bench.path("o.mod").display().to_string());
+            let output = driftpost(&["compensate", &from, "-o", &to, "--form", form, "--diff", "none"]);
+            assert!(output.status.success(), "{}", err(&output));
+            err(&output)
+        };
+        let message = run(70_000, "ramp");
+        assert!(message.contains(" MB of corrections, one for each of 70001 targets"), "{message}");
+        assert!(!run(1_000, "ramp").contains(" MB of "));
+        assert!(run(5_000, "schedule").contains(" MB of arrays: "));
+    }
+
     #[test]
     #[ignore = "long"]
     fn a_sheet_that_has_been_filled_in_is_overwritten_only_by_force() {
