@@ -205,7 +205,14 @@ impl Compensated<'_> {
 
     /// What must be known before the module is loaded beside `other`, which has a clock of its own.
     pub fn embedded_clock_note(&self, other: &str) -> Option<String> {
+        let is_common = other.rsplit(['/', '\\']).next().is_some_and(|name| name.starts_with("tcCore"));
         (self.embedded && self.totals.compensated > 0).then(|| {
+            if is_common {
+                return format!(
+                    "the clock is in the module itself, and {other} holds one for several modules, which an earlier run has left: a \
+                     controller does not load both in one task; remove it where no other module asks it, or compensate with --core separate"
+                );
+            }
             format!(
                 "the clock is in the module itself, under global names, and so is that of {other}: a controller does not load \
                  both in one task; compensate the modules of one task in one run"

@@ -339,3 +339,21 @@ mod long {
         assert!(err(&refused).contains("no module that measures"), "{}", err(&refused));
     }
 }
+
+/// The common clock of an earlier run, left beside a module with a clock of its own: a controller loads one of them.
+#[test]
+fn a_common_clock_that_an_earlier_run_left_is_named() {
+    let bench = Bench::default();
+    bench.file("cell/Cube45.mod", std::fs::read(CUBE).unwrap());
+    let [cell, to] = ["cell", "out"].map(|name| bench.path(name).display().to_string());
+    let run =
+        |more: &[&str]| driftpost(&[&["compensate", &cell, "-o", &to, "--diff", "none"], more].concat());
+    let separate = run(&["--core", "separate"]);
+    assert!(separate.status.success() && !err(&separate).contains("an earlier run"), "{}", err(&separate));
+    let embedded = run(&[]);
+    assert!(embedded.status.success() && err(&embedded).contains("tcCore.mod"), "{}", err(&embedded));
+    assert!(err(&embedded).contains("which an earlier run has left"), "{}", err(&embedded));
+    assert!(err(&embedded).contains("remove it"), "{}", err(&embedded));
+    std::fs::remove_file(bench.path("out/tcCore.mod")).unwrap();
+    assert!(!err(&run(&[])).contains("an earlier run"));
+}
