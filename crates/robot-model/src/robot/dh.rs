@@ -6,6 +6,7 @@
 
 mod table;
 
+use super::size::beyond_any_arm;
 use super::{FEWEST_JOINTS, Joint, JointKind, MOST_JOINTS, RobotError, SerialArm};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
 
@@ -56,13 +57,20 @@ impl SerialArm {
             DhConvention::Standard => "Denavit-Hartenberg parameters (Denavit and Hartenberg 1955)",
             DhConvention::Modified => "modified Denavit-Hartenberg parameters (Craig 1986)",
         };
-        Ok(Self {
+        let arm = Self {
             name: name.to_owned(),
             source: words.to_owned(),
             joints,
             last_from_flange: carried,
             links: None,
-        })
+        };
+        match beyond_any_arm(&arm) {
+            None => Ok(arm),
+            Some(problem) => Err(RobotError::DhTable {
+                line: 1,
+                problem: format!("{problem}; give the lengths in millimetres"),
+            }),
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! A robot from its TOML file: mm and degrees in, SI out; every number checked, every unknown key refused.
 
+use super::size::beyond_any_arm;
 use super::{FEWEST_JOINTS, Joint, JointKind, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
-use crate::units::{m_from_mm, mm_from_m, rad_from_deg};
+use crate::units::{m_from_mm, rad_from_deg};
 use nalgebra::{Isometry3, Translation3, Unit, UnitQuaternion, Vector3};
 use serde::Deserialize;
 
@@ -64,28 +65,15 @@ impl SerialArm {
             last_from_flange: frame("[flange]", file.flange.origin_mm, file.flange.rpy_deg)?,
             links,
         };
-        match ARM_M.contains(&stretched_m(&arm)) {
-            true => Ok(arm),
-            false => Err(RobotError::Value {
+        match beyond_any_arm(&arm) {
+            None => Ok(arm),
+            Some(problem) => Err(RobotError::Value {
                 place: "origin_mm".to_owned(),
-                problem: format!(
-                    "from the base to the flange it is {:.4} mm along the joints",
-                    mm_from_m(stretched_m(&arm))
-                ),
+                problem,
                 remedy: "give the joints' places in millimetres",
             }),
         }
     }
-}
-
-/// How long arms are along their joints, metres: the smallest fit on a table, the largest load cars. Outside, the file is in metres or
-/// micrometres.
-const ARM_M: std::ops::Range<f64> = 0.05..50.0;
-
-/// From the base to the flange along the joints' places, metres.
-fn stretched_m(arm: &SerialArm) -> f64 {
-    let joints = arm.joints.iter().map(|joint| joint.previous_from_joint.translation.vector.norm());
-    joints.sum::<f64>() + arm.last_from_flange.translation.vector.norm()
 }
 
 #[derive(Deserialize)]

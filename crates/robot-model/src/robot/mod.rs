@@ -14,6 +14,7 @@ mod kind;
 mod range;
 mod refused;
 mod serial_arm;
+mod size;
 mod source;
 mod urdf;
 mod write;

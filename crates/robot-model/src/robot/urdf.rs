@@ -6,6 +6,7 @@
 mod tree;
 mod write;
 
+use super::size::beyond_any_arm;
 use super::{FEWEST_JOINTS, Joint, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
 use nalgebra::Isometry3;
 use roxmltree::Document;
@@ -62,13 +63,19 @@ impl SerialArm {
         }
         let links: Option<Vec<Link>> = moving.iter().map(|(link, _)| tree.mass_with_fixed(link)).collect();
         let name = root.attribute("name").unwrap_or("robot");
-        Ok(Self {
+        let arm = Self {
             name: name.to_owned(),
             source: format!("URDF description of {name}"),
             joints,
             last_from_flange: since_last,
             links,
-        })
+        };
+        match beyond_any_arm(&arm) {
+            None => Ok(arm),
+            Some(problem) => {
+                Err(wrong(&root, format!("{problem}; places in URDF are metres: is it in millimetres?")))
+            }
+        }
     }
 }
 
@@ -119,6 +126,31 @@ mod tests {
         assert_ne!(far, ARM);
         let error = Robot::from_urdf(&far, None).unwrap_err().to_string();
         assert!(error.contains("-284.6 to 1.91986, is more than 10800 degrees"), "{error}");
+    }
+
+    /// 290 + 270 + 70 + 302 + 72 mm are 1.004 m; read as metres, their numbers in millimetres are a kilometre.
+    #[test]
+    fn a_description_in_millimetres_is_refused() {
+        let in_mm: String = ARM
+            .split_inclusive('"')
+            .scan(false, |is_place, part| {
+                let numbers: Option<Vec<f64>> =
+                    part.trim_end_matches('"').split_whitespace().map(|n| n.parse().ok()).collect();
+                let scaled = numbers.filter(|_| *is_place).map(|numbers| {
+                    let all: Vec<String> = numbers.iter().map(|n| (1000.0 * n).to_string()).collect();
+                    all.join(" ") + "\""
+                });
+                *is_place = part.ends_with("xyz=\"");
+                Some(scaled.unwrap_or_else(|| part.to_owned()))
+            })
+            .collect();
+        assert_ne!(in_mm, ARM);
+        // The axes are scaled, too: an axis need not have length one.
+        let error = Robot::from_urdf(&in_mm, None).unwrap_err().to_string();
+        assert!(
+            error.contains("mm along the joints; places in URDF are metres: is it in millimetres?"),
+            "{error}"
+        );
     }
 
     #[test]
