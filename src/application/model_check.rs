@@ -2,7 +2,9 @@
 
 use super::named::model_of_another_robot;
 use crate::report::validation as report;
-use measurements::{Channels, Measurements, check_rows};
+use measurements::{
+    Channels, Fault, FaultKind, Measurements, OneStand, check_rows, find_pose_names, from_sound_file,
+};
 use metrology::diagnose::{RefitScope, ValidateError, Validation, validate};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
@@ -39,12 +41,29 @@ impl ModelCheck {
     /// # Errors
     /// [`ValidateError`]
     pub fn run(&self, measurements: &Measurements) -> Result<ModelChecked, ValidateError> {
+        let checked = check_rows(measurements, &self.robot);
+        // What would speak against any model is no fault of this one.
+        let of_stand = match from_sound_file(measurements, &self.robot, &checked) {
+            Ok(OneStand { warnings, .. }) => warnings,
+            Err(fault) if is_no_reading_of(&fault) => {
+                vec![Diagnostic::warning("measure::fault", fault.reason)]
+            }
+            Err(fault) => return Err(ValidateError::Joints { reason: fault.reason }),
+        };
+        if let Some(fault) = find_pose_names(measurements, &checked.used) {
+            return Err(ValidateError::Joints { reason: fault.reason });
+        }
         let validation = validate(measurements, &self.robot, &self.model, self.refit)?;
-        let of_rows = check_rows(measurements, &self.robot).warnings;
+        let of_rows = checked.warnings.into_iter().chain(of_stand);
         let missing = missing_columns(&self.model, measurements.channels);
         let warnings = measurements.warnings.iter().cloned().chain(of_rows).chain(missing).collect();
         Ok(ModelChecked { validation, warnings, limit_mm: self.limit_mm })
     }
+}
+
+/// Whether all that a fault says is that the arm is another one: the model is put to the test all the same, and fails it.
+fn is_no_reading_of(fault: &Fault) -> bool {
+    fault.column.is_none() && matches!(fault.kind, FaultKind::WrongRobot | FaultKind::NothingFits)
 }
 
 /// What says that the model asks for what the file does not record: where it misses then, that is not the model's fault.

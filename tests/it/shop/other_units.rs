@@ -1,0 +1,86 @@
+//! Files in other units, orders and columns are refused by what judges a model or an arm as they are by the diagnosis.
+
+use super::{TIP_M, file, poses, robot_under_test, run, somewhere, with_points, write};
+use exam::effect::Effect;
+use nalgebra::Vector3;
+use robot_model::kinematics::Chain;
+use robot_model::robot::Robot;
+use std::path::Path;
+
+/// The file with the cells of each row changed.
+fn with_cells(text: &str, change: impl Fn(&mut [String])) -> String {
+    let changed = text.lines().enumerate().map(|(k, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if k > 0 {
+            change(&mut cells);
+        }
+        cells.join(",") + "\n"
+    });
+    changed.collect()
+}
+
+/// The file with the flange's orientation of each pose, its four parts in this order.
+fn with_orientations(text: &str, order: [usize; 4]) -> String {
+    let chain = Chain::nominal(&Robot::built_in("irb140").unwrap());
+    let parts = poses().into_iter().map(|q_rad| {
+        let turn = (somewhere() * chain.forward(&q_rad)).rotation;
+        let parts = [turn.w, turn.i, turn.j, turn.k];
+        order.map(|k| format!(",{:.7}", parts[k])).concat()
+    });
+    let more = std::iter::once(",qw,qx,qy,qz".to_owned()).chain(parts);
+    text.lines().zip(more).map(|(line, more)| format!("{line}{more}\n")).collect()
+}
+
+fn model(folder: &Path) -> String {
+    let found = file(
+        &robot_under_test(&[(Effect::JointOffset { joint: 3 }, 1e-3)]),
+        &somewhere(),
+        Vector3::from(TIP_M),
+        5,
+    );
+    let (csv, model) =
+        (write(folder, "found.csv", &found), folder.join("m.toml").to_string_lossy().into_owned());
+    let (code, _, answer) = run(&["diagnose", &csv, "--sigma-mm", "0.02", "--model-out", &model]);
+    assert_eq!(code, 0, "{answer}");
+    model
+}
+
+#[test]
+fn a_model_is_not_judged_by_a_file_in_other_units_or_columns() {
+    let folder = tempfile::tempdir().unwrap();
+    let model = model(folder.path());
+    let unseen = file(
+        &robot_under_test(&[(Effect::JointOffset { joint: 3 }, 1e-3)]),
+        &somewhere(),
+        Vector3::from(TIP_M),
+        6,
+    );
+    let scaled = |by: f64| with_points(&unseen, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= by));
+    let radians = |cells: &mut [String]| {
+        for cell in &mut cells[1..7] {
+            *cell = format!("{:.9}", cell.parse::<f64>().unwrap().to_radians());
+        }
+    };
+    let validated = |text: &str| {
+        let csv = write(folder.path(), "unseen.csv", text);
+        run(&["validate", &csv, "--model", &model])
+    };
+    let (code, out, answer) = validated(&unseen);
+    assert!(code == 0 && answer.is_empty(), "{out}{answer}");
+    assert_eq!(validated(&with_orientations(&unseen, [0, 1, 2, 3])).0, 0);
+    let faults = [
+        (scaled(1e-3), "the measured points are in metres"),
+        (scaled(1.0 / 25.4), "inch"),
+        (with_cells(&unseen, radians), "radians"),
+        (with_cells(&unseen, |cells| cells.swap(5, 6)), "the columns of joints 5 and 6 are swapped"),
+        (with_cells(&unseen, |cells| cells.swap(7, 8)), "the measured points are mirrored"),
+        (with_orientations(&unseen, [1, 2, 3, 0]), "qw, qx, qy, qz hold x, y, z, w"),
+    ];
+    for (text, reason) in faults {
+        let (code, out, answer) = validated(&text);
+        assert!(
+            code == 2 && answer.contains("measure::fault") && answer.contains(reason),
+            "{reason}: {out}{answer}"
+        );
+    }
+}
