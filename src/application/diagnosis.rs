@@ -1,7 +1,7 @@
 //! Diagnosis of a robot from measured poses.
 
 use crate::report::{ControllerData, DiagnosisPage, diagnosis, plots, rapid_data, value, write_pretty};
-use measurements::{FaultKind, Measurements, check_rows};
+use measurements::{FaultKind, Measurements, OwnNames, check_rows};
 use metrology::diagnose::{self, DiagnosisOptions, diagnose, diagnose_and_identify, gear_spectra};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
@@ -71,6 +71,21 @@ impl Diagnosis {
 }
 
 impl Diagnosed {
+    /// The same with the file's own names of its columns, where a column map has given it ours.
+    #[must_use]
+    pub fn in_columns(mut self, names: &OwnNames) -> Self {
+        let findings = &mut self.findings;
+        let rename = |text: &mut String| *text = names.rename(text);
+        rename(&mut findings.reason);
+        findings.no_model.iter_mut().for_each(rename);
+        if let Some(fault) = &mut findings.fault {
+            fault.column.iter_mut().for_each(rename);
+            rename(&mut fault.reason);
+        }
+        findings.warnings.iter_mut().for_each(|warning| rename(&mut warning.message));
+        self
+    }
+
     /// The report as people read it.
     #[must_use]
     pub fn text(&self) -> String {

@@ -76,9 +76,18 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
-    console.explain(&LocatedDiagnostic::all(measurements.warnings.iter().cloned(), &[]), true);
-    let found = job.run(&measurements).map_err(Diagnostic::from)?;
-    console.explain(&LocatedDiagnostic::all(found.warnings().iter().cloned(), &[]), true);
+    console.explain(
+        &LocatedDiagnostic::all(
+            measurements.warnings.iter().cloned().map(|warning| given.named(warning)),
+            &[],
+        ),
+        true,
+    );
+    let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
+    console.explain(
+        &LocatedDiagnostic::all(found.warnings().iter().cloned().map(|warning| given.named(warning)), &[]),
+        true,
+    );
     let takes_standard_output = json.is_standard();
     let (data, mut text) = (found.json(), Vec::new());
     found.write(&mut text)?;

@@ -58,14 +58,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     job.limit_mm = args.limit_mm;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
-    let before = measured::of_file(&args.before, args.columns.as_deref())?;
-    let after = measured::of_file(&args.after, args.columns.as_deref())?;
+    let (before, given) = measured::of_file(&args.before, args.columns.as_deref())?;
+    let (after, _) = measured::of_file(&args.after, args.columns.as_deref())?;
     let warnings = before.warnings.iter().chain(&after.warnings).cloned();
-    console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
-    let found = job.run(&before, &after).map_err(Diagnostic::from)?;
+    console.explain(&LocatedDiagnostic::all(warnings.map(|warning| given.named(warning)), &[]), true);
+    let found = job.run(&before, &after).map_err(|error| given.named(error.into()))?;
     for (warnings, path) in found.comparison.warnings.iter().zip([&args.before, &args.after]) {
         let shown = path.display().to_string();
-        let of_file = warnings.iter().cloned().map(|warning| model::in_file(&shown, warning));
+        let of_file = warnings.iter().cloned().map(|warning| given.named(model::in_file(&shown, warning)));
         console.explain(&LocatedDiagnostic::all(of_file, &[]), true);
     }
     let takes_standard_output = json.is_standard();

@@ -111,7 +111,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let controller_data = controller_data(args, options.tool_m).map_err(Diagnostic::from)?;
     let identify = outputs.model.is_some() || outputs.rapid.is_some() || args.page.report.is_some();
     let job = Diagnosis { robot, options, identify };
-    let found = job.run(&measurements).map_err(|error| model::in_file(&given.name, error.into()))?;
+    let found =
+        job.run(&measurements).map_err(|error| given.named(model::in_file(&given.name, error.into())))?;
+    let found = found.in_columns(&given.table.own_names);
     for warning in &found.findings.warnings {
         console.note(format_args!("warning[{}]: {}", warning.code, warning.message));
     }

@@ -90,8 +90,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
-    let fitted = job.run(&touches).map_err(Diagnostic::from)?;
-    console.explain(&LocatedDiagnostic::all(fitted.warnings().iter().cloned(), &[]), true);
+    let fitted = job.run(&touches).map_err(|error| given.named(error.into()))?;
+    console.explain(
+        &LocatedDiagnostic::all(fitted.warnings().iter().cloned().map(|warning| given.named(warning)), &[]),
+        true,
+    );
     let found = at_work(args, fitted)?;
 
     if let Some(file) = table_out {

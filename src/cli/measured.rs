@@ -66,6 +66,14 @@ pub struct MeasurementInput {
     pub sha256: String,
 }
 
+impl MeasurementInput {
+    /// A message with the file's own names of its columns.
+    pub fn named(&self, message: Diagnostic) -> Diagnostic {
+        let rename = |text: &str| self.table.own_names.rename(text);
+        Diagnostic { message: rename(&message.message), help: message.help.as_deref().map(rename), ..message }
+    }
+}
+
 impl MeasurementArgs {
     /// Reads the table.
     ///
@@ -107,8 +115,8 @@ impl MeasurementArgs {
     /// As [`MeasurementArgs::table`].
     pub fn read(&self, console: &mut Console) -> Result<(Measurements, MeasurementInput), Diagnostic> {
         let input = self.table(console)?;
-        let measurements =
-            Measurements::from_table(&input.table).map_err(|error| in_file(&input.name, error.into()))?;
+        let measurements = Measurements::from_table(&input.table)
+            .map_err(|error| input.named(in_file(&input.name, error.into())))?;
         Ok((measurements, input))
     }
 
@@ -118,21 +126,24 @@ impl MeasurementArgs {
     /// As [`MeasurementArgs::table`].
     pub fn touches(&self, console: &mut Console) -> Result<(Touches, MeasurementInput), Diagnostic> {
         let input = self.table(console)?;
-        let touches =
-            Touches::from_table(&input.table).map_err(|error| in_file(&input.name, error.into()))?;
-        let warnings = touches.warnings.iter().cloned().map(|warning| in_file(&input.name, warning));
+        let touches = Touches::from_table(&input.table)
+            .map_err(|error| input.named(in_file(&input.name, error.into())))?;
+        let warnings =
+            touches.warnings.iter().cloned().map(|warning| input.named(in_file(&input.name, warning)));
         console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
         Ok((touches, input))
     }
 }
 
-/// The measurements of one file.
+/// The measurements of one file, and its names.
 ///
 /// # Errors
 /// A file that cannot be read, or what is wrong in it.
-pub fn of_file(path: &Path, columns: Option<&Path>) -> Result<Measurements, Diagnostic> {
+pub fn of_file(path: &Path, columns: Option<&Path>) -> Result<(Measurements, MeasurementInput), Diagnostic> {
     let input = input(path, columns)?;
-    Measurements::from_table(&input.table).map_err(|error| in_file(&path.display().to_string(), error.into()))
+    let measurements = Measurements::from_table(&input.table)
+        .map_err(|error| input.named(in_file(&path.display().to_string(), error.into())))?;
+    Ok((measurements, input))
 }
 
 fn input(path: &Path, columns: Option<&Path>) -> Result<MeasurementInput, Diagnostic> {

@@ -8,7 +8,6 @@ use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::StateEstimation;
 use nalgebra::Vector3;
-use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 use std::io::Write;
 use std::path::PathBuf;
@@ -80,10 +79,16 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     job.stops = stops(&args.stop)?.unwrap_or_default();
     job.sigma_m = m_from_mm(args.sigma_mm);
     job.tau_cool_min = args.tau_cool.or(job.tau_cool_min);
-    let (touches, _) = args.source.touches(console)?;
+    let (touches, given) = args.source.touches(console)?;
     let json = files::Output::new(args.json.as_deref())?;
-    let found = job.run(&touches).map_err(Diagnostic::from)?;
-    console.explain(&LocatedDiagnostic::all(found.state.warnings.iter().cloned(), &[]), true);
+    let found = job.run(&touches).map_err(|error| given.named(error.into()))?;
+    console.explain(
+        &LocatedDiagnostic::all(
+            found.state.warnings.iter().cloned().map(|warning| given.named(warning)),
+            &[],
+        ),
+        true,
+    );
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

@@ -8,7 +8,6 @@ use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
 use driftpost::application::ModelCheck;
 use metrology::diagnose::RefitScope;
-use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -67,10 +66,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         RefitScopeName::None => RefitScope::Nothing,
     };
     let json = files::Output::new(args.json.as_deref())?;
-    let (measurements, _) = args.source.read(console)?;
+    let (measurements, given) = args.source.read(console)?;
     console.explain(&LocatedDiagnostic::all(job.warning(), &[]), false);
-    let found = job.run(&measurements).map_err(Diagnostic::from)?;
-    console.explain(&LocatedDiagnostic::all(found.warnings.iter().cloned(), &[]), true);
+    let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
+    console.explain(
+        &LocatedDiagnostic::all(found.warnings.iter().cloned().map(|warning| given.named(warning)), &[]),
+        true,
+    );
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

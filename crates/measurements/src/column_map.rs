@@ -7,7 +7,7 @@ use super::column_names::{JOINTS, POINT, QUATERNION, SLIDES, known};
 use super::error::missing_column;
 use super::table::{Line, Table};
 use super::timestamp::{NoTime, TimestampFormat, over_midnight};
-use super::{MeasureError, Rotation};
+use super::{MeasureError, OwnNames, Rotation, own_names};
 use csv::{ReaderBuilder, Trim};
 use robot_model::units::{
     deg_from_rad, m_from_inch, m_from_mm, min_from_h, min_from_s, mm_from_m, rad_from_deg,
@@ -71,6 +71,16 @@ struct SourceTable {
 enum SourceColumn {
     Number(usize),
     Name(String),
+}
+
+impl SourceColumn {
+    /// As messages name it.
+    fn shown(&self) -> String {
+        match self {
+            Self::Number(n) => format!("number {n}"),
+            Self::Name(name) => name.clone(),
+        }
+    }
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -193,6 +203,7 @@ impl ColumnMap {
         let mut table = Table {
             header: mapped.iter().map(|(our_name, _)| (*our_name).to_owned()).collect(),
             lines: Vec::new(),
+            own_names: self.own_names(),
         };
         table.header.extend(self.constant.keys().cloned());
         if pose.is_some() {
@@ -233,6 +244,14 @@ impl ColumnMap {
             count_days(&mut table);
         }
         Ok(table)
+    }
+
+    /// What the file calls our columns.
+    fn own_names(&self) -> OwnNames {
+        let columns = self.columns.iter().map(|(ours, source)| (ours.clone(), source.shown()));
+        let Some(pose) = &self.pose else { return OwnNames::new(columns, None) };
+        let (points, angles) = own_names::of_pose(pose.columns.each_ref().map(SourceColumn::shown));
+        OwnNames::new(columns.chain(points), Some(angles))
     }
 
     /// Positions of the six columns of a pose.

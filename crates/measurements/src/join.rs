@@ -51,7 +51,8 @@ pub fn join(points: &Table, joints: &Table, by: MatchBy, within_min: f64) -> Res
     // Of columns in both the point's are kept.
     let more: Vec<usize> =
         (0..joints.header.len()).filter(|&k| points.column(&joints.header[k]).is_none()).collect();
-    let mut table = Table { header: points.header.clone(), lines: Vec::new() };
+    let own_names = points.own_names.and(&joints.own_names);
+    let mut table = Table { header: points.header.clone(), lines: Vec::new(), own_names };
     table.header.extend(more.iter().map(|&k| joints.header[k].clone()));
     let mut joined = Joined::default();
     for line in &points.lines {

@@ -14,6 +14,7 @@ mod initial_guess;
 mod iso9283;
 mod join;
 mod one_stand;
+mod own_names;
 mod performance;
 mod pose_performance;
 mod read;
@@ -46,6 +47,7 @@ pub use iso9283::{
 };
 pub use join::{Joined, MatchBy, join};
 pub use one_stand::{JointElsewhere, OneStand, StandError, from_one_stand, from_sound_file, turned};
+pub use own_names::OwnNames;
 pub use performance::{ComparisonFrame, Performance, PerformanceError, WorstPerformance, performance};
 pub use pose_performance::{PerformanceAtTime, PosePerformance};
 pub use reading::{Coordinates, Reading};

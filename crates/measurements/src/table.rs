@@ -1,6 +1,7 @@
 //! A table as text: column names and cells, each row with its line in the file it came from.
 
 use super::MeasureError;
+use super::OwnNames;
 use super::error::missing_column;
 use csv::{ReaderBuilder, Trim};
 use rapid_syntax::diagnostic::LineIndex;
@@ -21,6 +22,8 @@ pub struct Table {
     pub header: Vec<String>,
     /// Rows that hold something.
     pub lines: Vec<Line>,
+    /// What the file calls them, where a column map has named them.
+    pub own_names: OwnNames,
 }
 
 impl Table {
@@ -55,7 +58,7 @@ impl Table {
             let number = robot_model::csv_lines::line_of_record(&lines_of, bytes, record.position(), true);
             lines.push(Line { number, cells: record.iter().map(str::to_owned).collect() });
         }
-        Ok(Self { header, lines })
+        Ok(Self { header, lines, own_names: OwnNames::default() })
     }
 
     /// Where the column of this name stands, in any case.

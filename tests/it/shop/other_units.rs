@@ -84,3 +84,27 @@ fn a_model_is_not_judged_by_a_file_in_other_units_or_columns() {
         );
     }
 }
+
+#[test]
+fn messages_name_the_columns_as_the_file_does() {
+    let folder = tempfile::tempdir().unwrap();
+    let sound = file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 6);
+    let theirs = with_orientations(&sound, [1, 2, 3, 0]);
+    let header = "id,J1,J2,J3,J4,J5,J6,X,Y,Z,Q1,Q2,Q3,Q4";
+    let theirs = [header, theirs.split_once('\n').unwrap().1].join("\n");
+    let names = header.split(',').skip(1).zip([
+        "q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy",
+        "qz",
+    ]);
+    let map: String = names.map(|(own, ours)| format!("{ours} = \"{own}\"\n")).collect();
+    let map = write(folder.path(), "map.toml", &format!("[columns]\n{map}"));
+    let csv = write(folder.path(), "theirs.csv", &theirs);
+    let model = model(folder.path());
+    let json = folder.path().join("d.json").to_string_lossy().into_owned();
+    let (_, out, _) = run(&["diagnose", &csv, "--columns", &map, "--json", &json]);
+    assert!(out.contains("the columns Q1, Q2, Q3, Q4 hold x, y, z, w") && !out.contains("qw"), "{out}");
+    let read: serde_json::Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    assert_eq!(read["fault"]["column"], "Q1, Q2, Q3, Q4");
+    let (code, _, answer) = run(&["validate", &csv, "--columns", &map, "--model", &model]);
+    assert!(code == 2 && answer.contains("the columns Q1, Q2, Q3, Q4 hold x, y, z, w"), "{answer}");
+}
