@@ -5,7 +5,7 @@ use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
     FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
-    check_cycles, from_sound_file, gather, median, register, register_with,
+    check_cycles, from_sound_file, gather, median, register, register_with, tool_apart,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
@@ -168,6 +168,7 @@ pub fn performance(
     };
     let poses = pose_by_pose(measurements, &used, &chain, registration.as_ref());
     let few = registration.as_ref().and_then(|_| few_poses(&gathered.stations, gathered.targets, compared));
+    let apart = tool_elsewhere(&gathered.stations, &chain, compared);
     let far = far_cycles(measurements, &used);
     let left_out = checked.out_of_range.iter().filter_map(|&row| measurements.rows.get(row));
     Ok(Performance {
@@ -175,7 +176,14 @@ pub fn performance(
         poses,
         registration,
         lines_left_out: left_out.map(|row| row.line).collect(),
-        warnings: checked.warnings.into_iter().chain(seen.warnings).chain(few).chain(far).collect(),
+        warnings: checked
+            .warnings
+            .into_iter()
+            .chain(seen.warnings)
+            .chain(few)
+            .chain(apart)
+            .chain(far)
+            .collect(),
     })
 }
 
@@ -199,6 +207,29 @@ fn few_poses(stations: &[Station], targets: usize, compared: ComparisonFrame) ->
         Diagnostic::warning("measure::few-poses", text)
             .help("measure more poses, spread ones; or fit less (--register base, or none) where target and base are known")
     })
+}
+
+/// That the points have the one target elsewhere than it is taken to be: all of the difference counts as the arm's.
+fn tool_elsewhere(
+    stations: &[Station],
+    chain: &SerialChain,
+    compared: ComparisonFrame,
+) -> Option<Diagnostic> {
+    let (ComparisonFrame::BaseFitted(tool_m) | ComparisonFrame::AsMeasured(tool_m)) = compared else {
+        return None;
+    };
+    let flange: Vec<Isometry3<f64>> = stations.iter().map(|station| station.pose(chain)).collect();
+    let fitted = register(stations, &flange, 1, None).ok()?;
+    let apart = tool_apart(&fitted, 1, Some(tool_m), stations.len())?;
+    let [x, y, z] = <[f64; 3]>::from(apart.fitted_m).map(mm_from_m);
+    let text = format!(
+        "the points say that the target is at ({x:.1}, {y:.1}, {z:.1}) mm from the flange, {:.1} mm from --tool: AP holds the difference",
+        mm_from_m(apart.apart_m)
+    );
+    Some(
+        Diagnostic::warning("measure::tool-apart", text)
+            .help("is --tool in mm, and of this target? --register base,tool fits its place"),
+    )
 }
 
 /// The rows that are judged: those of one stand of the instrument, which do not contradict the robot.

@@ -108,3 +108,21 @@ fn messages_name_the_columns_as_the_file_does() {
     let (code, _, answer) = run(&["validate", &csv, "--columns", &map, "--model", &model]);
     assert!(code == 2 && answer.contains("the columns Q1, Q2, Q3, Q4 hold x, y, z, w"), "{answer}");
 }
+
+#[test]
+fn accuracy_names_a_tool_that_is_elsewhere_than_the_points_say() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv =
+        write(folder.path(), "m.csv", &file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 6));
+    let judged = |tool: &str| run(&["accuracy", &csv, "--register", "base", "--tool", tool]).2;
+    assert!(!judged("60,-30,110").contains("measure::tool-apart"));
+    assert!(!judged("61,-30,111").contains("measure::tool-apart"), "known to a millimetre");
+    // The same in centimetres and inches.
+    for tool in ["6,-3,11", "2.362,-1.181,4.331"] {
+        let answer = judged(tool);
+        assert!(
+            answer.contains("measure::tool-apart") && answer.contains("is at (60.0, -30.0, 110.0) mm"),
+            "{answer}"
+        );
+    }
+}
