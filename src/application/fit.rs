@@ -2,7 +2,8 @@
 
 use super::program_files::ProgramFiles;
 use crate::report::fit as report;
-use measurements::Touches;
+use measurements::{Fault, FaultKind, Touches};
+use metrology::cross_check::{TipCheck, check_tip, moving_points};
 use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::tabulate::{TabulateError, tabulate};
@@ -46,8 +47,21 @@ impl Fit {
     /// # Errors
     /// Touches that say too little, or that no placement of the points explains.
     pub fn run(&self, touches: &Touches) -> Result<Fitted, FitError> {
-        let warm_up = warmup::fit(touches, &self.robot, &self.options)?;
-        Ok(Fitted { warm_up, forecast: None, robot: self.robot.clone() })
+        let mut warm_up = warmup::fit(touches, &self.robot, &self.options)
+            .map_err(|error| self.wrong_tip(touches, &error).unwrap_or(error))?;
+        let moving = moving_points(touches, &self.robot, &self.options, &warm_up);
+        let tip = check_tip(touches, &self.robot, self.options.tool_m, &warm_up.stops);
+        warm_up.warnings.extend(tip.and_then(|tip| tip.warning()).into_iter().chain(moving));
+        Ok(Fitted { warm_up, tip, forecast: None, robot: self.robot.clone() })
+    }
+
+    /// That the tip is elsewhere, where it hides the drift.
+    fn wrong_tip(&self, touches: &Touches, error: &FitError) -> Option<FitError> {
+        let hides = matches!(error, FitError::NoDrift { .. });
+        let stops = self.options.stops.clone().unwrap_or_default();
+        let tip = check_tip(touches, &self.robot, self.options.tool_m, &stops).filter(|_| hides)?;
+        let reason = format!("{}; {error}", tip.warning()?.message);
+        Some(FitError::Fault(Box::new(Fault::of_all(FaultKind::WrongTool, None, reason))))
     }
 }
 
@@ -56,6 +70,8 @@ impl Fit {
 pub struct Fitted {
     /// The table, its growth and what is not known of both.
     pub warm_up: WarmUp,
+    /// What touched points tell of the tip's place; `None` of a tracker's.
+    pub tip: Option<TipCheck>,
     /// What is left at the targets of a work, and where one more point would help most; where that was asked for.
     pub forecast: Option<TargetForecast>,
     robot: Robot,
@@ -101,13 +117,13 @@ impl Fitted {
     /// The fit as people read it.
     #[must_use]
     pub fn text(&self) -> String {
-        report::text(&self.warm_up, self.forecast.as_ref())
+        report::text(&self.warm_up, self.tip.as_ref(), self.forecast.as_ref())
     }
 
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.warm_up, self.forecast.as_ref())
+        report::json(&self.warm_up, self.tip.as_ref(), self.forecast.as_ref())
     }
 
     /// The scheduled deformation table, as CSV.

@@ -1,6 +1,7 @@
 //! A fitted warm-up for people, as table and as JSON.
 
 use super::counted;
+use metrology::cross_check::TipCheck;
 use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
 use robot_model::deform::Deformation;
@@ -19,7 +20,7 @@ fn unit(i: usize) -> (&'static str, fn(f64) -> f64) {
 
 /// The fit as text.
 #[must_use]
-pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
+pub fn text(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,
@@ -50,6 +51,9 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
         None => writeln!(out, "no stop: how fast it cools is not known"),
     };
     false_touches(&mut out, w);
+    if let Some(tip) = tip {
+        out.push_str(tip_is_told(tip));
+    }
     out.push_str("\nHow far each point moves when settled (its own touches), mm\n");
     for point in &w.points {
         let [x, y, z] = [point.settled_m.x, point.settled_m.y, point.settled_m.z].map(mm_from_m);
@@ -78,6 +82,19 @@ pub fn text(w: &WarmUp, there: Option<&TargetForecast>) -> String {
         forecast_at_targets(&mut out, there);
     }
     out
+}
+
+/// How far the touches check the tip's place.
+fn tip_is_told(tip: &TipCheck) -> &'static str {
+    match tip.directions {
+        3 => "the tip's place (--tool) is checked: points are touched in orientations that differ\n",
+        0 => {
+            "the tip's place (--tool) is not checked: each point is touched in one orientation, in which any tip goes with the touches\n"
+        }
+        _ => {
+            "the tip's place (--tool) is checked in part: the orientations in which a point is touched hardly differ\n"
+        }
+    }
 }
 
 fn false_touches(out: &mut String, w: &WarmUp) {
@@ -131,7 +148,7 @@ fn forecast_at_targets(out: &mut String, there: &TargetForecast) {
 
 /// For scripts: mm, degrees, minutes.
 #[must_use]
-pub fn json(w: &WarmUp, there: Option<&TargetForecast>) -> Value {
+pub fn json(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) -> Value {
     let mm = |v: &Vector3<f64>| [v.x, v.y, v.z].map(mm_from_m);
     let parameters: Vec<Value> = (0..PARAMETERS)
         .map(|i| {
@@ -147,6 +164,9 @@ pub fn json(w: &WarmUp, there: Option<&TargetForecast>) -> Value {
         "tau_cool_min": w.tau_cool_min.map(|c| c[0]), "tau_cool_sigma_min": w.tau_cool_min.map(|c| c[1]),
         "stops": w.stops.iter().map(|s| [s.from_min, s.to_min]).collect::<Vec<_>>(),
         "sigma_mm": mm_from_m(w.sigma_m),
+        "tip": tip.map(|tip| json!({
+            "directions": tip.directions, "apart_mm": mm(&tip.apart_m), "sigma_mm": mm_from_m(tip.sigma_m),
+        })),
         "prior_mm": mm_from_m(w.prior[0]), "prior_deg": deg_from_rad(w.prior[1]),
         "points": w.points.iter().map(|p| json!({ "point": p.name, "settled_mm": mm(&p.settled_m) })).collect::<Vec<_>>(),
         "parameters": parameters,

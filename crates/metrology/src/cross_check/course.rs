@@ -1,0 +1,100 @@
+//! The touches of single points, and what is left of them where each moves in proportion to a course of warmth that all share.
+
+use crate::diagnose::warmup::{Standstill, WarmUp};
+use nalgebra::Vector3;
+use robot_model::deform::{GrowthLaw, Warmth};
+
+/// A point with fewer touches says nothing of how it moves.
+pub(super) const FEWEST_TOUCHES: usize = 6;
+/// Numbers that each point has of its own: where it is cold, and how far it moves.
+const OWN_NUMBERS: usize = 6;
+
+/// The touches of one point that count, in the order of time.
+pub(super) struct PointCourse {
+    pub(super) name: String,
+    pub(super) t_min: Vec<f64>,
+    pub(super) moved_m: Vec<Vector3<f64>>,
+}
+
+impl PointCourse {
+    /// The points of a fit, in its order.
+    pub(super) fn all(warm_up: &WarmUp) -> Vec<Self> {
+        let of = |name: &String| {
+            let touches = || warm_up.residuals.iter().filter(|one| one.counts && one.point == *name);
+            Self {
+                name: name.clone(),
+                t_min: touches().map(|one| one.t_min).collect(),
+                moved_m: touches().map(|one| one.before_m).collect(),
+            }
+        };
+        let all = warm_up.points.iter().map(|point| of(&point.name));
+        all.filter(|point| point.t_min.len() >= FEWEST_TOUCHES).collect()
+    }
+
+    /// Coordinates that are left to tell the noise by.
+    pub(super) fn freedom(&self) -> f64 {
+        (3 * self.t_min.len() - OWN_NUMBERS) as f64
+    }
+
+    /// What is left of each touch where the point moves in proportion to `shares`, metres.
+    pub(super) fn left_m(&self, shares: &[f64]) -> Vec<Vector3<f64>> {
+        let n = shares.len() as f64;
+        let mean = shares.iter().sum::<f64>() / n;
+        let mean_m = self.moved_m.iter().sum::<Vector3<f64>>() / n;
+        let square: f64 = shares.iter().map(|share| (share - mean).powi(2)).sum();
+        let both: Vector3<f64> =
+            shares.iter().zip(&self.moved_m).map(|(share, at_m)| (at_m - mean_m) * (share - mean)).sum();
+        let settled_m = if square > 0.0 { both / square } else { Vector3::zeros() };
+        shares
+            .iter()
+            .zip(&self.moved_m)
+            .map(|(share, at_m)| at_m - mean_m - settled_m * (share - mean))
+            .collect()
+    }
+}
+
+/// Sum of squares of lengths.
+pub(super) fn sum_of_squares(left_m: &[Vector3<f64>]) -> f64 {
+    left_m.iter().map(Vector3::norm_squared).sum()
+}
+
+/// How an arm warms and cools.
+#[derive(Clone, Copy)]
+pub(super) struct Course {
+    law: GrowthLaw,
+    tau_cool_min: f64,
+}
+
+impl Course {
+    /// Courses with time constants all over their ranges; with those of cooling, too, where the arm stood.
+    pub(super) fn grid(has_stops: bool) -> Vec<Self> {
+        let taus_min = || (0..28).map(|k| 6.0 * 1.16_f64.powi(k));
+        let coolings = if has_stops { -4..=4 } else { 0..=0 };
+        let mut grid = Vec::new();
+        for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
+            for tau_min in taus_min() {
+                let of_cooling =
+                    |k| Self { law: law.with_tau_min(tau_min), tau_cool_min: tau_min * 1.32_f64.powi(k) };
+                grid.extend(coolings.clone().map(of_cooling));
+            }
+        }
+        grid
+    }
+
+    /// The share of the settled drift at each minute.
+    pub(super) fn shares(&self, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
+        let share = |&at_min: &f64| {
+            let mut warmth = Warmth::cold(self.law, self.tau_cool_min);
+            let mut now_min = 0.0;
+            for stop in stops.iter().filter(|stop| stop.from_min < at_min) {
+                let end_min = stop.to_min.min(at_min);
+                warmth.advance(stop.from_min - now_min, true);
+                warmth.advance(end_min - stop.from_min, false);
+                now_min = end_min;
+            }
+            warmth.advance(at_min - now_min, true);
+            warmth.share()
+        };
+        t_min.iter().map(share).collect()
+    }
+}
