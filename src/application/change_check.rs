@@ -2,7 +2,11 @@
 
 use crate::report::changed as report;
 use measurements::Measurements;
-use metrology::diagnose::{CompareError, DiagnosisOptions, MeasurementComparison, compare_measurements};
+use metrology::cross_check::{BaseSigma, MeasuredPoses, beside_each_other, last_zero, why_unpaired};
+use metrology::diagnose::{
+    CompareError, DiagnosisOptions, MeasurementComparison, Verdict, compare_measurements,
+};
+use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
 use std::io::{self, Write};
@@ -28,12 +32,99 @@ impl ChangeCheck {
     /// What has changed since `before`.
     ///
     /// # Errors
-    /// [`CompareError`]
-    pub fn run(&self, before: &Measurements, after: &Measurements) -> Result<ChangeChecked, CompareError> {
-        let comparison = compare_measurements(before, after, &self.robot, &self.options)?;
+    /// [`ChangeError`]
+    pub fn run(&self, before: &Measurements, after: &Measurements) -> Result<ChangeChecked, ChangeError> {
+        let comparison = compare_measurements(before, after, &self.robot, &self.options)
+            .map_err(|error| ChangeError::new(error, before, after))?;
         let is_changed = comparison.is_changed
             && self.limit_mm.map(m_from_mm).is_none_or(|limit_m| largest_m(&comparison) > limit_m);
-        Ok(ChangeChecked { comparison, is_changed })
+        let poses = MeasuredPoses::new(before, &self.robot, self.options.tool_m);
+        let base_sigma = poses.as_ref().and_then(|poses| poses.base_sigma(&comparison));
+        // What has changed of the arm may be a part of the shift, and nothing tells how large a one.
+        let base_sigma = base_sigma.filter(|_| !arm_is_changed(&comparison));
+        let mut remarks = beside_each_other(before, after);
+        remarks.extend(knocked(&comparison));
+        remarks.extend(load_of_one(&comparison));
+        remarks.extend(poses.and_then(|poses| last_zero(&comparison, &poses.tools_m, &self.robot)));
+        Ok(ChangeChecked { comparison, is_changed, base_sigma, remarks })
+    }
+}
+
+/// Whether the differences are more than base, tool and noise make.
+fn arm_is_changed(comparison: &MeasurementComparison) -> bool {
+    !matches!(comparison.diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData)
+}
+
+/// That a load which is not recorded sags an arm as a joint does that gives way more.
+fn load_of_one(comparison: &MeasurementComparison) -> Option<Diagnostic> {
+    let sags = comparison.diagnosis.causes.iter().any(|cause| cause.effect.needs_load());
+    (arm_is_changed(comparison) && sags && comparison.is_changed).then(|| {
+        let text = "what has changed sags under gravity: a load that hung on the flange in one file alone and that payload_kg does not tell \
+                    moves the points as a joint or link does that gives way more";
+        Diagnostic::warning("changed::load", text).help("was the flange as it was? Weigh what hung on it before anything is repaired")
+    })
+}
+
+/// That rows of a target that was knocked have none beside them in the other file.
+fn knocked(comparison: &MeasurementComparison) -> Option<Diagnostic> {
+    let side = |of: &[Diagnostic]| of.iter().any(|warning| warning.code == "measure::target-moved");
+    let files = ["before", "after"].into_iter().zip(&comparison.warnings).filter(|(_, of)| side(of));
+    let files: Vec<&str> = files.map(|(name, _)| name).collect();
+    let [alone_before, alone_after] = comparison.alone;
+    (!files.is_empty() && alone_before + alone_after > 0).then(|| {
+        let text = format!(
+            "the target was moved in the file {}, and from there on is another one: {} before and {} after are not compared",
+            files.join(" and in the one "),
+            counted(alone_before, "pose"),
+            counted(alone_after, "pose")
+        );
+        Diagnostic::warning("changed::target-moved", text)
+            .help("measure these poses again with the target where it is now, or leave the rows from the knock on out of both files")
+    })
+}
+
+/// Why two files are not compared.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ChangeError {
+    /// Files that contradict the robot, or poses that register nothing.
+    #[error(transparent)]
+    Compare(#[from] CompareError),
+    /// Too few poses were measured both times, and what keeps them apart.
+    #[error("{error}; {reason}")]
+    Unpaired {
+        /// How many there are.
+        error: CompareError,
+        /// What is not the same in both files, as half a sentence.
+        reason: String,
+    },
+}
+
+impl ChangeError {
+    fn new(error: CompareError, before: &Measurements, after: &Measurements) -> Self {
+        let is_too_few = matches!(error, CompareError::TooFew { .. });
+        match why_unpaired(before, after).filter(|_| is_too_few) {
+            Some(reason) => Self::Unpaired { error, reason },
+            None => Self::Compare(error),
+        }
+    }
+
+    /// Stable code of the message, listed in `docs/MESSAGES.md`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Compare(error) | Self::Unpaired { error, .. } => error.code(),
+        }
+    }
+}
+
+impl From<ChangeError> for Diagnostic {
+    fn from(error: ChangeError) -> Self {
+        let message = error.to_string();
+        match error {
+            ChangeError::Compare(error) | ChangeError::Unpaired { error, .. } => {
+                Self { message, ..Self::from(error) }
+            }
+        }
     }
 }
 
@@ -50,6 +141,10 @@ pub struct ChangeChecked {
     pub comparison: MeasurementComparison,
     /// Arm or tool have changed by more than the noise, and by more than the limit.
     pub is_changed: bool,
+    /// How exactly the shift of the base is told; `None` where it is not, or where the arm has changed, which may be a part of it.
+    pub base_sigma: Option<BaseSigma>,
+    /// What a person should know of the two files, and what else would explain the change.
+    pub remarks: Vec<Diagnostic>,
 }
 
 impl ChangeChecked {
@@ -58,12 +153,12 @@ impl ChangeChecked {
     /// # Errors
     /// Those of writing to `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        report::write(out, &self.comparison, self.is_changed)
+        report::write(out, &self.comparison, self.is_changed, self.base_sigma)
     }
 
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.comparison, self.is_changed)
+        report::json(&self.comparison, self.is_changed, self.base_sigma)
     }
 }

@@ -63,7 +63,7 @@ pub use crate::report::{ControllerData, ControllerDataError, Declaration, Source
 pub use accuracy_check::{AccuracyCheck, AccuracyChecked, AccuracyError};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
-pub use change_check::{ChangeCheck, ChangeChecked};
+pub use change_check::{ChangeCheck, ChangeChecked, ChangeError};
 pub use closed_loop::{ClosedLoop, LeftAtTargets, LoopClosed, LoopFailure};
 pub use compensated::{Compensated, Refusal};
 pub use compensation::Compensation;

@@ -63,6 +63,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let warnings = before.warnings.iter().chain(&after.warnings).cloned();
     console.explain(&LocatedDiagnostic::all(warnings.map(|warning| given.named(warning)), &[]), true);
     let found = job.run(&before, &after).map_err(|error| given.named(error.into()))?;
+    let remarks = found.remarks.iter().cloned().map(|remark| given.named(remark));
+    console.explain(&LocatedDiagnostic::all(remarks, &[]), true);
     for (warnings, path) in found.comparison.warnings.iter().zip([&args.before, &args.after]) {
         let shown = path.display().to_string();
         let of_file = warnings.iter().cloned().map(|warning| given.named(model::in_file(&shown, warning)));

@@ -1,6 +1,7 @@
 //! What has changed between two measurements, for people and as JSON.
 
 use super::counted;
+use metrology::cross_check::BaseSigma;
 use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
@@ -10,7 +11,12 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// Those of writing to `out`.
-pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
+pub fn write(
+    out: &mut dyn Write,
+    found: &MeasurementComparison,
+    is_changed: bool,
+    base_sigma: Option<BaseSigma>,
+) -> io::Result<()> {
     writeln!(out, "{}", verdict(found, is_changed))?;
     let [before, after] = found.alone;
     let poses = counted(found.pairs, "pose");
@@ -32,12 +38,7 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
             mm_from_m(by.norm())
         )?;
     }
-    let [x, y, z] = <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m);
-    writeln!(
-        out,
-        "base, if the instrument stood still: {x:+.3}, {y:+.3}, {z:+.3} mm, turned by {:.4} deg",
-        deg_from_rad(found.base_moved.rotation.angle())
-    )?;
+    base(out, found, base_sigma)?;
     writeln!(out, "the arm itself: {}", found.diagnosis.reason)?;
     if found.beyond.poses > 0 {
         let (poses, verb) =
@@ -62,6 +63,22 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
     Ok(())
 }
 
+/// Where the base is now, with one standard deviation.
+fn base(out: &mut dyn Write, found: &MeasurementComparison, sigma: Option<BaseSigma>) -> io::Result<()> {
+    let [x, y, z] = <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m);
+    let untold =
+        || [" (how exactly is not told: the arm's change may be a part of it)".to_owned(), String::new()];
+    let [shift, turn] = sigma.map_or_else(untold, |sigma| {
+        let [x, y, z] = sigma.shift_m.map(mm_from_m);
+        [format!(" (+- {x:.3}, {y:.3}, {z:.3})"), format!(" (+- {:.4})", deg_from_rad(sigma.turn_rad))]
+    });
+    writeln!(
+        out,
+        "base, if the instrument stood still: {x:+.3}, {y:+.3}, {z:+.3} mm{shift}, turned by {:.4} deg{turn}",
+        deg_from_rad(found.base_moved.rotation.angle())
+    )
+}
+
 /// The first line, which says how far the verdict goes.
 fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
     match (is_changed, found.beyond.base_is_moved, found.noise_rms_m) {
@@ -78,7 +95,7 @@ fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
 
 /// The result as the contract's JSON.
 #[must_use]
-pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
+pub fn json(found: &MeasurementComparison, is_changed: bool, base_sigma: Option<BaseSigma>) -> Value {
     let tools: Vec<Value> = found
         .tools_moved_m
         .iter()
@@ -95,7 +112,9 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
         "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
         "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
         "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
-                  "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved },
+                  "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved,
+                  "sigma_mm": base_sigma.map(|sigma| sigma.shift_m.map(mm_from_m)),
+                  "turned_sigma_deg": base_sigma.map(|sigma| deg_from_rad(sigma.turn_rad)) },
         "beyond_noise": found.beyond.poses, "scattered": found.beyond.is_scattered,
         "verdict": found.diagnosis.verdict, "causes": found.diagnosis.causes, "worst": worst,
     })

@@ -1,6 +1,7 @@
 //! What a shop does with measurements: ISO 9283, changed since last time, go or no go, RAPID to paste, rows to delete.
 
 mod other_units;
+mod two_files;
 
 use assert_cmd::Command;
 use exam::effect::Effect;

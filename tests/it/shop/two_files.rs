@@ -1,0 +1,147 @@
+//! What two files of one arm do not have in common, and what else would explain that they differ.
+
+use super::{TIP_M, file, robot_under_test, run, somewhere, with_points, write};
+use exam::effect::Effect;
+use nalgebra::{Isometry3, Vector3};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+/// Exit code and all that is printed of the comparison of two files.
+fn compared(folder: &Path, before: &str, after: &str) -> (i32, String) {
+    let (before, after) = (write(folder, "before.csv", before), write(folder, "after.csv", after));
+    let json = folder.join("c.json").to_string_lossy().into_owned();
+    let (code, out, answer) =
+        run(&["compare-measurements", &before, &after, "--sigma-mm", "0.02", "--json", &json]);
+    (code, out + &answer)
+}
+
+fn measured(effects: &[(Effect, f64)], tip_m: Vector3<f64>, seed: u64) -> String {
+    file(&robot_under_test(effects), &somewhere(), tip_m, seed)
+}
+
+/// The file with a column of its own, the same in every row.
+fn with_column(text: &str, name: &str, cell: &str) -> String {
+    let more =
+        text.lines().enumerate().map(|(k, line)| format!("{line},{}\n", if k == 0 { name } else { cell }));
+    more.collect()
+}
+
+fn joints_moved(text: &str, by_deg: f64) -> String {
+    let moved = text.lines().enumerate().map(|(k, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if k > 0 {
+            cells[2] = format!("{:.6}", cells[2].parse::<f64>().unwrap() + by_deg);
+        }
+        cells.join(",") + "\n"
+    });
+    moved.collect()
+}
+
+#[test]
+fn one_file_given_twice_and_columns_of_one_file_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let [before, after] = [1, 2].map(|seed| measured(&[], tip, seed));
+    let (code, answer) = compared(folder.path(), &before, &before);
+    assert!(code == 0 && answer.contains("changed::same-readings"), "{answer}");
+    let (code, answer) = compared(folder.path(), &before, &after);
+    assert!(code == 0 && !answer.contains("changed::"), "{answer}");
+    let (_, answer) = compared(folder.path(), &with_column(&before, "payload_kg", "3"), &after);
+    assert!(answer.contains("changed::columns") && answer.contains("(payload_kg before alone)"), "{answer}");
+}
+
+/// The zero of joint 6, 2 mrad off, turns a target that is 67 mm off its axis by 0.134 mm.
+#[test]
+fn a_zero_of_the_last_axis_is_as_likely_as_a_target_that_turned() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let before = measured(&[], tip, 1);
+    let (code, answer) =
+        compared(folder.path(), &before, &measured(&[(Effect::JointOffset { joint: 6 }, 2e-3)], tip, 2));
+    let turned: f64 = answer
+        .split("zero of axis 6 has by ")
+        .nth(1)
+        .expect(&answer)
+        .split(' ')
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap();
+    // 2 mrad are 0.1146 degrees.
+    assert!(code == 1 && (turned.abs() - 0.1146).abs() < 0.012, "{answer}");
+    // Along the axis no zero moves it.
+    let (code, answer) =
+        compared(folder.path(), &before, &measured(&[], tip + Vector3::new(0.0, 0.0, 3e-4), 2));
+    assert!(code == 1 && !answer.contains("changed::last-zero"), "{answer}");
+}
+
+#[test]
+fn a_shift_of_the_base_has_an_interval_that_holds_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let shift = Isometry3::new(Vector3::new(3e-4, -2e-4, 1e-4), Vector3::new(0.0, 2e-4, 0.0));
+    let before = measured(&[], tip, 1);
+    let after = file(&robot_under_test(&[]), &(somewhere() * shift), tip, 2);
+    let (_, answer) = compared(folder.path(), &before, &after);
+    let read: Value = serde_json::from_slice(&fs::read(folder.path().join("c.json")).unwrap()).unwrap();
+    for (axis, true_mm) in [0.3, -0.2, 0.1].into_iter().enumerate() {
+        let [by_mm, sigma_mm] = ["by_mm", "sigma_mm"].map(|key| read["base"][key][axis].as_f64().unwrap());
+        assert!(
+            (by_mm - true_mm).abs() < 4.0 * sigma_mm && (0.002..0.05).contains(&sigma_mm),
+            "{axis}: {answer}"
+        );
+    }
+    assert!(answer.contains(" mm (+- "), "{answer}");
+}
+
+#[test]
+fn what_sags_may_be_a_load_that_one_file_does_not_tell() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let sags = measured(&[(Effect::JointCompliance { joint: 2 }, 8e-6)], tip, 2);
+    let (code, answer) = compared(folder.path(), &measured(&[], tip, 1), &sags);
+    assert!(code == 1 && answer.contains("changed::load"), "{answer}");
+}
+
+#[test]
+fn rows_of_a_target_that_was_knocked_are_said_not_to_be_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let after = measured(&[], tip, 2);
+    let knocked = measured(&[], tip + Vector3::new(0.03, 0.02, 0.0), 2);
+    let both = after.lines().take(26).chain(knocked.lines().skip(26)).collect::<Vec<_>>().join("\n");
+    let (_, answer) = compared(folder.path(), &measured(&[], tip, 1), &both);
+    assert!(answer.contains("changed::target-moved") && answer.contains("15 poses before"), "{answer}");
+}
+
+#[test]
+fn what_keeps_poses_apart_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let [before, after] = [1, 2].map(|seed| measured(&[], tip, seed));
+    let target = |name: &str, text: &str| with_column(text, "target", name);
+    let half = |text: &str, is_first: bool| {
+        let rows = text.lines().enumerate().filter(|(k, _)| *k == 0 || (*k < 21) == is_first);
+        rows.map(|(_, line)| format!("{line}\n")).collect::<String>()
+    };
+    let payload = |kg: &str, text: &str| with_column(text, "payload_kg", kg);
+    let cases = [
+        (target("A", &before), target("SMR1", &after), "target does not: A before, SMR1 after"),
+        (payload("0", &before), payload("5", &after), "payload_kg does not: it is another one in 40 rows"),
+        (before.clone(), joints_moved(&after, 0.1), "their joints differ by 0.100 deg in the middle"),
+        (
+            half(&before, true),
+            half(&after, false),
+            "no pose of one stands at the joints of a pose of the other",
+        ),
+    ];
+    for (before, after, reason) in cases {
+        let (code, answer) = compared(folder.path(), &before, &after);
+        assert!(code == 2 && answer.contains("changed::too-few"), "{reason}: {answer}");
+        assert!(answer.contains(reason), "{reason}: {answer}");
+    }
+    // The same points in other units are the robot's contradiction, not a pose that is missing.
+    let metres = with_points(&after, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
+    assert!(compared(folder.path(), &before, &metres).1.contains("measure::fault"));
+}
