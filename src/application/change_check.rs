@@ -2,7 +2,7 @@
 
 use crate::report::changed as report;
 use measurements::Measurements;
-use metrology::cross_check::{BaseSigma, MeasuredPoses, beside_each_other, last_zero, why_unpaired};
+use metrology::diagnose::{BaseSigma, MeasuredPoses, beside_each_other, last_zero, why_unpaired};
 use metrology::diagnose::{
     CompareError, DiagnosisOptions, MeasurementComparison, Verdict, compare_measurements,
 };

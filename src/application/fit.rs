@@ -3,8 +3,8 @@
 use super::program_files::ProgramFiles;
 use crate::report::fit as report;
 use measurements::{Fault, FaultKind, Touches};
-use metrology::cross_check::{TipCheck, check_tip, moving_points};
 use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
+use metrology::diagnose::warmup::{TipCheck, check_tip, moving_points};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::tabulate::{TabulateError, tabulate};
 use rapid_compensation::compensate::targets::NamedPose;

@@ -1,7 +1,7 @@
 //! What has changed between two measurements, for people and as JSON.
 
 use super::counted;
-use metrology::cross_check::BaseSigma;
+use metrology::diagnose::BaseSigma;
 use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};

@@ -1,7 +1,7 @@
 //! A fitted warm-up for people, as table and as JSON.
 
 use super::counted;
-use metrology::cross_check::TipCheck;
+use metrology::diagnose::warmup::TipCheck;
 use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
 use robot_model::deform::Deformation;

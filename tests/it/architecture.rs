@@ -25,7 +25,7 @@ const CRATES: [(&str, &[&str]); 10] = [
 const MODULES: [(&str, &[&str]); 4] = [
     ("robot_model", &["units", "csv_lines", "robot", "kinematics", "deform"]),
     ("rapid_compensation", &["parallel", "schedule", "compensate", "emit"]),
-    ("metrology", &["diagnose", "cross_check", "plan"]),
+    ("metrology", &["diagnose", "plan"]),
     ("driftpost", &["report", "application", "cli"]),
 ];
 

@@ -6,7 +6,7 @@
 mod angle_grid;
 mod balancing;
 mod cause;
-mod compare;
+mod comparison;
 mod dataset;
 mod design;
 mod effects;
@@ -65,7 +65,10 @@ pub mod warmup;
 mod zeros;
 
 pub use cause::Cause;
-pub use compare::{BeyondNoise, CompareError, MeasurementComparison, MovedPoint, compare_measurements};
+pub use comparison::{
+    BaseSigma, BeyondNoise, CompareError, MeasuredPoses, MeasurementComparison, MovedPoint,
+    beside_each_other, compare_measurements, last_zero, why_unpaired,
+};
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
 pub use missing_channel::MissingChannel;

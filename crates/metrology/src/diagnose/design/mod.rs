@@ -11,7 +11,7 @@ mod scaled_motions;
 mod visits;
 mod whitening;
 
-pub(super) use inner_products::inner_products;
+pub(super) use inner_products::{dot, inner_products};
 pub(super) use matrix::{Design, SlowColumns, side_by_side};
 pub(super) use products::{Products, Sums};
 pub(super) use scaled_motions::ScaledMotions;

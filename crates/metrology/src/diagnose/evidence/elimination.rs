@@ -1,7 +1,7 @@
 //! Columns eliminated, made orthogonal one after the other (Gram and Schmidt), and taken out again (Householder 1958).
 
 use super::NuisanceModel;
-use crate::diagnose::design::{Design, SlowColumns};
+use crate::diagnose::design::{Design, SlowColumns, dot};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -192,17 +192,4 @@ fn times(gram: &DMatrix<f64>, x: &[f64]) -> Vec<f64> {
         add_scaled(&mut out, *x, gram.column(c).as_slice());
     }
     out
-}
-
-/// Sum of products, in eight running sums.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
-    let tail: f64 = a8.remainder().iter().zip(b8.remainder()).map(|(x, y)| x * y).sum();
-    for (x, y) in a8.zip(b8) {
-        for k in 0..8 {
-            sums[k] += x[k] * y[k];
-        }
-    }
-    sums.iter().sum::<f64>() + tail
 }

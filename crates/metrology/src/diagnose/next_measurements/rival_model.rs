@@ -1,5 +1,6 @@
 //! One explanation of rows: the columns that it is fitted with, and how surely the fit foretells rows not yet measured.
 
+use crate::diagnose::design::dot;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// A column of the normal matrix with its coefficient.
@@ -127,8 +128,4 @@ impl Prediction {
         };
         self.covers = (0..poses).map(of).collect();
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -6,9 +6,11 @@
 //! weighed by their evidence on a grid. Knows no RAPID and no files.
 
 mod cold_reference;
+mod course;
 mod fit;
 mod fitted;
 mod history;
+mod moving_point;
 mod parameters;
 mod plausible;
 mod point;
@@ -16,13 +18,16 @@ mod posterior;
 mod targets;
 mod thermal_run;
 mod thermal_state;
+mod tip;
 mod touch_residuals;
 
 pub use fit::{FitError, FitOptions, fit};
 pub use fitted::{TouchedPoint, WarmUp};
 pub use history::Standstill;
+pub use moving_point::moving_points;
 pub use parameters::{PARAMETERS, signature};
 pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
 pub use thermal_run::{FirstTouchOutlier, StateOptions, TouchState};
 pub use thermal_state::{PlannedInterval, PlannedPoint, RobotState, StateError, WarmingArm, thermal_state};
+pub use tip::{TipCheck, check_tip};
 pub use touch_residuals::TouchResidual;

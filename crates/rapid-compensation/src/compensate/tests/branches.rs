@@ -158,8 +158,14 @@ fn what_cannot_be_corrected_is_kept_with_its_reason() {
 #[test]
 fn nothing_to_do_is_an_error() {
     let home = program(vec![motion(Path::AbsJoint, &[joints([0.0; 6])])]);
-    let Err(CompensateError::NothingToCompensate { motions: 1, line: 1, first, diagnostics, kept }) =
-        plan_of(&home)
+    let Err(CompensateError::NothingToCompensate {
+        motions: 1,
+        line: 1,
+        first,
+        diagnostics,
+        kept,
+        for_run_time: 0,
+    }) = plan_of(&home)
     else {
         panic!()
     };

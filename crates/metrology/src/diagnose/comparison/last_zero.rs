@@ -1,6 +1,6 @@
 //! A target that has moved round the last axis, and a zero of that axis that has: the points are the same.
 
-use crate::diagnose::MeasurementComparison;
+use super::compare::MeasurementComparison;
 use nalgebra::{Isometry3, Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;

@@ -1,13 +1,12 @@
 //! Two files of one arm beside each other: what one of them records and the other does not, whether they are one file, and why poses of the
 //! one have none in the other.
 
+use super::compare::SAME_RAD;
 use measurements::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::units::deg_from_rad;
 use std::collections::BTreeSet;
 
-/// Joints this near are the same pose.
-const SAME_RAD: f64 = 3.5e-4;
 /// Poses so near in all joints were meant as one: read from the encoders in one file and commanded in the other, or rounded, radians.
 const MEANT_RAD: f64 = 0.02;
 /// The same readings in so large a part of the rows are no chance, nor rows that an instrument read twice.

@@ -1,6 +1,6 @@
 //! How exactly two files tell a shift of the base: by where the poses are, and by their noise.
 
-use crate::diagnose::MeasurementComparison;
+use super::compare::MeasurementComparison;
 use measurements::{Measurements, Reading, RowCheck, Station, check_rows, from_sound_file, gather, register};
 use nalgebra::{DMatrix, Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;

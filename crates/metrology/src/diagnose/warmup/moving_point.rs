@@ -1,8 +1,10 @@
 //! A fixed point that moves itself: a pin that creeps or was knocked shows beside the others, which the arm's warmth moves together.
 //! Of a single point nothing tells its own motion from the arm's.
 
-use super::course::{Course, PointCourse, sum_of_squares};
-use crate::diagnose::warmup::{FitOptions, WarmUp, fit};
+use super::course::{PointCourse, histories, sum_of_squares};
+use super::fit::{FitOptions, fit};
+use super::fitted::WarmUp;
+use super::history::{ThermalHistory, warmth};
 use measurements::Touches;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::{Diagnostic, counted};
@@ -67,15 +69,15 @@ fn few_points(points: &[PointCourse], by_tracker: bool) -> Diagnostic {
 
 /// What the courses say of the touches: the sums of squares of each course and point.
 struct Weighed {
-    courses: Vec<Course>,
+    courses: Vec<ThermalHistory>,
     squares_m2: Vec<Vec<f64>>,
 }
 
 impl Weighed {
     fn new(points: &[PointCourse], warm_up: &WarmUp) -> Self {
-        let courses = Course::grid(!warm_up.stops.is_empty());
-        let of_point = |course: &Course, point: &PointCourse| {
-            sum_of_squares(&point.left_m(&course.shares(&warm_up.stops, &point.t_min)))
+        let courses = histories(!warm_up.stops.is_empty());
+        let of_point = |course: &ThermalHistory, point: &PointCourse| {
+            sum_of_squares(&point.left_m(&warmth(course, &warm_up.stops, &point.t_min)))
         };
         let squares_m2 = courses
             .iter()
@@ -85,7 +87,7 @@ impl Weighed {
     }
 
     /// The course that leaves least of some of the points, and how much.
-    fn best(&self, counts: impl Fn(usize) -> bool) -> Option<(Course, f64)> {
+    fn best(&self, counts: impl Fn(usize) -> bool) -> Option<(ThermalHistory, f64)> {
         let of_course = |squares_m2: &Vec<f64>| {
             squares_m2.iter().enumerate().filter(|(k, _)| counts(*k)).map(|(_, square)| square).sum::<f64>()
         };
@@ -100,7 +102,7 @@ fn two_points(both: &[PointCourse], warm_up: &WarmUp) -> Option<Diagnostic> {
     let (shared, together_m2) = weighed.best(|_| true)?;
     let apart_m2 = weighed.best(|k| k == 0)?.1 + weighed.best(|k| k == 1)?.1;
     let left_m: Vec<Vec<Vector3<f64>>> =
-        both.iter().map(|point| point.left_m(&shared.shares(&warm_up.stops, &point.t_min))).collect();
+        both.iter().map(|point| point.left_m(&warmth(&shared, &warm_up.stops, &point.t_min))).collect();
     let coordinates = (3 * both.len()) as f64;
     let noise_m2 = left_m.iter().map(|left_m| noise_m2(left_m)).sum::<f64>() / coordinates;
     let is_apart = together_m2 - apart_m2 > SURE_APART * noise_m2;
@@ -131,11 +133,11 @@ fn odd_point(points: &[PointCourse], warm_up: &WarmUp) -> Option<OddPoint> {
     let freedom = |k: usize| -> f64 {
         points.iter().enumerate().filter(|(j, _)| *j != k).map(|(_, p)| p.freedom()).sum()
     };
-    let per_coordinate = |(k, _, sum): &(usize, Course, f64)| sum / freedom(*k);
+    let per_coordinate = |(k, _, sum): &(usize, ThermalHistory, f64)| sum / freedom(*k);
     let (index, course, sum_m2) =
         (0..points.len()).filter_map(least).min_by(|a, b| per_coordinate(a).total_cmp(&per_coordinate(b)))?;
     let variance_m2 = sum_m2 / freedom(index);
-    let left_m = |point: &PointCourse| point.left_m(&course.shares(&warm_up.stops, &point.t_min));
+    let left_m = |point: &PointCourse| point.left_m(&warmth(&course, &warm_up.stops, &point.t_min));
     let wander: Vec<f64> = points.iter().map(|point| wander_m2(&left_m(point))).collect();
     let left_m = left_m(&points[index]);
     let square_m2 = sum_of_squares(&left_m);

@@ -1,8 +1,9 @@
 //! The touches of single points, and what is left of them where each moves in proportion to a course of warmth that all share.
 
-use crate::diagnose::warmup::{Standstill, WarmUp};
+use super::fitted::WarmUp;
+use super::history::ThermalHistory;
 use nalgebra::Vector3;
-use robot_model::deform::{GrowthLaw, Warmth};
+use robot_model::deform::GrowthLaw;
 
 /// A point with fewer touches says nothing of how it moves.
 pub(super) const FEWEST_TOUCHES: usize = 6;
@@ -58,43 +59,19 @@ pub(super) fn sum_of_squares(left_m: &[Vector3<f64>]) -> f64 {
     left_m.iter().map(Vector3::norm_squared).sum()
 }
 
-/// How an arm warms and cools.
-#[derive(Clone, Copy)]
-pub(super) struct Course {
-    law: GrowthLaw,
-    tau_cool_min: f64,
-}
-
-impl Course {
-    /// Courses with time constants all over their ranges; with those of cooling, too, where the arm stood.
-    pub(super) fn grid(has_stops: bool) -> Vec<Self> {
-        let taus_min = || (0..28).map(|k| 6.0 * 1.16_f64.powi(k));
-        let coolings = if has_stops { -4..=4 } else { 0..=0 };
-        let mut grid = Vec::new();
-        for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
-            for tau_min in taus_min() {
-                let of_cooling =
-                    |k| Self { law: law.with_tau_min(tau_min), tau_cool_min: tau_min * 1.32_f64.powi(k) };
-                grid.extend(coolings.clone().map(of_cooling));
-            }
+/// Histories with time constants all over their ranges; with those of cooling, too, where the arm stood.
+pub(super) fn histories(has_stops: bool) -> Vec<ThermalHistory> {
+    let taus_min = || (0..28).map(|k| 6.0 * 1.16_f64.powi(k));
+    let coolings = if has_stops { -4..=4 } else { 0..=0 };
+    let mut grid = Vec::new();
+    for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
+        for tau_min in taus_min() {
+            let of_cooling = |k| ThermalHistory {
+                law: law.with_tau_min(tau_min),
+                tau_cool_min: Some(tau_min * 1.32_f64.powi(k)),
+            };
+            grid.extend(coolings.clone().map(of_cooling));
         }
-        grid
     }
-
-    /// The share of the settled drift at each minute.
-    pub(super) fn shares(&self, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
-        let share = |&at_min: &f64| {
-            let mut warmth = Warmth::cold(self.law, self.tau_cool_min);
-            let mut now_min = 0.0;
-            for stop in stops.iter().filter(|stop| stop.from_min < at_min) {
-                let end_min = stop.to_min.min(at_min);
-                warmth.advance(stop.from_min - now_min, true);
-                warmth.advance(end_min - stop.from_min, false);
-                now_min = end_min;
-            }
-            warmth.advance(at_min - now_min, true);
-            warmth.share()
-        };
-        t_min.iter().map(share).collect()
-    }
+    grid
 }

@@ -1,8 +1,8 @@
 //! Where the touching tip is by the touches: to lead a tip to one point in different orientations puts the flange to different places,
 //! which a wrong tool makes different points. Touches in one orientation say nothing of it.
 
-use super::course::{Course, FEWEST_TOUCHES, PointCourse};
-use crate::diagnose::warmup::Standstill;
+use super::course::{FEWEST_TOUCHES, PointCourse, histories};
+use super::history::{Standstill, ThermalHistory, warmth};
 use measurements::{Touch, Touches};
 use nalgebra::{Matrix3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -78,7 +78,7 @@ pub fn check_tip(
         (own.len() >= FEWEST_TOUCHES).then(|| TouchedPoses::new(&own, &chain, tool_m))
     };
     let points: Vec<TouchedPoses> = (0..touches.points.len()).filter_map(of_point).collect();
-    let courses = Course::grid(!stops.is_empty());
+    let courses = histories(!stops.is_empty());
     let solved = courses.iter().map(|course| Solved::new(&points, course, stops));
     let best = solved.min_by(|a, b| a.left_m2.total_cmp(&b.left_m2))?;
     Some(best.check(tool_m))
@@ -117,7 +117,7 @@ struct Solved {
 }
 
 impl Solved {
-    fn new(points: &[TouchedPoses], course: &Course, stops: &[Standstill]) -> Self {
+    fn new(points: &[TouchedPoses], course: &ThermalHistory, stops: &[Standstill]) -> Self {
         let mut solved = Self {
             squares: Matrix3::zeros(),
             right: Vector3::zeros(),
@@ -126,7 +126,7 @@ impl Solved {
             freedom: -3.0,
         };
         for point in points {
-            let shares = course.shares(stops, &point.tip.t_min);
+            let shares = warmth(course, stops, &point.tip.t_min);
             let tip_m = point.tip.left_m(&shares);
             let axes = point.axes.each_ref().map(|axis| axis.left_m(&shares));
             for (k, at_m) in tip_m.iter().enumerate() {

@@ -1,9 +1,9 @@
 //! What has changed between two measurements of one robot, before and after a crash, say: pose by pose, so that all that
 //! was wrong before as much as after drops out.
 
-use super::examine::diagnose;
-use super::options::DiagnosisOptions;
-use super::outcome::{Findings, Verdict};
+use crate::diagnose::examine::diagnose;
+use crate::diagnose::options::DiagnosisOptions;
+use crate::diagnose::outcome::{Findings, Verdict};
 use measurements::{
     Channels, Fault, MeasurementRow, Measurements, OneStand, Reading, RegisterError, Registration,
     STATED_FREEDOM, Station, Stations, check_rows, from_sound_file, gather, median, register,
@@ -14,7 +14,7 @@ use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 
 /// Joints this near are the same pose.
-const SAME_RAD: f64 = 3.5e-4;
+pub(super) const SAME_RAD: f64 = 3.5e-4;
 /// Fewer poses in both say nothing.
 const FEWEST: usize = 12;
 /// A shift of the tool beyond this many sigmas is one.

@@ -1,0 +1,11 @@
+//! Two files of one arm: what has changed between them, how exactly they tell it, and what they do not share.
+
+mod base_shift;
+mod compare;
+mod last_zero;
+mod two_files;
+
+pub use base_shift::{BaseSigma, MeasuredPoses};
+pub use compare::{BeyondNoise, CompareError, MeasurementComparison, MovedPoint, compare_measurements};
+pub use last_zero::last_zero;
+pub use two_files::{beside_each_other, why_unpaired};
