@@ -205,7 +205,7 @@ fn all() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
 
 /// The one of that family and reach; the payload does not matter, as arms of one reach have one geometry.
 fn by_type(name: &str) -> Option<&'static (&'static str, &'static str)> {
-    let wanted = TypeName::of(name).filter(|wanted| wanted.reach_m.is_some())?;
+    let wanted = TypeName::of(name).filter(|wanted| wanted.reach_m.is_some() && TypeName::is_all_of(name))?;
     all().find(|(_, text)| {
         let own = full_name(text).and_then(TypeName::of);
         own.is_some_and(|own| own.reach_m.is_some() && own.same_arm(&wanted))

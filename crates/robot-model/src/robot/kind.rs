@@ -118,6 +118,24 @@ impl<'n> TypeName<'n> {
         Some(Self { is_cobot, number, variant, reach_m, payload_kg, is_lean })
     }
 
+    /// Whether `name` holds a type and nothing else: the file `cell_irb6700-2.65.toml` holds one as well.
+    pub(super) fn is_all_of(name: &str) -> bool {
+        let upper = name.trim().to_ascii_uppercase();
+        let separators = [' ', '-', '_'];
+        let own = upper.strip_prefix("ABB").unwrap_or(&upper).trim_start_matches(separators);
+        let Some(rest) = own.strip_prefix("IRB").or_else(|| own.strip_prefix("CRB")) else { return false };
+        let digits = rest.trim_start_matches(separators);
+        let variant = digits.trim_start_matches(|c: char| c.is_ascii_digit());
+        let rest = variant.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+        let rest = rest.strip_suffix("LEANID").or_else(|| rest.strip_suffix("LID")).unwrap_or(rest);
+        let rest = rest.trim_end_matches(separators);
+        let count = |separator: char| rest.matches(separator).count();
+        digits.len() > variant.len()
+            && rest.chars().all(|c| c.is_ascii_digit() || "./- ".contains(c))
+            && count('-') <= 1
+            && count('/') <= 1
+    }
+
     /// Whether both are IRB 6700s, of whatever reach; a variant's letters do not matter.
     pub(super) fn same_family(&self, other: &Self) -> bool {
         self.is_cobot == other.is_cobot && self.number == other.number

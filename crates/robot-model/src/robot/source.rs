@@ -140,9 +140,25 @@ mod tests {
             ("arm.urdf:tool0", urdf("arm.urdf", Some("tool0"))),
             ("arm.urdf:", RobotSource::Toml(path("arm.urdf:"))),
             ("arm.toml", RobotSource::Toml(path("arm.toml"))),
+            ("IRB 6700-300/2.70", RobotSource::BuiltIn("IRB 6700-300/2.70")),
+            ("abb_irb5710-90/2.30 lid", RobotSource::BuiltIn("abb_irb5710-90/2.30 lid")),
+            // A file that is called after a robot is the file.
+            ("irb2600-1.85.toml", RobotSource::Toml(path("irb2600-1.85.toml"))),
+            ("IRB2600-1.85.TOML", RobotSource::Toml(path("IRB2600-1.85.TOML"))),
+            ("cells/line3_irb2600-1.85.toml", RobotSource::Toml(path("cells/line3_irb2600-1.85.toml"))),
+            ("irb6640-2.55 new.toml", RobotSource::Toml(path("irb6640-2.55 new.toml"))),
+            ("irb1300-0.9_line3", RobotSource::Toml(path("irb1300-0.9_line3"))),
+            ("my_irb2600-1.85", RobotSource::Toml(path("my_irb2600-1.85"))),
+            ("irb1600-1.45-2", RobotSource::Toml(path("irb1600-1.45-2"))),
+            ("irb7600-3.5.urdf", urdf("irb7600-3.5.urdf", None)),
+            ("irb7600-3.5.urdf:tool0", urdf("irb7600-3.5.urdf", Some("tool0"))),
+            ("backup:irb2600-1.85", backup("irb2600-1.85", None)),
         ] {
             assert_eq!(RobotSource::named(name), expected, "{name}");
         }
+        let table =
+            RobotSource::DhTable { file: path("n/irb2600-1.85.csv"), convention: DhConvention::Standard };
+        assert_eq!(RobotSource::named("dh:n/irb2600-1.85.csv"), table);
         let file = backup("B", None).file().unwrap();
         assert_eq!(file, path("B").join("SYSPAR").join("MOC.cfg"));
         assert_eq!(RobotSource::BuiltIn("irb140").file(), None);
