@@ -194,3 +194,52 @@ fn an_element_that_a_pers_chooses_is_the_one_of_the_controllers_value() {
         assert!(restore(&program[0].1).unwrap().exact, "{form:?}");
     }
 }
+
+/// The file's value of a PERS says nothing of the element that a copy of it, a parameter, a loop or another dimension chooses.
+#[test]
+fn an_element_that_a_pers_chooses_by_a_detour_is_corrected_too() {
+    let rest = "[0.0871557,0,0.9961947,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+    let row = |x: u32| format!("[[{x},60,300],{rest},[[{x},90,280],{rest},[[{x},105,260],{rest}");
+    for (statements, routine) in [
+        ("rTo nRow;", "PROC rTo(num i)\n    MoveL Offs(pRow{i},0,0,15),v100,fine,tGun;\n  ENDPROC"),
+        (
+            "k:=nRow;\n    MoveL Offs(pRow{k},0,0,15),v100,fine,tGun;\n    MoveL RelTool(pRow{k},0,0,-5),v100,fine,tGun;",
+            "",
+        ),
+        ("FOR i FROM 1 TO nRow DO\n      MoveL Offs(pRow{i},0,0,15),v100,fine,tGun;\n    ENDFOR", ""),
+        ("FOR i FROM 1 TO 3 STEP nRow DO\n      MoveL Offs(pRow{i},0,0,15),v100,fine,tGun;\n    ENDFOR", ""),
+        ("FOR i FROM 1 TO 2 DO\n      MoveL pGrid{i,nRow},v100,fine,tGun;\n    ENDFOR", ""),
+        ("rTo 2,nRow;", "PROC rTo(num i,num j)\n    MoveL pGrid{i,j},v100,fine,tGun;\n  ENDPROC"),
+    ] {
+        let source = format!(
+            "MODULE Rows\n  PERS tooldata tGun:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  CONST robtarget pRow{{3}}:=[{}];\n  CONST robtarget pGrid{{2,3}}:=[[{}],[{}]];\n  PERS num nRow:=2;\n  VAR num k;
+  PROC main()\n    MoveAbsJ [[5,10,20,5,50,5],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;\n    {statements}\n  ENDPROC
+  {routine}\nENDMODULE\n",
+            row(430),
+            row(430),
+            row(400)
+        );
+        let (paper, original) = (Deformation::paper(), vec![("Rows.mod".to_owned(), source.into_bytes())]);
+        for (form, within_mm) in [(FormChoice::Schedule, 0.0055), (FormChoice::Ramp, 5e-4)] {
+            let (program, kept) = made_as(form, &original, &paper, &warmth()).unwrap();
+            assert_eq!(kept, 0, "{form:?}: {statements}");
+            for set in 1..=3 {
+                let set_to = |files: &Files| -> Files {
+                    let set = text(files).replace("PERS num nRow:=2;", &format!("PERS num nRow:={set};"));
+                    vec![(files[0].0.clone(), set.into_bytes())]
+                };
+                let mut s = session(&set_to(&program), &set_to(&original), &paper, false);
+                s.at_minutes(&[0.0, 240.0]).unwrap();
+                for pass in s.into_report().passes {
+                    let off_mm = mm_from_m(pass.corrected.max_m);
+                    assert!(
+                        pass.failure.is_none() && pass.mismatch.is_none() && off_mm <= within_mm,
+                        "{form:?}, {set}, {statements}: {off_mm} mm at {}",
+                        pass.t_min
+                    );
+                }
+            }
+        }
+    }
+}

@@ -10,7 +10,7 @@ use crate::const_eval::Constant;
 use crate::convert;
 use crate::data::RobTarget;
 use crate::expressions::{every_call, every_index};
-use crate::file_values::{can_be_set, first_pers};
+use crate::file_values::{can_be_set, differs_on_controllers, first_pers};
 use crate::finite_set::FiniteSet;
 use crate::ids::DatumId;
 use crate::index::{Ctx, Index};
@@ -41,15 +41,16 @@ impl<'a> MotionReader<'_, 'a> {
         let by_index = self.elements(expr, ctx, joints_wanted);
         let is_all_of_one =
             |(_, indices): &(Vec<TargetValue>, Indices)| indices.is_element && indices.dims.len() == 1;
-        let one_of =
+        let (one_of, by_pers) =
             match joints_wanted || !is_known_at_run_time(why) || by_index.as_ref().is_some_and(is_all_of_one)
             {
-                true => Vec::new(),
+                true => (Vec::new(), false),
                 false => self.one_of(expr, ctx, on_ways),
             };
         match by_index {
             Some((values, indices)) => {
-                let occurring = occurring(&values, &one_of);
+                // Of what the file says of a PERS nobody knows which elements occur on the controller.
+                let occurring = if by_pers { None } else { occurring(&values, &one_of) };
                 target.with_elements(values, Indices { occurring, ..indices })
             }
             None => target.with_one_of(one_of),
@@ -82,17 +83,21 @@ impl<'a> MotionReader<'_, 'a> {
         }
     }
 
-    /// The robtargets that an expression can be, where all are known and a look at the pose tells them apart; else none.
+    /// The robtargets that an expression can be, where all are known and a look at the pose tells them apart; else none. And whether a
+    /// PERS goes into them, by way of a copy, a parameter or the bound of a loop, too.
     ///
     /// `on_ways`: what they are by the ways that lead to the motion.
-    fn one_of(&mut self, expr: &'a Expr, ctx: Ctx, on_ways: Option<&FiniteSet>) -> Vec<TargetValue> {
+    fn one_of(&mut self, expr: &'a Expr, ctx: Ctx, on_ways: Option<&FiniteSet>) -> (Vec<TargetValue>, bool) {
         let set = self.finite_sets.of(&mut self.evaluator, expr, ctx);
         let index = self.evaluator.index;
         let on_ways = on_ways.filter(|set| !self.finite_sets.are_handed_unseen(index, &set.made_of));
-        let Some(set) = set.or_else(|| on_ways.cloned()) else { return Vec::new() };
+        let Some(set) = set.or_else(|| on_ways.cloned()) else { return (Vec::new(), false) };
         if set.made_of.iter().any(|datum| self.read_as_data.skip_reason(index, datum).is_some()) {
-            return Vec::new();
+            return (Vec::new(), false);
         }
+        let is_of_pers =
+            |datum| differs_on_controllers(index, datum) || self.file_values.of_untracked(datum).is_some();
+        let by_pers = set.made_of.iter().any(is_of_pers);
         let converted: Result<Vec<RobTarget>, _> = set.values.iter().map(convert::robtarget).collect();
         let mut targets: Vec<RobTarget> = Vec::new();
         for target in converted.unwrap_or_default() {
@@ -100,11 +105,11 @@ impl<'a> MotionReader<'_, 'a> {
                 continue;
             }
             if targets.iter().any(|other| look_alike(other, &target)) {
-                return Vec::new();
+                return (Vec::new(), by_pers);
             }
             targets.push(target);
         }
-        targets.into_iter().map(TargetValue::Rob).collect()
+        (targets.into_iter().map(TargetValue::Rob).collect(), by_pers)
     }
 
     /// What an expression is for every element of a constant array that it names, where nothing else of it hangs on run time:
