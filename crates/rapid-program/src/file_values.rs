@@ -7,7 +7,7 @@ use super::index::{Ctx, DatumKind, Index};
 use super::names::ByNumber;
 use super::parameter_flow::ParameterFlow;
 use super::statements::{bodies, every_statement};
-use super::tracked::{names_in, sources};
+use super::tracked::{names_in, names_in_where, sources};
 use super::value_flow::ValueFlow;
 use super::writes::Writes;
 use rapid_syntax::diagnostic::{FileId, TextRange};
@@ -65,18 +65,32 @@ pub(super) fn can_be_set(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
 
 /// The first PERS that goes into an expression, by declarations, too.
 pub(super) fn first_pers(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> Option<DatumId> {
+    let mut found = None;
+    every_pers(index, ctx, expr, &|_, _| true, &mut |pers| found = found.or(Some(pers)));
+    found
+}
+
+/// Calls `visit` with each PERS that goes into those parts of an expression that `counts` says count, by declarations, too.
+pub(super) fn every_pers(
+    index: &Index<'_>,
+    ctx: Ctx,
+    expr: &Expr,
+    counts: &dyn Fn(Ctx, &Expr) -> bool,
+    visit: &mut dyn FnMut(DatumId),
+) {
     let (mut seen, mut new) = (IdSet::default(), Vec::new());
-    names_in(index, ctx, expr, &mut |datum| new.push(datum));
+    names_in_where(index, ctx, expr, counts, &mut |datum| new.push(datum));
     while let Some(datum) = new.pop() {
         let entry = &index.data[datum];
-        if entry.kind == DatumKind::Declared(DataKind::Pers) {
-            return Some(datum);
+        if !seen.insert(datum) {
+            continue;
         }
-        if let Some(init) = entry.init.filter(|_| seen.insert(datum)) {
+        if entry.kind == DatumKind::Declared(DataKind::Pers) {
+            visit(datum);
+        } else if let Some(init) = entry.init {
             names_in(index, entry.ctx, init, &mut |datum| new.push(datum));
         }
     }
-    None
 }
 
 /// What goes into data by their declarations, and into the variables of FOR loops by the bounds of these.

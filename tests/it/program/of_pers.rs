@@ -139,3 +139,28 @@ GripLoad {grip};\nMoveL p,v100,fine,t;\nENDPROC",
     };
     assert_eq!((gripped_kg("la{2}"), gripped_kg("la{np}")), (Some(1.0), None));
 }
+
+/// Its element is that of the moment and its offset the file's: such a target neither value means.
+#[test]
+fn a_pers_that_chooses_the_element_and_displaces_it_keeps_the_motion() {
+    for (target, expected) in [
+        ("Offs(pa{np},0,0,5*np)", "keep::runtime-target"),
+        ("Offs(pa{np+1},0,0,nc)", "keep::runtime-target"),
+        ("Offs(pa{nSet},0,0,5*np)", "-"),
+        ("Offs(pa{np},0,0,5)", "-"),
+        ("Offs(pa{na{np}},0,0,5)", "-"),
+    ] {
+        let data = format!(
+            "PERS tooldata t:={};\nPERS num np:=2;\nPERS num nSet:=2;\nCONST num nc:=2*np;\nCONST num na{{3}}:=[3,2,1];
+CONST robtarget pa{{3}}:=[{},{},{}];",
+            tool(1),
+            at(7, 5, 5),
+            at(8, 5, 5),
+            at(9, 5, 5)
+        );
+        let read = module(&format!("{data}\nPROC main()\nMoveL {target},v100,fine,t;\nENDPROC"));
+        let motion = &read.motions[0];
+        let is_all = motion.targets[0].indices().is_some_and(|indices| indices.occurring.is_none());
+        assert_eq!((codes(&read), is_all), (vec![expected], expected == "-"), "{target}");
+    }
+}

@@ -10,9 +10,9 @@ use crate::const_eval::Constant;
 use crate::convert;
 use crate::data::RobTarget;
 use crate::expressions::{every_call, every_index};
-use crate::file_values::{can_be_set, differs_on_controllers, first_pers};
+use crate::file_values::{can_be_set, differs_on_controllers, every_pers, first_pers};
 use crate::finite_set::FiniteSet;
-use crate::ids::DatumId;
+use crate::ids::{DatumId, IdSet};
 use crate::index::{Ctx, Index};
 use crate::motion::{Indices, SkipReason, Target, TargetValue, indices_of};
 use crate::names::lower_case;
@@ -74,13 +74,43 @@ impl<'a> MotionReader<'_, 'a> {
         (expr, ctx): (&'a Expr, Ctx),
         (joints_wanted, pers): (bool, DatumId),
     ) -> (Target, SkipReason) {
-        let because = Some(self.evaluator.index.declaration(pers));
+        let index = self.evaluator.index;
+        let code = "keep::runtime-target";
+        if let Some(pers) = self.goes_into_index_and_rest(expr, ctx) {
+            let name = self.evaluator.name_of(pers);
+            let reason = format!(
+                "the PERS {name} chooses the element and goes into the rest of the target too: of the element that {name} chooses on \
+                 the controller the file tells no such target"
+            );
+            return (target, SkipReason { code, reason, because: Some(index.declaration(pers)) });
+        }
         let reason = format!("the PERS {} chooses it", self.evaluator.name_of(pers));
-        let why = SkipReason { code: "keep::runtime-target", reason, because };
+        let why = SkipReason { code, reason, because: Some(index.declaration(pers)) };
         match self.elements(expr, ctx, joints_wanted) {
             Some((values, indices)) => (target.with_elements(values, indices), why),
             None => (target, why),
         }
+    }
+
+    /// The PERS that chooses an element of a target and goes into the rest of it.
+    fn goes_into_index_and_rest(&self, expr: &Expr, ctx: Ctx) -> Option<DatumId> {
+        let index = self.evaluator.index;
+        let mut choosing = IdSet::default();
+        let mut chosen_by: Vec<TextRange> = Vec::new();
+        every_index(expr, &mut |_, element_of| {
+            for by in element_of.indices.iter().filter(|by| can_be_set(index, ctx, by)) {
+                every_pers(index, ctx, by, &|_, _| true, &mut |pers| {
+                    choosing.insert(pers);
+                });
+                chosen_by.push(by.range);
+            }
+        });
+        let mut found = None;
+        let is_rest = |_, part: &Expr| !chosen_by.iter().any(|by| by.contains(part.range));
+        every_pers(index, ctx, expr, &is_rest, &mut |pers| {
+            found = found.or_else(|| choosing.contains(pers).then_some(pers));
+        });
+        found
     }
 
     /// The robtargets that an expression can be, where all are known and a look at the pose tells them apart; else none. And whether a
