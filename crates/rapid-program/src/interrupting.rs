@@ -3,14 +3,14 @@
 
 use super::expressions::{every_call, expressions_of};
 use super::ids::{IdSet, RoutineIndex};
-use super::index::{Index, Resolved};
+use super::index::{Ctx, Index, Resolved};
 use super::late_bound::reached;
 use super::move_instructions::move_form;
 use super::names::lower_case;
 use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{ArgKind, Callee, StmtKind};
+use rapid_syntax::tree::{ArgKind, CallStmt, Callee, Expr, StmtKind};
 
 /// The procedures that moves of a program call: of a name that is not known, each that it can be; no `main`.
 pub(super) fn called_by_moves(index: &Index<'_>) -> IdSet<RoutineIndex> {
@@ -20,21 +20,7 @@ pub(super) fn called_by_moves(index: &Index<'_>) -> IdSet<RoutineIndex> {
         for body in bodies(routine.tree) {
             every_naming_statement(index, ctx, body, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
-                let Callee::Name(name) = call.callee else { return };
-                let lower = lower_case(index.text(ctx.file, name));
-                let Some(tool) =
-                    move_form(&lower).filter(|_| lower.ends_with("sync")).and_then(|form| form.tool)
-                else {
-                    return;
-                };
-                let mut positional = call.args.iter().filter_map(|arg| match &arg.kind {
-                    ArgKind::Positional(value) => Some(value),
-                    _ => None,
-                });
-                let Some(text) = positional.nth(tool + 1) else { return };
-                if index.declares_routine(name, ctx) {
-                    return;
-                }
+                let Some(text) = called_by(index, ctx, call) else { return };
                 let meant = reached(index, ctx, text, &[]).into_iter();
                 meant.filter(|&id| !is_main(index, id)).for_each(|id| {
                     found.insert(id);
@@ -43,6 +29,18 @@ pub(super) fn called_by_moves(index: &Index<'_>) -> IdSet<RoutineIndex> {
         }
     }
     found
+}
+
+/// The name of the procedure that a move calls in its corner.
+pub(super) fn called_by<'a>(index: &Index<'_>, ctx: Ctx, call: &'a CallStmt) -> Option<&'a Expr> {
+    let Callee::Name(name) = call.callee else { return None };
+    let lower = lower_case(index.text(ctx.file, name));
+    let form = move_form(&lower).filter(|_| lower.ends_with("sync") && !index.declares_routine(name, ctx))?;
+    let mut positional = call.args.iter().filter_map(|arg| match &arg.kind {
+        ArgKind::Positional(value) => Some(value),
+        _ => None,
+    });
+    positional.nth(form.tool? + 1)
 }
 
 /// The routines that traps, and procedures that moves call, call in turn.

@@ -51,3 +51,23 @@ fn a_pers_in_the_text_leaves_open_which_is_called() {
     assert_eq!(tools_mm(&program("PERS string s:=\"r\";\nCONST string c:=\"C\";", "%s+c%")), [Some(2)]);
     assert_eq!(tools_mm(&program("PERS string s:=\"B\";", "CallByVar \"x\"+s,1")), [Some(2)]);
 }
+
+/// What a move calls in its corner is looked for like what a statement calls.
+#[test]
+fn a_procedure_that_a_move_calls_and_nobody_gives_is_named() {
+    let found = |called: &str| {
+        let data = format!(
+            "CONST robtarget p:={};\nCONST string sStart:=\"rMis\";\nPERS string sSet:=\"rMissing\";",
+            at(5, 5, 5)
+        );
+        let read = module(&format!(
+            "{data}\nPROC main()\nMoveLSync p,v100,z10,tool0,{called};\nENDPROC\nPROC rGiven()\nENDPROC"
+        ));
+        super::warnings(&read).into_iter().filter(|code| *code == "resolve::routine-not-given").count()
+    };
+    for (called, named) in
+        [("\"rMissing\"", 1), ("sStart+\"sing\"", 1), ("\"rGiven\"", 0), ("\"RGIVEN\"", 0), ("sSet", 0)]
+    {
+        assert_eq!(found(called), named, "{called}");
+    }
+}

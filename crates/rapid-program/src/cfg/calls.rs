@@ -10,6 +10,7 @@ use crate::file_values::can_be_set;
 use crate::flow::{Binding, FlowStep, Node};
 use crate::ids::{DatumId, RoutineIndex};
 use crate::index::{DatumKind, Resolved};
+use crate::interrupting::called_by;
 use crate::motion::MotionId;
 use crate::move_instructions::Special;
 use crate::names::{as_text, lower_case};
@@ -33,6 +34,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             self.external_axes(motion, at, out);
             self.written(call, at, out);
             self.force_control(motion, at, out);
+            self.called_in_corner(call);
             return;
         }
         match &call.callee {
@@ -47,6 +49,17 @@ impl<'a> CfgBuilder<'_, 'a> {
                     self.instruction(*name, call, at, out);
                 }
             },
+        }
+    }
+
+    /// Notes a procedure that a move calls in its corner, by a name that the text tells, where none is given.
+    fn called_in_corner(&mut self, call: &'a CallStmt) {
+        let Some(text) = called_by(self.index(), self.ctx, call) else { return };
+        let Some(called) = self.fixed_text(text) else { return };
+        let name = called.rsplit(':').next().unwrap_or_default().to_owned();
+        if self.procedures(0, &|other| other == name).is_empty() {
+            let at = Span { file: self.ctx.file, range: text.range };
+            self.out.not_given.entry(name).or_insert(at);
         }
     }
 
