@@ -91,7 +91,8 @@ pub(crate) fn auto_corrects(count: usize, of: usize) -> String {
         (false, _) => format!("{count} of those kept go"),
     };
     format!(
-        "{which} to what only the running program knows: --form auto lets the controller work out the correction there"
+        "{which} to what only the running program knows: --form auto corrects {}",
+        if count == 1 { "it" } else { "them" }
     )
 }
 

@@ -306,14 +306,16 @@ fn where_run_time_can_correct_what_is_kept_that_is_said() {
     for form in ["schedule", "ramp"] {
         let part = out(&made(&known, form));
         assert!(
-            part.contains("\nall 2 kept go to what only the running program knows: --form auto lets"),
+            part.contains(
+                "\nall 2 kept go to what only the running program knows: --form auto corrects them"
+            ),
             "{part}"
         );
         let none = made(&unknown, form);
         assert_eq!(none.status.code(), Some(2));
-        assert!(
-            err(&none).contains("= help: all 2 kept go to what only the running program knows: --form auto")
-        );
+        assert!(err(&none).contains(
+            "= help: all 2 kept go to what only the running program knows: --form auto corrects them"
+        ));
     }
     for source in [&known, &unknown] {
         let all = out(&made(source, "auto"));
