@@ -235,7 +235,7 @@ impl<'a> FiniteSets<'a> {
                 from.extend(handed);
             }
             DatumKind::Declared(kind) => {
-                if writes.by_computed_name.is_some() {
+                if writes.by_computed_name(index, datum).is_some() {
                     return None;
                 }
                 match (entry.init, index.type_text(entry.type_name)) {

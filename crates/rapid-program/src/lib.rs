@@ -58,6 +58,7 @@ mod tracked;
 mod trap_return;
 mod value;
 mod value_flow;
+mod value_type;
 mod writes;
 mod written_by;
 

@@ -15,6 +15,7 @@ use super::statements::bodies;
 use super::tracked::{names_in, names_in_where, sources_where};
 use super::value::string;
 use super::value_flow::ValueFlow;
+use super::value_type::{can_be_set_to, type_of_value};
 use super::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, ParamMode, Stmt, StmtKind};
@@ -210,12 +211,15 @@ impl OwnPositions {
                 .is_none_or(|written| index.names.find(written) == Some(index.data[datum].name));
             meant && index.data[datum].ctx.routine.is_none()
         };
+        let set_to = type_of_value(index, ctx, value);
         match &*lower_case(index.text(ctx.file, instruction)) {
             "setdataval" => {
                 let Some(at) = self.read_at(index, ctx, value) else { return };
                 // Whatever stands somewhere may be set by a name that is worked out.
                 let is_place = |datum: DatumId| {
-                    written.is_some() || PLACES.contains(&index.type_text(index.data[datum].type_name))
+                    written.is_some()
+                        || can_be_set_to(index, datum, set_to)
+                            && PLACES.contains(&index.type_text(index.data[datum].type_name))
                 };
                 let set = index.data.ids().filter(|&datum| is_meant(datum) && is_place(datum));
                 data.extend(set.map(|datum| (datum, at)));

@@ -76,7 +76,10 @@ impl TrackedData {
                 DatumKind::Declared(DataKind::Const) | DatumKind::LoopVariable => false,
                 DatumKind::Declared(_) => writes.first(datum).is_some(),
             };
-            changes && !entry.array && writes.orderly(datum) && writes.by_computed_name.is_none()
+            changes
+                && !entry.array
+                && writes.orderly(datum)
+                && writes.by_computed_name(index, datum).is_none()
         };
         let sources = sources(index);
         let mut new: Vec<DatumId> = wanted.iter().collect();

@@ -10,6 +10,7 @@ use super::ids::{DatumId, IdSet, Table};
 use super::index::{DatumKind, Index};
 use super::names::Sym;
 use super::other_tasks;
+use super::value_type::can_be_set_to;
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::DataKind;
 
@@ -43,8 +44,9 @@ pub(super) struct Write {
 pub(super) struct Writes {
     /// For each datum the first change and the least orderly one.
     by_datum: Table<DatumId, Option<(Write, How)>>,
-    /// A value is set by a name that is computed at run time: anything may be changed.
-    pub(super) by_computed_name: Option<Span>,
+    /// Values that are set by a name which is computed at run time, and their types: any datum of such a type may be changed, of any
+    /// type where it is not known.
+    by_computed_name: Vec<(Option<Box<str>>, Span)>,
     /// Which names may mean one and the same datum.
     pub(super) aliases: Aliases,
     /// Data that are changed where the ways through the routines do not show it: in a trap, by a function of the controller, by
@@ -93,6 +95,19 @@ impl Writes {
     /// The first change of a datum in file order.
     pub(super) fn first(&self, datum: DatumId) -> Option<Write> {
         self.by_datum.get(datum).copied().flatten().map(|(first, _)| first)
+    }
+
+    /// Where a datum may be set by a name that is computed at run time.
+    pub(super) fn by_computed_name(&self, index: &Index<'_>, datum: DatumId) -> Option<Span> {
+        let sets = |(set_to, _): &&(Option<Box<str>>, Span)| can_be_set_to(index, datum, set_to.as_deref());
+        self.by_computed_name.iter().find(sets).map(|(_, at)| *at)
+    }
+
+    /// Notes a place where data of a type are set by a name that is computed at run time.
+    fn add_computed_name(&mut self, set_to: Option<&str>, at: Span) {
+        if !self.by_computed_name.iter().any(|(known, _)| known.as_deref() == set_to) {
+            self.by_computed_name.push((set_to.map(Box::from), at));
+        }
     }
 
     /// The least orderly change of a datum.

@@ -424,3 +424,27 @@ fn what_is_to_be_measured_is_kept() {
     assert_eq!(codes(&program(&[("M.mod", &text("DriftpostPlan"))])), ["keep::measurement-run"]);
     assert_eq!(codes(&program(&[("M.mod", &text("OtherPlan"))])), ["-"]);
 }
+
+/// `SetDataVal` writes data of its value's type alone, and no constant.
+#[test]
+fn a_value_set_by_a_computed_name_goes_into_data_of_its_type_alone() {
+    let data = "VAR robtarget q;\nVAR robtarget p:=[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+CONST robtarget pc:=[[1,2,3],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+PERS jointtarget j:=[[1,2,3,4,5,6],[9E9,9E9,9E9,9E9,9E9,9E9]];\nVAR string s;\nVAR bool b;\nVAR num n:=0;";
+    let moves = "MoveAbsJ j,v100,fine,tool0;\nMoveL pc,v100,fine,tool0;\nMoveL p,v100,fine,tool0;\nMoveL Offs(pc,0,0,n),v100,fine,tool0;";
+    let (own, open) = ("keep::own-position", "keep::runtime-target");
+    for (set, expected) in [
+        ("b:=CPos(\\Tool:=tool0).x>5;\nSetDataVal s,b;", ["-", "-", "-", "-"]),
+        ("SetDataVal s,TRUE;", ["-", "-", "-", "-"]),
+        ("SetDataVal s,n;", ["-", "-", "-", open]),
+        ("SetDataVal \"p\"+s,q;", ["-", "-", open, "-"]),
+        ("q:=CRobT();\nSetDataVal s,q;", ["-", "-", own, "-"]),
+        // A value of no type that its text tells.
+        ("SetDataVal s,n+1;", [open, "-", open, open]),
+        ("SetAllDataVal s,n;", [open, "-", open, open]),
+    ] {
+        let read = main_of(data, &format!("{set}\n{moves}"));
+        let found = codes(&read);
+        assert_eq!(found, expected, "{set}");
+    }
+}

@@ -123,7 +123,7 @@ impl ConstEvaluator<'_> {
                 if let Some(write) = self.writes.first(datum) {
                     return Err(self.changed(datum, write.at, write.how));
                 }
-                if let Some(at) = self.writes.by_computed_name {
+                if let Some(at) = self.writes.by_computed_name(self.index, datum) {
                     return Err(self.changed(datum, at, How::Perhaps));
                 }
             }

@@ -16,6 +16,7 @@ use crate::names::{Sym, lower_case};
 use crate::other_instructions::harmless;
 use crate::repeated_moves::every_naming_statement;
 use crate::value;
+use crate::value_type::type_of_value;
 use crate::written_by::{written_by_function, written_by_instruction};
 use rapid_syntax::diagnostic::{Span, TextRange};
 use rapid_syntax::tree::{
@@ -154,7 +155,7 @@ impl WriteScan<'_, '_> {
             self.written(expr, ctx, Write { at, how });
         }
         match lower.as_str() {
-            "setdataval" => self.by_name(call.args.first().and_then(positional), at),
+            "setdataval" => self.by_name(&call.args, ctx, at),
             "setalldataval" => self.by_type(&call.args, ctx, at),
             _ if harmless(&lower) || move_form(&lower).is_some() => {}
             _ => self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful }),
@@ -213,16 +214,21 @@ impl WriteScan<'_, '_> {
     }
 
     /// A datum is set by its name: `SetDataVal "name",value`.
-    fn by_name(&mut self, name: Option<&Expr>, at: Span) {
+    fn by_name(&mut self, args: &[Arg], ctx: Ctx, at: Span) {
+        let mut values = args.iter().filter_map(positional);
+        let (name, value) = (values.next(), values.next());
         match self.literal(name, at) {
-            Some(name) => {
-                if let Some(name) = self.index.names.find(&name) {
-                    self.changes.by_name.push((name, at));
-                }
-            }
+            Some(name) => self.named(&name, at),
             None => {
-                self.changes.writes.by_computed_name.get_or_insert(at);
+                let set_to = value.and_then(|value| type_of_value(self.index, ctx, value));
+                self.changes.writes.add_computed_name(set_to, at);
             }
+        }
+    }
+
+    fn named(&mut self, name: &[u8], at: Span) {
+        if let Some(name) = self.index.names.find(name) {
+            self.changes.by_name.push((name, at));
         }
     }
 
@@ -237,11 +243,11 @@ impl WriteScan<'_, '_> {
             _ => None,
         });
         let plain = |name: &Vec<u8>| name.iter().all(|b| b.is_ascii_alphanumeric() || *b == b'_');
-        if self.literal(object, at).as_ref().is_some_and(plain) {
-            return self.by_name(object, at);
+        if let Some(name) = self.literal(object, at).filter(plain) {
+            return self.named(&name, at);
         }
         let Some(type_name) = self.literal(args.first().and_then(positional), at) else {
-            self.changes.writes.by_computed_name.get_or_insert(at);
+            self.changes.writes.add_computed_name(None, at);
             return;
         };
         let type_name = lower_case(&type_name);
