@@ -3,6 +3,7 @@
 mod calls;
 mod external_axes;
 mod instruction;
+mod never_runs;
 
 use super::const_eval::{ConstEvaluator, Constant};
 use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
@@ -142,9 +143,11 @@ impl<'a> CfgBuilder<'_, 'a> {
             StmtKind::Assign(assign) => self.assignment(&assign.target, &assign.value, at, out),
             StmtKind::Call(call) => self.call(stmt, call, at, out),
             StmtKind::If(tested) => {
-                let arms = tested.arms.iter().map(|(_, body)| body.as_slice());
-                self.branches(arms, tested.otherwise.as_deref(), skipped, out);
+                let arms: Vec<&[Stmt]> = self.arms_that_run(&tested.arms);
+                self.branches(arms.into_iter(), tested.otherwise.as_deref(), skipped, out);
             }
+            StmtKind::CompactIf(tested)
+                if self.never_runs(&tested.cond, std::slice::from_ref(&tested.then)) => {}
             StmtKind::CompactIf(tested) => {
                 let body = self.body(std::slice::from_ref(&tested.then));
                 branch(vec![body], true, out);
@@ -160,6 +163,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                     out.push(Node::Loop { body, at_least_once, endless: false });
                 }
             }
+            StmtKind::While(looped) if self.never_runs(&looped.cond, &looped.body) => {}
             StmtKind::While(looped) => self.while_loop(&looped.cond, &looped.body, at, out),
             StmtKind::Label(name) => out.extend(self.label(*name).map(Node::Label)),
             StmtKind::Goto(name) => out.extend(self.label(*name).map(Node::Goto)),

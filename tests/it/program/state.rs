@@ -465,3 +465,28 @@ fn many_ways_take_little_time() {
     assert_eq!(codes(&module(&text)), ["keep::tool-unknown"]);
     assert!(start.elapsed().as_secs() < 10);
 }
+
+/// What is switched off for good leaves everything as it is.
+#[test]
+fn what_stands_under_a_constant_false_never_runs() {
+    for (lines, expected) in [
+        ("IF FALSE PDispSet d;", "-"),
+        ("IF bNo PDispSet d;", "-"),
+        ("IF bNo AND bSet THEN\nPDispSet d;\nENDIF", "keep::displacement"),
+        ("IF nMode=2 THEN\nPDispSet d;\nENDIF", "-"),
+        ("IF nMode=2 THEN\nPDispSet d;\nELSEIF nMode=1 THEN\nPDispSet d;\nENDIF", "keep::displacement"),
+        ("IF bNo THEN\nstop;\nELSE\nPDispSet d;\nENDIF", "keep::displacement"),
+        ("WHILE bNo DO\nSoftAct 1,50;\nENDWHILE", "-"),
+        ("IF bSet PDispSet d;", "keep::displacement"),
+        ("IF bVar PDispSet d;", "keep::displacement"),
+        // A GOTO leads into it.
+        ("GOTO l1;\nIF bNo THEN\nl1:\nPDispSet d;\nENDIF", "keep::displacement"),
+    ] {
+        let data = format!(
+            "{}\nCONST bool bNo:=FALSE;\nCONST num nMode:=1;\nPERS bool bSet:=FALSE;\nVAR bool bVar:=FALSE;
+CONST pose d:=[[5,0,0],[1,0,0,0]];",
+            data()
+        );
+        assert_eq!(codes(&main_of(&data, &format!("{lines}\n{MOVE}"))), [expected], "{lines}");
+    }
+}
