@@ -93,3 +93,40 @@ fn a_point_that_was_touched_up_beside_a_motion_taken_out_is_told() {
         "{message}"
     );
 }
+
+/// The same module in the form schedule, where the arrays hold the targets.
+fn scheduled(bench: &Bench) -> String {
+    emitted(bench);
+    let (from, to) = (bench.path("a.mod").display().to_string(), bench.path("s.mod").display().to_string());
+    let made = driftpost(&["compensate", &from, "-o", &to, "--diff", "none"]);
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    bench.text("s.mod")
+}
+
+/// The text with x of an element of the array that begins in the line with `array` moved by 0.5 mm.
+fn with_touched_element(text: &str, array: &str) -> String {
+    let begins = text.find(array).unwrap();
+    let element = text[begins..].match_indices("[[").nth(3).unwrap().0 + begins + 2;
+    let end = text[element..].find(',').unwrap() + element;
+    let x: f64 = text[element..end].parse().unwrap();
+    format!("{}{}{}", &text[..element], x + 0.5, &text[end..])
+}
+
+#[test]
+fn a_touched_up_point_whose_motion_is_gone_is_no_part_of_the_original() {
+    let bench = Bench::default();
+    let text = scheduled(&bench);
+    for (array, motion, target) in [("tcp20{", "tcp20{", "p20"), ("robtarget tc9{", "tc9{", "[[430,40,350]")]
+    {
+        let touched = with_touched_element(&text, array);
+        let (message, _) = restored(&bench, &touched, 1);
+        assert!(message.contains("by 0.5000 mm") && !message.contains("restore::gone"), "{message}");
+        let (message, back) = restored(&bench, &without(&touched, motion), 1);
+        assert!(message.contains("warning[restore::gone]") && message.contains(target), "{message}");
+        assert!(!message.contains("is in the motion") && !back.contains("30.5,"), "{message}");
+    }
+    // In its place a motion to the target itself: the original, byte for byte, and what was touched up is told.
+    let plain = with_touched_element(&text, "tcp20{").replacen("MoveL tcp20{tcK()}", "MoveL p20", 1);
+    let (message, _) = restored(&bench, &plain, 1);
+    assert!(message.contains("warning[restore::gone]") && message.contains("byte for byte"), "{message}");
+}

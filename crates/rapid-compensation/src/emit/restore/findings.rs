@@ -125,6 +125,21 @@ pub enum Altered {
         /// The line of its value, from 1.
         line: u32,
     },
+    /// An array was touched up, and no motion goes by it any more, so that the new value has no place in the original.
+    #[error(
+        "{target} was touched up on the controller ({array}) and means {meant} now, but the motion that went by it is not there any \
+         more: the new value is nowhere in the original"
+    )]
+    Gone {
+        /// What stood in the motion.
+        target: String,
+        /// The name of the array.
+        array: String,
+        /// The original that the array means.
+        meant: String,
+        /// The array's first line, from 1.
+        line: u32,
+    },
     /// What the model is asked for is not what the motion goes with.
     #[error("the model is asked with another tool or work object than the motion goes with")]
     Arguments {
@@ -141,6 +156,7 @@ impl Altered {
             Self::Header { line }
             | Self::Code { line, .. }
             | Self::Original { line, .. }
+            | Self::Gone { line, .. }
             | Self::Arguments { line } => *line,
         }
     }
@@ -152,6 +168,7 @@ impl Altered {
             Self::Header { .. } => "restore::header",
             Self::Code { .. } => "restore::code",
             Self::Original { .. } => "restore::original",
+            Self::Gone { .. } => "restore::gone",
             Self::Arguments { .. } => "restore::arguments",
         }
     }

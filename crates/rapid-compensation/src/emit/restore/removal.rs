@@ -267,12 +267,20 @@ impl<'w> Remover<'w> {
                 };
                 self.edits.put(one.expr, text);
             }
+            let declared = self.lines.line(array.range.start);
             for new in meant.iter().flatten() {
+                let target = String::from_utf8_lossy(array.was()).into_owned();
+                let value = String::from_utf8_lossy(&new.text).into_owned();
+                if uses.is_empty() && !into {
+                    let gone = Altered::Gone { target, array: name.clone(), meant: value, line: declared };
+                    self.altered.push(gone);
+                    continue;
+                }
                 touched.push(ModifiedTarget {
                     array: Some(name.clone()),
-                    target: String::from_utf8_lossy(array.was()).into_owned(),
-                    value: String::from_utf8_lossy(&new.text).into_owned(),
-                    line: uses.first().map_or(1, |one| self.lines.line(one.expr.start)),
+                    target,
+                    value,
+                    line: uses.first().map_or(declared, |one| self.lines.line(one.expr.start)),
                     into: if into { ModifiedIn::Declaration } else { ModifiedIn::Motion },
                     moved: new.moved,
                     unit: new.unit,
