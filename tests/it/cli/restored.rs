@@ -130,3 +130,28 @@ fn a_touched_up_point_whose_motion_is_gone_is_no_part_of_the_original() {
     let (message, _) = restored(&bench, &plain, 1);
     assert!(message.contains("warning[restore::gone]") && message.contains("byte for byte"), "{message}");
 }
+
+#[test]
+fn a_motion_that_was_made_a_comment_counts_as_taken_out() {
+    let bench = Bench::default();
+    for (text, motion) in [(emitted(&bench), "    MoveL tcAt(p20,"), (scheduled(&bench), "    MoveL tcp20{")]
+    {
+        let commented = text.replacen(motion, &motion.replace("    ", "    ! "), 1);
+        assert_ne!(commented, text);
+        let (message, back) = restored(&bench, &commented, 0);
+        assert!(!message.contains("touched up") && !message.contains("warning"), "{message}");
+        assert_eq!(
+            (back.matches("\n    Move").count(), back.matches("    ! MoveL tc").count()),
+            (4, 1),
+            "{back}"
+        );
+    }
+    // What is named in a text or a statement is named; the line is that of the module that was given.
+    let text = emitted(&bench);
+    let named = text.replacen("  ENDPROC", "    TPWrite \"1!\"+ValToStr(tcAt(p20,tcP20));\n  ENDPROC", 1);
+    let line = named.lines().position(|line| line.contains("TPWrite \"1!\"")).unwrap() + 1;
+    let file = bench.file("named.mod", &named);
+    let refused = driftpost(&["restore", &file, "-o", &bench.path("none.mod").display().to_string()]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(err(&refused).contains(&format!("line {line}: tcAt is still named")), "{}", err(&refused));
+}

@@ -60,7 +60,10 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
     let edits: Vec<Edit<&[u8]>> = edits.of(bytes).collect();
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
-    check_nothing_is_left(&restored, &added)?;
+    check_nothing_is_left(&restored, &added).map_err(|(at, name)| {
+        let line = LineIndex::new(bytes).line(place_before(&edits, at));
+        RestoreError::Damaged { line, what: format!("{name} is still named there when all is taken out") }
+    })?;
     let exact = hex(&Sha256::digest(&restored)) == source_sha256;
     Ok(Restored { bytes: restored, source_name, touched, altered, exact })
 }
@@ -137,15 +140,45 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
     Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
 }
 
-/// Whether what was added is named nowhere in what is left; `added`: names in lower case, in their order.
-fn check_nothing_is_left(restored: &[u8], added: &[Vec<u8>]) -> Result<(), RestoreError> {
+/// Where something at `at` in the restored file stood before the `edits`, which are in order.
+fn place_before(edits: &[Edit<&[u8]>], at: u32) -> u32 {
+    let (mut taken, mut put) = (0, 0);
+    for edit in edits {
+        let begins = edit.range.start + put - taken;
+        if at < begins {
+            break;
+        }
+        if at < begins + edit.text.len() as u32 {
+            return edit.range.start;
+        }
+        taken += edit.range.end - edit.range.start;
+        put += edit.text.len() as u32;
+    }
+    at + taken - put
+}
+
+/// Calls `each` with every part of a text that is no comment; what begins in a string is none.
+fn outside_comments<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
+    for line in text.split(|b| matches!(b, b'\n' | b'\r')) {
+        let mut in_string = false;
+        let begins = line.iter().position(|b| {
+            in_string ^= *b == b'"';
+            *b == b'!' && !in_string
+        });
+        each(begins.map_or(line, |at| line.split_at(at).0));
+    }
+}
+
+/// Whether what was added is named nowhere in what is left but in comments, where a motion was switched off, say; else where it is,
+/// and the name. `added`: names in lower case, in their order.
+fn check_nothing_is_left(restored: &[u8], added: &[Vec<u8>]) -> Result<(), (u32, String)> {
     let mut left = None;
     // What the first two letters of a name can be.
     let mut begins = [[false; 256]; 2];
     for name in added {
         begins.iter_mut().zip(name).for_each(|(begins, &letter)| begins[usize::from(letter)] = true);
     }
-    words(restored, |word| {
+    let mut look = |word: &[u8]| {
         let may_be = word.len() > 2
             && begins
                 .iter()
@@ -154,12 +187,10 @@ fn check_nothing_is_left(restored: &[u8], added: &[Vec<u8>]) -> Result<(), Resto
         if left.is_none() && may_be && added.binary_search(&word.to_ascii_lowercase()).is_ok() {
             left = Some((word.as_ptr() as usize - restored.as_ptr() as usize, word.to_vec()));
         }
-    });
+    };
+    outside_comments(restored, |part| words(part, &mut look));
     match left {
         None => Ok(()),
-        Some((at, name)) => Err(RestoreError::Damaged {
-            line: LineIndex::new(restored).line(at as u32),
-            what: format!("{} is still named there when all is taken out", String::from_utf8_lossy(&name)),
-        }),
+        Some((at, name)) => Err((at as u32, String::from_utf8_lossy(&name).into_owned())),
     }
 }
