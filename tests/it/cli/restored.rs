@@ -155,3 +155,25 @@ fn a_motion_that_was_made_a_comment_counts_as_taken_out() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(err(&refused).contains(&format!("line {line}: tcAt is still named")), "{}", err(&refused));
 }
+
+#[test]
+fn numbers_that_a_controller_has_written_anew_are_no_touch_up() {
+    let bench = Bench::default();
+    let anew = |text: &str| {
+        text.replace(
+            "p20:=[[420,30,350],[0.70710678,0,0.70710678,0]",
+            "p20:=[[420.00,30.00,350.0],[0.707107,0,0.707107,0]",
+        )
+        .replace("[[430,40,350],[0.70710678,0,0.70710678,0]", "[[430.00,40,350],[0.707107,0,0.707107,0]")
+        .replace("9E9", "9E+09")
+    };
+    for text in [emitted(&bench), scheduled(&bench)] {
+        let (message, _) = restored(&bench, &anew(&text), 0);
+        assert!(!message.contains("touched up") && !message.contains("warning"), "{message}");
+    }
+    let text = anew(&emitted(&bench));
+    let other = text.replacen("[0.707107,0,0.707107,0],[0,0,0,0]", "[0.707107,0,0.707107,0],[0,0,1,0]", 1);
+    assert_ne!(other, text);
+    let (message, _) = restored(&bench, &other, 1);
+    assert!(message.contains("p20 was touched up") && message.contains("configuration"), "{message}");
+}

@@ -88,6 +88,14 @@ pub(super) fn of_numbers_with(
     Some(hash.checksum())
 }
 
+/// The checksum of three characters for numbers that were read already.
+#[must_use]
+pub(super) fn of_singles(numbers: &[f32]) -> [u8; 3] {
+    let mut hash = Fnv::new();
+    numbers.iter().for_each(|number| hash.add_single(*number));
+    hash.checksum()
+}
+
 /// The checksum of an aggregate that cannot be read.
 #[must_use]
 pub(super) fn of_no_numbers() -> [u8; 3] {

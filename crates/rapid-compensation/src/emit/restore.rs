@@ -13,6 +13,7 @@ mod known_again;
 mod lines;
 mod originals;
 mod removal;
+mod rounded;
 mod undo;
 
 pub use altered::altered_core;

@@ -306,6 +306,10 @@ impl<'b> Array<'b> {
             let text = row.get(k).ok_or(None)?.of(self.bytes);
             let (at, share) = (TargetPose::of(text).ok_or(None)?, share(k).ok_or(None)?);
             let original = original_of(&at, share).ok_or(None)?;
+            let (far, turned) = original.distance(&was);
+            if far <= SAME && turned <= SAME && same_rest(text, row.get(from).ok_or(None)?.of(self.bytes)) {
+                continue; // the same to the digits that a controller writes
+            }
             let (moved, unit) = original.moved_from(&was);
             let text = if k == 0 { text.to_vec() } else { written(&original, text) };
             let meant = Meant { text, moved, unit, place: original, was: first.clone() };
@@ -320,6 +324,16 @@ impl<'b> Array<'b> {
         }
         Ok(found)
     }
+}
+
+/// Whether configuration and external axes of two elements are the same numbers.
+fn same_rest(a: &[u8], b: &[u8]) -> bool {
+    let rest = |text: &[u8]| {
+        let numbers = singles(text)?;
+        let place = if numbers.len() == ROBTARGET { 7 } else { 6 };
+        Some(numbers.get(place..)?.to_vec())
+    };
+    rest(a).is_some_and(|rest_of_a| rest(b) == Some(rest_of_a))
 }
 
 /// An original as text, with configuration and external axes as the touched-up element has them.

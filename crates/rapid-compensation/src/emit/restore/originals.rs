@@ -3,10 +3,14 @@
 use super::findings::{Altered, ModifiedIn, ModifiedTarget};
 use super::known_again::{Past, pasts};
 use super::removal::Remover;
+use super::rounded::is_rounded;
 use crate::emit::insertion;
 use crate::emit::point::{self, Declarations, Fingerprints, Original};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, Routine, StmtKind};
+
+/// A position that differs by less is the same to the steps of a fingerprint, mm.
+const SAME: f64 = 1e-4;
 
 /// An original that a motion asks with, and its fingerprint of today.
 struct Asked {
@@ -46,7 +50,13 @@ impl<'w> Remover<'w> {
         for (one, past) in asked.iter().zip(pasts(&now, made)) {
             match past {
                 Past::Same => {}
-                Past::Was(was) => touched.push(self.touched_original(one, was)),
+                Past::Was(was) => {
+                    let now = self.touched_original(one, was);
+                    let stands = now.moved < SAME;
+                    if !(stands && is_rounded(one.original.value.of(self.bytes), was)) {
+                        touched.push(now);
+                    }
+                }
                 Past::Unknown => {
                     let line = self.lines.line(one.original.value.start);
                     self.altered.push(Altered::Original { target: self.text(one.target), line });
