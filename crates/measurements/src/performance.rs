@@ -220,7 +220,9 @@ fn tool_elsewhere(
     };
     let flange: Vec<Isometry3<f64>> = stations.iter().map(|station| station.pose(chain)).collect();
     let fitted = register(stations, &flange, 1, None).ok()?;
-    let apart = tool_apart(&fitted, 1, Some(tool_m), stations.len())?;
+    // A pose from both sides, or with two payloads, shows the target in one place.
+    let poses: BTreeSet<usize> = stations.iter().map(|station| station.pose).collect();
+    let apart = tool_apart(&fitted, 1, Some(tool_m), poses.len())?;
     let [x, y, z] = <[f64; 3]>::from(apart.fitted_m).map(mm_from_m);
     let text = format!(
         "the points say that the target is at ({x:.1}, {y:.1}, {z:.1}) mm from the flange, {:.1} mm from --tool: AP holds the difference",

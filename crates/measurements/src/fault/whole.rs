@@ -107,6 +107,9 @@ pub struct ToolApart {
     held_m: f64,
 }
 
+/// Three numbers a pose, of which base and target take nine: three poses leave nothing by which their place could be judged.
+const FEWEST_FOR_TOOL: usize = 4;
+
 /// The one target of so many `stations`, where the points say clearly that it is not at `tool_m`.
 #[must_use]
 pub fn tool_apart(
@@ -115,11 +118,17 @@ pub fn tool_apart(
     tool_m: Option<Vector3<f64>>,
     stations: usize,
 ) -> Option<ToolApart> {
+    if stations < FEWEST_FOR_TOOL {
+        return None;
+    }
     let fitted_m = *registration.tools_m.first()?;
     let apart_m = (fitted_m - tool_m?).norm();
     let per_noise = registration.tool_sigma_m / (registration.median_m.max(1e-12) / MIDDLE_OF_3D);
     let held_m = apart_m / (per_noise * (stations as f64).sqrt());
-    let is_apart = targets == 1 && apart_m > TOOL_M + 3.0 * registration.tool_sigma_m;
+    // Base and target are fitted: what is left is smaller than the noise by the root of the share that they take.
+    let poses = stations as f64;
+    let sigma_m = registration.tool_sigma_m * (poses / (poses - (FEWEST_FOR_TOOL - 1) as f64)).sqrt();
+    let is_apart = targets == 1 && apart_m > TOOL_M + 3.0 * sigma_m;
     is_apart.then_some(ToolApart { fitted_m, apart_m, held_m })
 }
 
@@ -309,5 +318,22 @@ mod tests {
         let narrow = apart(0.1, 10.0).unwrap();
         assert!((mm_from_m(narrow.held_m) - 1.0).abs() < 1e-9 && narrow.held_m < HELD_M);
         assert!(apart(0.1, 5.2).is_none(), "three standard deviations beyond 5 mm");
+    }
+
+    /// By hand: of 12 numbers base and target take 9, so that 0.1 mm is 0.2 mm, and three times that lie 5.6 mm away; three poses leave nothing.
+    #[test]
+    fn few_poses_tell_the_place_of_a_tool_less_exactly_and_three_not_at_all() {
+        let apart = |apart_mm: f64, stations: usize| {
+            let mut registration = Registration::assumed(
+                Isometry3::identity(),
+                vec![Vector3::new(m_from_mm(apart_mm), 0.0, 0.0)],
+                Vec::new(),
+            );
+            registration.median_m = 1.54e-4;
+            registration.tool_sigma_m = 1e-4;
+            tool_apart(&registration, 1, Some(Vector3::zeros()), stations).is_some()
+        };
+        assert!(!apart(5.55, 4) && apart(5.65, 4));
+        assert!(!apart(100.0, 3) && !apart(100.0, 1));
     }
 }
