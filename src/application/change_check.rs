@@ -34,7 +34,7 @@ impl ChangeCheck {
     /// # Errors
     /// [`ChangeError`]
     pub fn run(&self, before: &Measurements, after: &Measurements) -> Result<ChangeChecked, ChangeError> {
-        let comparison = compare_measurements(before, after, &self.robot, &self.options)
+        let mut comparison = compare_measurements(before, after, &self.robot, &self.options)
             .map_err(|error| ChangeError::new(error, before, after))?;
         let is_changed = comparison.is_changed
             && self.limit_mm.map(m_from_mm).is_none_or(|limit_m| largest_m(&comparison) > limit_m);
@@ -42,6 +42,8 @@ impl ChangeCheck {
         let base_sigma = poses.as_ref().and_then(|poses| poses.base_sigma(&comparison));
         // What has changed of the arm may be a part of the shift, and nothing tells how large a one.
         let base_sigma = base_sigma.filter(|_| !arm_is_changed(&comparison));
+        comparison.beyond.base_is_moved |=
+            base_sigma.is_some_and(|sigma| sigma.is_exceeded_by(&comparison.base_moved));
         let mut remarks = beside_each_other(before, after);
         remarks.extend(knocked(&comparison));
         remarks.extend(load_of_one(&comparison));

@@ -24,6 +24,21 @@ pub struct BaseSigma {
     pub turn_rad: f64,
 }
 
+/// A base that is elsewhere by more than so many standard deviations has moved.
+const SURE: f64 = 5.0;
+/// What arithmetic makes of the same readings twice, metres and radians.
+const LEAST: f64 = 1e-9;
+
+impl BaseSigma {
+    /// Whether `base_moved` is more than noise makes of a base that stands still.
+    #[must_use]
+    pub fn is_exceeded_by(&self, base_moved: &Isometry3<f64>) -> bool {
+        let shift_m = base_moved.translation.vector;
+        (0..3).any(|k| shift_m[k].abs() > (SURE * self.shift_m[k]).max(LEAST))
+            || base_moved.rotation.angle() > (SURE * self.turn_rad).max(LEAST)
+    }
+}
+
 impl MeasuredPoses {
     /// Those of a file that registers.
     #[must_use]
@@ -56,8 +71,10 @@ impl MeasuredPoses {
             squares += row.transpose() * row;
         }
         // What is left of the points holds the noise, and what else has changed.
-        let sigma_m = comparison.noise_rms_m.unwrap_or(0.0).max(comparison.rms_m) / 3.0_f64.sqrt();
         let pairs = comparison.pairs.max(1) as f64;
+        let freedom = 1.0 - unknowns as f64 / (3.0 * pairs);
+        let left_m = comparison.rms_m / freedom.max(0.1).sqrt();
+        let sigma_m = comparison.noise_rms_m.unwrap_or(0.0).max(left_m) / 3.0_f64.sqrt();
         let share = self.base_from_flange.len() as f64 / pairs;
         let covariance = squares.cholesky()?.inverse() * (sigma_m * sigma_m * share);
         let turns = covariance.fixed_view::<3, 3>(3, 3).into_owned().symmetric_eigenvalues();
