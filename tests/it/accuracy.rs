@@ -212,3 +212,16 @@ fn a_reading_that_no_arm_made_is_named_by_its_line() {
         found.err
     );
 }
+
+#[test]
+fn few_poses_are_told_to_fit_less_than_they_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let help = |options: &[&str]| {
+        let err = accuracy(folder.path(), &cycles(|_, _, _| {}), options).err;
+        let few = err.split_once("measure::few-poses").expect(&err).1;
+        few.lines().find(|line| line.contains("help:")).expect(&err).to_owned()
+    };
+    assert!(help(&[]).contains("(--register base, or none)"));
+    let of_base = help(&["--register", "base", "--tool", "20,10,100"]);
+    assert!(of_base.contains("--register none") && !of_base.contains("--register base"), "{of_base}");
+}

@@ -189,9 +189,15 @@ pub fn performance(
 
 /// That what is fitted takes much of the accuracy of so few poses: of 3 numbers a pose each that is fitted takes one from the sum of squares.
 fn few_poses(stations: &[Station], targets: usize, compared: ComparisonFrame) -> Option<Diagnostic> {
-    let (what, fitted) = match compared {
-        ComparisonFrame::Fitted => ("base and target", 6 + 3 * targets),
-        ComparisonFrame::BaseFitted(_) => ("the base", 6),
+    let (what, fitted, less) = match compared {
+        ComparisonFrame::Fitted => (
+            "base and target",
+            6 + 3 * targets,
+            "fit less (--register base, or none) where target and base are known",
+        ),
+        ComparisonFrame::BaseFitted(_) => {
+            ("the base", 6, "fit nothing (--register none) where the base is known")
+        }
         ComparisonFrame::AsMeasured(_) => return None,
     };
     let poses: BTreeSet<(usize, usize)> = stations.iter().map(|s| (s.pose, s.target)).collect();
@@ -205,7 +211,7 @@ fn few_poses(stations: &[Station], targets: usize, compared: ComparisonFrame) ->
             100.0 * smaller_by
         );
         Diagnostic::warning("measure::few-poses", text)
-            .help("measure more poses, spread ones; or fit less (--register base, or none) where target and base are known")
+            .help(format!("measure more poses, spread ones; or {less}"))
     })
 }
 

@@ -117,6 +117,16 @@ fn a_base_that_is_elsewhere_by_more_than_its_interval_has_moved() {
 }
 
 #[test]
+fn what_is_wrong_in_one_file_is_no_matter_of_the_poses() {
+    let folder = tempfile::tempdir().unwrap();
+    let sound = measured(&[], Vector3::from(TIP_M), 1);
+    let in_m = with_points(&sound, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
+    let (code, answer) = compared(folder.path(), &sound, &in_m);
+    assert!(code == 2 && answer.contains("measure::fault") && answer.contains("in metres"), "{answer}");
+    assert!(!answer.contains("measure the same poses"), "{answer}");
+}
+
+#[test]
 fn what_sags_may_be_a_load_that_one_file_does_not_tell() {
     let folder = tempfile::tempdir().unwrap();
     let tip = Vector3::from(TIP_M);

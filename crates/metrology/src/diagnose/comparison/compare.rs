@@ -65,8 +65,14 @@ impl CompareError {
 
 impl From<CompareError> for Diagnostic {
     fn from(error: CompareError) -> Self {
-        Self::error(error.code(), error.to_string())
-            .help("measure the same poses with the same target each time, 30 spread ones")
+        let message = Self::error(error.code(), error.to_string());
+        match error {
+            // What is wrong in one file is said with what to do about it.
+            CompareError::Fault { .. } => message,
+            CompareError::TooFew { .. } | CompareError::Register(_) => {
+                message.help("measure the same poses with the same target each time, 30 spread ones")
+            }
+        }
     }
 }
 
