@@ -331,7 +331,7 @@ impl ColumnMap {
         let text = if self.decimal_comma { cell.replace(',', ".") } else { cell.to_owned() };
         text.parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| MeasureError::NotANumber {
             line,
-            column: column.to_owned(),
+            column: self.own_names().rename(column),
             text: cell.chars().take(40).collect(),
             hint: if cell.contains(',') { ": decimal_comma = true?" } else { "" },
         })
@@ -392,13 +392,12 @@ impl ColumnMap {
     /// x, y, z and a quaternion; empty where a cell is.
     fn posed(&self, pose: &PoseColumns, at: &[usize; 6], line: &Line) -> Result<Vec<String>, MeasureError> {
         let mut values = [0.0; 6];
-        for (k, (value, column)) in values.iter_mut().zip(at).enumerate() {
+        for (k, ((value, column), source)) in values.iter_mut().zip(at).zip(&pose.columns).enumerate() {
             let cell = line.cells.get(*column).map_or("", String::as_str);
             if cell.is_empty() {
                 return Ok(vec![String::new(); 7]);
             }
-            let name = POINT.get(k).copied().unwrap_or("pose");
-            let number = self.number(name, cell, line.number)?;
+            let number = self.number(&source.shown(), cell, line.number)?;
             *value = if k < 3 { mm_from_m(self.length_unit.m(number)) } else { pose.angle_unit.rad(number) };
         }
         let [x, y, z, a, b, c] = values;

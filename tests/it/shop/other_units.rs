@@ -126,3 +126,18 @@ fn accuracy_names_a_tool_that_is_elsewhere_than_the_points_say() {
         );
     }
 }
+
+#[test]
+fn a_cell_that_is_no_number_is_named_by_the_column_that_the_file_has() {
+    let map = "delimiter = \";\"\ndecimal_comma = true\n[columns]\nq3_deg = \"A3\"\ndir2 = \"R2\"\n\
+               [pose]\ncolumns = [\"X\", \"Y\", \"Z\", \"A\", \"B\", \"C\"]\nrotation = \"moving-zyx\"\n";
+    let map = measurements::ColumnMap::from_toml(map).unwrap();
+    let sound = ["10,5", "1", "100,5", "2", "3", "4", "5", "6"];
+    for (k, column) in ["A3", "R2", "X", "Y", "Z", "A", "B", "C"].into_iter().enumerate() {
+        let mut cells = sound;
+        cells[k] = "abc";
+        let text = format!("A3;R2;X;Y;Z;A;B;C\n{}\n{}\n", sound.join(";"), cells.join(";"));
+        let error = map.table(text.as_bytes()).unwrap_err().to_string();
+        assert!(error.starts_with(&format!("line 3, column {column}: 'abc'")), "{error}");
+    }
+}
