@@ -2,6 +2,7 @@
 
 use crate::report::accuracy as report;
 use measurements::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
+use metrology::diagnose::{DiagnosisOptions, rounded_joints};
 use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, plural};
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
@@ -51,7 +52,8 @@ impl AccuracyCheck {
     /// # Errors
     /// [`AccuracyError`]
     pub fn run(&self, measurements: &Measurements) -> Result<AccuracyChecked, AccuracyError> {
-        let performance = performance(measurements, &self.robot, self.frame)?;
+        let mut performance = performance(measurements, &self.robot, self.frame)?;
+        performance.warnings.extend(self.rounded(measurements));
         let worst = performance.worst();
         let limits = [
             ("--limit-ap-mm", self.limit_ap_mm, worst.ap_m),
@@ -67,6 +69,17 @@ impl AccuracyCheck {
         }
         let is_limited = limits.iter().any(|(_, limit_mm, _)| limit_mm.is_some());
         Ok(AccuracyChecked { performance, beyond, is_limited, robot: self.robot.clone() })
+    }
+
+    /// That the accuracy is that of joints with too few decimals.
+    fn rounded(&self, measurements: &Measurements) -> Option<Diagnostic> {
+        let tool_m = match self.frame {
+            ComparisonFrame::Fitted => None,
+            ComparisonFrame::BaseFitted(tool_m) | ComparisonFrame::AsMeasured(tool_m) => Some(tool_m),
+        };
+        let options = DiagnosisOptions { tool_m, ..DiagnosisOptions::default() };
+        let fault = rounded_joints(measurements, &self.robot, &options)?;
+        Some(Diagnostic::warning("measure::rounded", fault.reason).help("AP holds what the rounding moves"))
     }
 }
 

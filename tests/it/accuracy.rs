@@ -225,3 +225,32 @@ fn few_poses_are_told_to_fit_less_than_they_do() {
     let of_base = help(&["--register", "base", "--tool", "20,10,100"]);
     assert!(of_base.contains("--register none") && !of_base.contains("--register base"), "{of_base}");
 }
+
+/// Joints all over the middle of their ranges, by the powers of the golden section; the same written with some decimals.
+fn one_each(decimals: usize) -> String {
+    let mut csv = format!("pose_id,{JOINTS},x_mm,y_mm,z_mm\n");
+    for k in 0..60 {
+        let q_deg: [f64; 6] = std::array::from_fn(|j| {
+            let part = ((f64::from(k) + 1.0) * 0.618_034_f64.powi(j as i32 + 1)).fract();
+            [85.0, 45.0, 40.0, 90.0, 60.0, 110.0][j] * (2.0 * part - 1.0) + if j == 4 { 15.0 } else { 0.0 }
+        });
+        let [x, y, z] = command_mm(q_deg, [20.0, 10.0, 100.0]);
+        let written = q_deg.map(|q| format!("{q:.decimals$}")).join(",");
+        writeln!(csv, "P{k},{written},{x:.4},{y:.4},{z:.4}").unwrap();
+    }
+    csv
+}
+
+#[test]
+fn joints_with_too_few_decimals_are_named_beside_the_accuracy_that_they_make() {
+    let folder = tempfile::tempdir().unwrap();
+    let coarse = accuracy(folder.path(), &one_each(1), &[]).err;
+    assert!(
+        coarse.contains("measure::rounded")
+            && coarse.contains("rounded to 0.1 deg, which moves the points by"),
+        "{coarse}"
+    );
+    assert!(!accuracy(folder.path(), &one_each(4), &[]).err.contains("measure::rounded"));
+    // Poses that were commanded in whole degrees are what the file says.
+    assert!(!accuracy(folder.path(), &cycles(|_, _, _| {}), &[]).err.contains("measure::rounded"));
+}

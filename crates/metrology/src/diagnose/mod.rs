@@ -62,6 +62,7 @@ mod validate;
 mod verdict;
 mod visible;
 pub mod warmup;
+mod written_angles;
 mod zeros;
 
 pub use cause::Cause;
@@ -81,3 +82,4 @@ pub use size_unit::SizeUnit;
 pub use time_course::TimeCourse;
 pub use validate::{DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate};
 pub use verdict::{GearBand, describe, gear_bands};
+pub use written_angles::rounded_joints;
