@@ -233,7 +233,7 @@ fn fit_without(
     let gain_nats = drift - log_evidence_of_none(&sums(&likeliest.history));
     let other_law = share_of_other_law(&coarse, likeliest);
     // Round the likeliest, as wide as the evidence is and fine enough for it.
-    let weighed = weigh(history::finer_grid(&coarse, likeliest));
+    let weighed = history::narrowed(weigh(history::finer_grid(&coarse, likeliest)), weigh);
     let fits = fitted(weighed, &sums);
     let weights = weights(&fits);
     let best = weights.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i);

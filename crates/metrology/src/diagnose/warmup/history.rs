@@ -70,31 +70,82 @@ pub(super) fn cool_taus_min(tau_min: f64) -> impl Iterator<Item = f64> {
     (-6..=6).map(move |k| tau_min * 1.2_f64.powi(k))
 }
 
+/// Points of a finer grid to each side.
+const SIDE: i32 = 8;
+/// A neighbour of the likeliest history that is less likely by more holds no weight, nats: a step of two standard deviations.
+const NO_WEIGHT_NATS: f64 = 2.0;
+/// Times that a grid is narrowed at most, each time to a quarter.
+const NARROWINGS: usize = 6;
+
+/// Time constants of warming and cooling, as logarithms.
+fn logs(history: &ThermalHistory) -> [f64; 2] {
+    [history.law.tau_min().unwrap_or(1.0).ln(), history.tau_cool_min.unwrap_or(1.0).ln()]
+}
+
 /// A finer grid round the likeliest history of a coarse one: four standard deviations to each side in the logarithms.
 pub(super) fn finer_grid(coarse: &[WeighedHistory], likeliest: &WeighedHistory) -> Vec<ThermalHistory> {
-    /// Points to each side, and the least half width: a step of the coarse grid.
-    const SIDE: i32 = 8;
+    /// The least half width: a step of the coarse grid.
     const LEAST: [f64; 2] = [0.1, 0.19];
-    let of = |h: &ThermalHistory| [h.law.tau_min().unwrap_or(1.0).ln(), h.tau_cool_min.unwrap_or(1.0).ln()];
-    let same = coarse.iter().filter(|w| w.history.law.is_same_kind(&likeliest.history.law));
-    let [mut total, mut mean, mut square] = [[0.0; 2]; 3];
-    for one in same {
-        let weight = (one.log_evidence - likeliest.log_evidence).exp();
-        for (k, value) in of(&one.history).into_iter().enumerate() {
-            total[k] += weight;
-            mean[k] += weight * value;
-            square[k] += weight * value * value;
-        }
+    let [middle, deviation] = moments(coarse, likeliest);
+    grid_about(&likeliest.history, middle, [0, 1].map(|k: usize| (4.0 * deviation[k]).max(LEAST[k])))
+}
+
+/// `grid`, or a finer one where its steps are too wide to show how exactly the touches tell the time constants.
+pub(super) fn narrowed(
+    mut grid: Vec<WeighedHistory>,
+    weigh: impl Fn(Vec<ThermalHistory>) -> Vec<WeighedHistory>,
+) -> Vec<WeighedHistory> {
+    for _ in 0..NARROWINGS {
+        let Some(narrower) = narrower_grid(&grid) else { break };
+        grid = weigh(narrower);
     }
-    let middle = [0, 1].map(|k: usize| mean[k] / total[k]);
-    let half = [0, 1]
-        .map(|k: usize| (4.0 * (square[k] / total[k] - middle[k].powi(2)).max(0.0).sqrt()).max(LEAST[k]));
+    grid
+}
+
+/// A finer grid than `grid`, where its steps are so wide that one history alone holds the weight; `None` where they are not.
+fn narrower_grid(grid: &[WeighedHistory]) -> Option<Vec<ThermalHistory>> {
+    let likeliest = grid.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
+    let at = logs(&likeliest.history);
+    let far = |one: &WeighedHistory, k: usize| (logs(&one.history)[k] - at[k]).abs();
+    let step = [0, 1].map(|k: usize| {
+        let all = || grid.iter().map(|one| logs(&one.history)[k]);
+        (all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min)) / f64::from(2 * SIDE)
+    });
+    let is_alone = [0, 1].map(|k: usize| {
+        let is_beside = |one: &&WeighedHistory| {
+            (0.5..1.5).contains(&(far(one, k) / step[k])) && far(one, 1 - k) <= 0.5 * step[1 - k]
+        };
+        let beside = grid.iter().filter(is_beside).map(|one| one.log_evidence);
+        step[k] > 0.0 && beside.fold(f64::NEG_INFINITY, f64::max) < likeliest.log_evidence - NO_WEIGHT_NATS
+    });
+    if is_alone == [false; 2] {
+        return None;
+    }
+    let [middle, deviation] = moments(grid, likeliest);
+    // The summit lies within a step of the likeliest.
+    let half = [0, 1].map(|k: usize| (4.0 * deviation[k]).max(if is_alone[k] { 2.0 * step[k] } else { 0.0 }));
+    Some(grid_about(&likeliest.history, middle, half))
+}
+
+/// Mean and standard deviation of the logarithms over all histories of the likeliest's kind.
+fn moments(all: &[WeighedHistory], likeliest: &WeighedHistory) -> [[f64; 2]; 2] {
+    let same = || all.iter().filter(|w| w.history.law.is_same_kind(&likeliest.history.law));
+    let weight = |one: &WeighedHistory| (one.log_evidence - likeliest.log_evidence).exp();
+    let total: f64 = same().map(weight).sum();
+    let mean = [0, 1].map(|k: usize| same().map(|w| weight(w) * logs(&w.history)[k]).sum::<f64>() / total);
+    let square = |k: usize| -> f64 {
+        same().map(|w| weight(w) * (logs(&w.history)[k] - mean[k]).powi(2)).sum::<f64>() / total
+    };
+    [mean, [0, 1].map(|k| square(k).sqrt())]
+}
+
+fn grid_about(likeliest: &ThermalHistory, middle: [f64; 2], half: [f64; 2]) -> Vec<ThermalHistory> {
     let at = |k: usize, i: i32| (middle[k] + half[k] * f64::from(i) / f64::from(SIDE)).exp();
     let mut grid = Vec::new();
     for i in -SIDE..=SIDE {
-        let law = likeliest.history.law.with_tau_min(at(0, i));
+        let law = likeliest.law.with_tau_min(at(0, i));
         let cooling = |j| ThermalHistory { law, tau_cool_min: Some(at(1, j)) };
-        match likeliest.history.tau_cool_min {
+        match likeliest.tau_cool_min {
             None => grid.push(ThermalHistory { law, tau_cool_min: None }),
             Some(_) => grid.extend((-SIDE..=SIDE).map(cooling)),
         }
@@ -173,6 +224,26 @@ mod tests {
         let rounds = minutes.into_iter().flat_map(|t_min| [(t_min, 0), (t_min, 1)]);
         let points = vec!["P1".to_owned(), "P2".to_owned()];
         Touches { touches: rounds.map(touch).collect(), points, warnings: Vec::new() }
+    }
+
+    /// By hand: ln evidence of a Gaussian about ln 44.07 of 0.05 % has its moments on any grid of steps below two of its standard deviations.
+    #[test]
+    fn a_grid_is_narrowed_until_the_width_of_the_evidence_shows() {
+        let [at, deviation] = [44.07_f64.ln(), 5e-4];
+        let weigh = |grid: Vec<ThermalHistory>| -> Vec<WeighedHistory> {
+            let weighed = |history| WeighedHistory {
+                history,
+                log_evidence: -0.5 * ((logs(&history)[0] - at) / deviation).powi(2),
+            };
+            grid.into_iter().map(weighed).collect()
+        };
+        let law = GrowthLaw::Exp { tau_min: 43.8 };
+        let start = ThermalHistory { law, tau_cool_min: None };
+        let grid = narrowed(weigh(grid_about(&start, [43.8_f64.ln(), 0.0], [0.1, 0.0])), weigh);
+        let likeliest = grid.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).unwrap();
+        let [mean, found] = moments(&grid, likeliest);
+        assert!((mean[0] - at).abs() < 0.2 * deviation, "{}", mean[0].exp());
+        assert!((found[0] / deviation - 1.0).abs() < 0.1, "{}", found[0]);
     }
 
     #[test]
