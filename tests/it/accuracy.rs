@@ -254,3 +254,24 @@ fn joints_with_too_few_decimals_are_named_beside_the_accuracy_that_they_make() {
     // Poses that were commanded in whole degrees are what the file says.
     assert!(!accuracy(folder.path(), &cycles(|_, _, _| {}), &[]).err.contains("measure::rounded"));
 }
+
+/// The zero of joint 3 half a degree off: the five poses lie 0.5 % nearer to each other by it than the arm says.
+#[test]
+fn a_zero_that_is_off_is_no_scale_of_an_instrument_in_few_poses() {
+    let folder = tempfile::tempdir().unwrap();
+    let poses = [
+        [-19.07, 0.89, 18.85, -73.46, 58.01, 54.85],
+        [-24.97, -16.14, -13.50, 28.34, 54.98, -83.99],
+        [-5.39, 26.85, -4.63, 23.97, 87.39, 43.94],
+        [-8.67, -6.89, -9.24, 1.99, 81.30, 66.14],
+        [-14.55, 44.70, -1.75, 34.88, 18.58, -94.91],
+    ];
+    let mut csv = format!("pose_id,{JOINTS},x_mm,y_mm,z_mm\n");
+    for (k, q_deg) in poses.into_iter().enumerate() {
+        let [q1, q2, q3, q4, q5, q6] = q_deg;
+        let [x, y, z] = command_mm([q1, q2, q3 + 0.5, q4, q5, q6], [60.0, 40.0, 100.0]);
+        writeln!(csv, "P{k},{},{x:.4},{y:.4},{z:.4}", joints(q_deg)).unwrap();
+    }
+    let found = accuracy(folder.path(), &csv, &["--limit-ap-mm", "0.05"]);
+    assert!(found.code == 1 && found.out.contains("NO GO"), "{}{}", found.out, found.err);
+}

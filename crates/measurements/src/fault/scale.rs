@@ -8,12 +8,17 @@ use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
+use std::collections::BTreeSet;
 
 /// Lengths that differ by more than this share are of another scale: instruments are off by 1e-6 a kelvin, arms that warm by 1e-4, and
 /// links by their tolerance, each in its own way.
 const OTHER_SCALE: f64 = 1.5e-3;
 /// A scale must leave this share of the distance or less.
 const SCALED: f64 = 0.35;
+/// In fewer poses the zero of a joint lets the points lie as far apart as a scale of some percent does.
+const FEWEST_FOR_SCALE: usize = 12;
+/// Beyond this share no zero does: a unit's factor.
+const OF_A_UNIT: f64 = 0.5;
 /// Steps of the secant that finds the scale.
 const SCALINGS: usize = 4;
 
@@ -31,6 +36,10 @@ pub(super) fn find_scale(
     let before_m = most_left_m(&stations, &poses, targets)?;
     let after_m = most_left_m(&scaled(&stations, factor), &poses, targets)?;
     let by = 1.0 / factor - 1.0;
+    let poses: BTreeSet<usize> = stations.iter().map(|station| station.pose).collect();
+    if poses.len() < FEWEST_FOR_SCALE && by.abs() < OF_A_UNIT {
+        return None;
+    }
     (by.abs() > OTHER_SCALE && after_m < SCALED * before_m).then(|| {
         let than = if by > 0.0 { "longer" } else { "shorter" };
         Fault::of_all(
