@@ -311,7 +311,7 @@ fn inches_metres_radians_and_hours_become_ours() {
     assert_eq!((row.t_min, row.payload_kg), (Some(30.0), Some(2.5)));
     assert!(row.q_rad.iter().all(|q| (q - 0.5).abs() < 1e-15));
     let error = map.table(b"hours\tE\tN\tH\tturn\n0.5\tten\t-20\t30\t0.5\n").unwrap_err().to_string();
-    assert_eq!(error, "line 2, column x_mm: 'ten' is not a number");
+    assert_eq!(error, "line 2, column E: 'ten' is not a number");
     let error = map.table(b"hours\tE\tN\n1\t2\t3\n").unwrap_err().to_string();
     assert!(error.starts_with("column H is missing"), "{error}");
     let error = ColumnMap::from_toml("[columns]\nx = 1\n").unwrap_err().to_string();
