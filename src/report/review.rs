@@ -59,8 +59,8 @@ pub fn write_verdict(out: &mut dyn Write, review: &Review<'_>) -> io::Result<()>
         totals.kept,
         totals.refused,
     )?;
-    if totals.kept_for_run_time > 0 {
-        writeln!(out, "{}", auto_corrects(totals.kept_for_run_time, totals.kept))?;
+    if s.kept_for_run_time > 0 {
+        writeln!(out, "{}", auto_corrects(s.kept_for_run_time, totals.kept))?;
     }
     if !has_known_targets(review) {
         return writeln!(

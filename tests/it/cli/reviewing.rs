@@ -317,6 +317,34 @@ fn where_run_time_can_correct_what_is_kept_that_is_said() {
             "= help: all 2 kept go to what only the running program knows: --form auto corrects them"
         ));
     }
+    // What an option leaves alone no form corrects.
+    for form in ["ramp", "auto"] {
+        let kept = out(&driftpost(&[
+            "compensate",
+            &known,
+            "--form",
+            form,
+            "--keep",
+            "p2",
+            "-o",
+            &emitted,
+            "--diff",
+            "none",
+        ]));
+        let is_hinted = kept.contains("1 of those kept goes to what only the running program knows");
+        assert_eq!(is_hinted, form == "ramp", "{kept}");
+    }
+    // Nor what the model holds and a program cannot.
+    let model = ["--model", "fixtures/model/every_effect.toml", "--temperature-c", "30"];
+    let ramp = driftpost(
+        &[&["compensate", &known, "--form", "ramp", "-o", &emitted, "--diff", "none"][..], &model].concat(),
+    );
+    assert!(
+        out(&ramp).contains(" 2 kept,") && !out(&ramp).contains("--form auto"),
+        "{}{}",
+        out(&ramp),
+        err(&ramp)
+    );
     for source in [&known, &unknown] {
         let all = out(&made(source, "auto"));
         assert!(all.contains(" 0 kept,") && !all.contains("--form auto"), "{all}");

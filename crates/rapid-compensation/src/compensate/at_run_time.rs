@@ -1,18 +1,32 @@
 //! What a motion and the controller must have so that the model can be asked at run time.
 
+use super::model::Model;
 use super::placement::skip;
 use rapid_program::Program;
 use rapid_program::motion::{Motion, Path, SkipReason};
+use std::sync::Arc;
 
-/// Whether a motion that is kept for `why` could ask the model at run time, were a form asked for that does.
-pub(super) fn could_ask(program: &Program, motion: &Motion, why: &SkipReason) -> bool {
-    // Where it was asked for, the model was found to lack something.
-    let was_refused = why.code == "keep::live-model";
-    motion.run_time
-        && !was_refused
-        && of_controller(program, motion).is_none()
-        && stationary_tool(motion).is_none()
-        && open_configuration(motion).is_none()
+/// Reasons that hold at run time too: those of the options, and that nobody knows how the tool is turned on an arc.
+pub(super) const NOT_ASKED: [&str; 4] =
+    ["keep::as-asked", "keep::moveabsj", "keep::absolute-accuracy", "keep::circle-orientation"];
+
+/// How many motions that are kept, each for a reason, would ask the model at run time in the form `auto`.
+pub(super) fn count_that_could_ask<'p>(
+    program: &Program,
+    model: &Model<'_>,
+    kept: impl Iterator<Item = (&'p Motion, &'p Arc<SkipReason>)>,
+) -> usize {
+    if model.identified.as_ref().is_some_and(|identified| !identified.beyond_run_time().is_empty()) {
+        return 0;
+    }
+    let could_ask = |(motion, why): &(&Motion, &Arc<SkipReason>)| {
+        motion.run_time
+            && !NOT_ASKED.contains(&why.code)
+            && of_controller(program, motion).is_none()
+            && stationary_tool(motion).is_none()
+            && open_configuration(motion).is_none()
+    };
+    kept.filter(could_ask).count()
 }
 
 /// Why the model cannot be asked where nobody checks confdata: the controller then goes to the solution that is nearest, whatever they say.

@@ -1,5 +1,6 @@
 //! Each motion's plan: its targets' corrections, solved once, in the form that it takes.
 
+use super::at_run_time::NOT_ASKED;
 use super::correct::{Moments, MotionCorrection, correct, skipped};
 use super::figures::Tally;
 use super::follow_paths::follow_paths;
@@ -174,10 +175,6 @@ impl Corrector<'_> {
         }
     }
 }
-
-/// Reasons that hold at run time too: those of the options, and that nobody knows how the tool is turned on an arc.
-const NOT_ASKED: [&str; 4] =
-    ["keep::as-asked", "keep::moveabsj", "keep::absolute-accuracy", "keep::circle-orientation"];
 
 /// Whether run time tells which of a few values the target is, and no index does.
 fn is_one_of_several(motion: &Motion) -> bool {

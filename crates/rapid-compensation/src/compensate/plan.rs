@@ -1,6 +1,5 @@
 //! The plan: for each motion and bucket the corrected target, and what the review needs to know of it.
 
-use super::at_run_time::could_ask;
 use super::live_basis::LiveBasis;
 use crate::schedule::{Schedule, TimeFunctions};
 use rapid_program::Program;
@@ -240,8 +239,6 @@ pub struct Totals {
     pub by_form: [usize; 3],
     /// Motions that stay as they are.
     pub kept: usize,
-    /// Of these the ones that the form `auto` would correct: what they go to is known at run time alone.
-    pub kept_for_run_time: usize,
     /// Motions because of which the program is refused.
     pub refused: usize,
     /// Robtargets and jointtargets of the compensated motions.
@@ -257,12 +254,7 @@ impl Totals {
     #[must_use]
     pub fn of(program: &Program, plan: &Plan) -> Self {
         let mut totals = Self::default();
-        program.motions.iter().zip(&plan.motions).for_each(|(motion, planned)| {
-            totals.add(motion, planned);
-            if let Status::Kept(why) = &planned.status {
-                totals.kept_for_run_time += usize::from(could_ask(program, motion, why));
-            }
-        });
+        program.motions.iter().zip(&plan.motions).for_each(|(motion, planned)| totals.add(motion, planned));
         totals
     }
 
@@ -301,6 +293,8 @@ pub struct Summary {
     /// The warm-up minute from which what is still to come is under the tolerance, or the one asked for as
     /// the schedule's end.
     pub until_min: f64,
+    /// Of the motions that are kept the ones that the form `auto` would correct: what they go to is known at run time alone.
+    pub kept_for_run_time: usize,
     /// Buckets that other tolerances would take: `(tolerance in metres, buckets)`.
     pub other_tolerances: Vec<(f64, usize)>,
 }

@@ -1,7 +1,7 @@
 //! From a program to its plan: what each motion comes to, a schedule or time functions for all of them, then each target's
 //! corrections, solved once.
 
-use super::at_run_time::could_ask;
+use super::at_run_time::count_that_could_ask;
 use super::circle_points::{skip_uneven_turns, turn_with_arcs};
 use super::correct::Moments;
 use super::corrector::{CorrectedMotions, Corrector, SIDE_BY_SIDE};
@@ -24,7 +24,7 @@ use super::{clock_gaps, conditions, directions, held_play, placement, plausible,
 use crate::parallel;
 use crate::schedule::{Chosen, Moment, choose};
 use rapid_program::Program;
-use rapid_program::motion::{MotionId, Path, SkipReason, Target};
+use rapid_program::motion::{Motion, MotionId, Path, SkipReason, Target};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
@@ -73,12 +73,13 @@ pub fn plan(
     }
     let compensated = |id: MotionId| motions.get(id.index()).is_some_and(|m| m.status == Status::Compensated);
     let compensated = ProgramPoints::of(program, &resolved, &model, compensated);
-    let summary = tally.summary((program, &resolved), &compensated, &chosen.schedule);
+    let mut summary = tally.summary((program, &resolved), &compensated, &chosen.schedule);
     drop(compensated);
     report_crossings(program, &motions, crossings, &mut messages);
     if options.strict {
         motions.iter_mut().for_each(refuse_skipped);
     }
+    summary.kept_for_run_time = kept_for_run_time(program, &model, &motions);
     // Of targets that only run time tells nothing is known of their drift.
     let known = motions.iter().any(|motion| motion.error_m.is_some());
     if known && !motions.iter().any(|motion| matches!(motion.status, Status::Refused(_))) {
@@ -194,6 +195,12 @@ fn samples<'a>(program: &Program, points: &ProgramPoints<'a>) -> Vec<Sample<'a>>
     some.filter_map(sample).collect()
 }
 
+/// How many of the motions that stay as they are the form `auto` would correct.
+fn kept_for_run_time(program: &Program, model: &Model<'_>, motions: &[PlannedMotion]) -> usize {
+    let both = program.motions.iter().zip(motions);
+    count_that_could_ask(program, model, both.filter_map(|(m, planned)| Some((m, skip_reason(planned)?))))
+}
+
 /// What is said of the motions that stay as they are, and of the others.
 fn kept_messages(program: &Program, motions: &[PlannedMotion], mut messages: Messages) -> Vec<Diagnostic> {
     for (motion, planned) in program.motions.iter().zip(motions) {
@@ -212,24 +219,16 @@ fn nothing<'k>(
     (of_plan, mut messages): (Messages, Messages),
 ) -> CompensateError {
     conditions::check_model(model, None, &mut messages);
-    let mut kept = Vec::new();
-    let mut for_run_time = 0;
-    let mut first = None;
-    for (id, motion) in program.numbered_motions() {
-        if let Some(why) = reason(id) {
-            messages.add_skipped(motion, why);
-            first.get_or_insert((motion.line, Arc::clone(why)));
-            kept.push(Arc::clone(why));
-            for_run_time += usize::from(could_ask(program, motion, why));
-        }
-    }
-    match first {
-        Some((line, first)) => CompensateError::NothingToCompensate {
+    let kept: Vec<(&Motion, &Arc<SkipReason>)> =
+        program.numbered_motions().filter_map(|(id, motion)| Some((motion, reason(id)?))).collect();
+    kept.iter().for_each(|(motion, why)| messages.add_skipped(motion, why));
+    match kept.first() {
+        Some((motion, first)) => CompensateError::NothingToCompensate {
             motions: kept.len(),
-            line,
-            first,
-            kept,
-            for_run_time,
+            line: motion.line,
+            first: Arc::clone(first),
+            kept: kept.iter().map(|(_, why)| Arc::clone(why)).collect(),
+            for_run_time: count_that_could_ask(program, model, kept.iter().copied()),
             diagnostics: [of_plan.finish(), messages.finish()].concat(),
         },
         None => CompensateError::NoMotion,

@@ -48,18 +48,18 @@ impl ScannedWrites {
     pub(super) fn of(index: &Index<'_>) -> Self {
         let writes = Writes { by_datum: Table::filled(index.data.len(), None), ..Writes::default() };
         let changes = Self { writes, passed: Vec::new(), calls: BTreeSet::new(), by_name: Vec::new() };
-        let mut scan = WriteScan { index, changes, in_trap: false, is_called_by_one: false };
+        let mut scan = WriteScan { index, changes, in_trap: false, is_called_at_any_time: false };
         let called = called_at_any_time(index);
         for (id, routine) in index.routines.numbered() {
             let trap = index.interrupts(id);
             scan.in_trap = trap;
-            scan.is_called_by_one = called.contains(id);
+            scan.is_called_at_any_time = called.contains(id);
             scan.body(&routine.tree.body, id, trap);
             for handler in &routine.tree.handlers {
                 scan.body(&handler.body, id, true);
             }
         }
-        (scan.in_trap, scan.is_called_by_one) = (false, false);
+        (scan.in_trap, scan.is_called_at_any_time) = (false, false);
         for (id, module) in index.modules.numbered() {
             let ctx = Ctx { file: module.file, module: id, routine: None };
             for item in &module.tree.items {
@@ -78,8 +78,8 @@ struct WriteScan<'i, 'a> {
     changes: ScannedWrites,
     /// What is being read is a trap, which runs at any time.
     in_trap: bool,
-    /// A trap calls it: what is not its own changes at any time, too.
-    is_called_by_one: bool,
+    /// A trap, or a procedure that a move calls, calls it: what is not its own changes at any time, too.
+    is_called_at_any_time: bool,
 }
 
 impl WriteScan<'_, '_> {
@@ -123,7 +123,7 @@ impl WriteScan<'_, '_> {
 
     /// Whether a datum that is written here changes where the ways through the routines do not show it.
     fn is_hidden(&self, datum: DatumId) -> bool {
-        self.in_trap || (self.is_called_by_one && self.index.data[datum].ctx.routine.is_none())
+        self.in_trap || (self.is_called_at_any_time && self.index.data[datum].ctx.routine.is_none())
     }
 
     fn datum(&self, name: TextRange, ctx: Ctx) -> Option<DatumId> {
