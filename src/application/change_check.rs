@@ -2,9 +2,9 @@
 
 use crate::report::changed as report;
 use measurements::Measurements;
-use metrology::diagnose::{BaseSigma, MeasuredPoses, beside_each_other, last_zero, why_unpaired};
 use metrology::diagnose::{
-    CompareError, DiagnosisOptions, MeasurementComparison, Verdict, compare_measurements,
+    CompareError, DiagnosisOptions, MeasurementComparison, beside_each_other, compare_measurements,
+    last_zero, why_unpaired,
 };
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::robot::SerialArm;
@@ -34,33 +34,22 @@ impl ChangeCheck {
     /// # Errors
     /// [`ChangeError`]
     pub fn run(&self, before: &Measurements, after: &Measurements) -> Result<ChangeChecked, ChangeError> {
-        let mut comparison = compare_measurements(before, after, &self.robot, &self.options)
+        let comparison = compare_measurements(before, after, &self.robot, &self.options)
             .map_err(|error| ChangeError::new(error, before, after))?;
         let is_changed = comparison.is_changed
             && self.limit_mm.map(m_from_mm).is_none_or(|limit_m| largest_m(&comparison) > limit_m);
-        let poses = MeasuredPoses::new(before, &self.robot, self.options.tool_m);
-        let base_sigma = poses.as_ref().and_then(|poses| poses.base_sigma(&comparison));
-        // What has changed of the arm may be a part of the shift, and nothing tells how large a one.
-        let base_sigma = base_sigma.filter(|_| !arm_is_changed(&comparison));
-        comparison.beyond.base_is_moved |=
-            base_sigma.is_some_and(|sigma| sigma.is_exceeded_by(&comparison.base_moved));
         let mut remarks = beside_each_other(before, after);
         remarks.extend(knocked(&comparison));
         remarks.extend(load_of_one(&comparison));
-        remarks.extend(poses.and_then(|poses| last_zero(&comparison, &poses.tools_m, &self.robot)));
-        Ok(ChangeChecked { comparison, is_changed, base_sigma, remarks })
+        remarks.extend(last_zero(&comparison, &self.robot));
+        Ok(ChangeChecked { comparison, is_changed, remarks })
     }
-}
-
-/// Whether the differences are more than base, tool and noise make.
-fn arm_is_changed(comparison: &MeasurementComparison) -> bool {
-    !matches!(comparison.diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData)
 }
 
 /// That a load which is not recorded sags an arm as a joint does that gives way more.
 fn load_of_one(comparison: &MeasurementComparison) -> Option<Diagnostic> {
     let sags = comparison.diagnosis.causes.iter().any(|cause| cause.effect.needs_load());
-    (arm_is_changed(comparison) && sags && comparison.is_changed).then(|| {
+    (comparison.arm_is_changed() && sags && comparison.is_changed).then(|| {
         let text = "what has changed sags under gravity: a load that hung on the flange in one file alone and that payload_kg does not tell \
                     moves the points as a joint or link does that gives way more";
         Diagnostic::warning("changed::load", text).help("was the flange as it was? Weigh what hung on it before anything is repaired")
@@ -143,8 +132,6 @@ pub struct ChangeChecked {
     pub comparison: MeasurementComparison,
     /// Arm or tool have changed by more than the noise, and by more than the limit.
     pub is_changed: bool,
-    /// How exactly the shift of the base is told; `None` where it is not, or where the arm has changed, which may be a part of it.
-    pub base_sigma: Option<BaseSigma>,
     /// What a person should know of the two files, and what else would explain the change.
     pub remarks: Vec<Diagnostic>,
 }
@@ -155,12 +142,12 @@ impl ChangeChecked {
     /// # Errors
     /// Those of writing to `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        report::write(out, &self.comparison, self.is_changed, self.base_sigma)
+        report::write(out, &self.comparison, self.is_changed)
     }
 
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.comparison, self.is_changed, self.base_sigma)
+        report::json(&self.comparison, self.is_changed)
     }
 }

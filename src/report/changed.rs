@@ -1,7 +1,6 @@
 //! What has changed between two measurements, for people and as JSON.
 
 use super::counted;
-use metrology::diagnose::BaseSigma;
 use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
@@ -11,12 +10,7 @@ use std::io::{self, Write};
 ///
 /// # Errors
 /// Those of writing to `out`.
-pub fn write(
-    out: &mut dyn Write,
-    found: &MeasurementComparison,
-    is_changed: bool,
-    base_sigma: Option<BaseSigma>,
-) -> io::Result<()> {
+pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
     writeln!(out, "{}", verdict(found, is_changed))?;
     let [before, after] = found.alone;
     let poses = counted(found.pairs, "pose");
@@ -38,7 +32,7 @@ pub fn write(
             mm_from_m(by.norm())
         )?;
     }
-    base(out, found, base_sigma)?;
+    base(out, found)?;
     writeln!(out, "the arm itself: {}", found.diagnosis.reason)?;
     if found.beyond.poses > 0 {
         let (poses, verb) =
@@ -64,11 +58,11 @@ pub fn write(
 }
 
 /// Where the base is now, with one standard deviation.
-fn base(out: &mut dyn Write, found: &MeasurementComparison, sigma: Option<BaseSigma>) -> io::Result<()> {
+fn base(out: &mut dyn Write, found: &MeasurementComparison) -> io::Result<()> {
     let [x, y, z] = <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m);
     let untold =
         || [" (how exactly is not told: the arm's change may be a part of it)".to_owned(), String::new()];
-    let [shift, turn] = sigma.map_or_else(untold, |sigma| {
+    let [shift, turn] = found.base_sigma.map_or_else(untold, |sigma| {
         let [x, y, z] = sigma.shift_m.map(mm_from_m);
         [format!(" (+- {x:.3}, {y:.3}, {z:.3})"), format!(" (+- {:.4})", deg_from_rad(sigma.turn_rad))]
     });
@@ -95,7 +89,7 @@ fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
 
 /// The result as the contract's JSON.
 #[must_use]
-pub fn json(found: &MeasurementComparison, is_changed: bool, base_sigma: Option<BaseSigma>) -> Value {
+pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
     let tools: Vec<Value> = found
         .tools_moved_m
         .iter()
@@ -113,8 +107,8 @@ pub fn json(found: &MeasurementComparison, is_changed: bool, base_sigma: Option<
         "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
         "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
                   "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved,
-                  "sigma_mm": base_sigma.map(|sigma| sigma.shift_m.map(mm_from_m)),
-                  "turned_sigma_deg": base_sigma.map(|sigma| deg_from_rad(sigma.turn_rad)) },
+                  "sigma_mm": found.base_sigma.map(|sigma| sigma.shift_m.map(mm_from_m)),
+                  "turned_sigma_deg": found.base_sigma.map(|sigma| deg_from_rad(sigma.turn_rad)) },
         "beyond_noise": found.beyond.poses, "scattered": found.beyond.is_scattered,
         "verdict": found.diagnosis.verdict, "causes": found.diagnosis.causes, "worst": worst,
     })

@@ -1,6 +1,7 @@
 //! What has changed between two measurements of one robot, before and after a crash, say: pose by pose, so that all that
 //! was wrong before as much as after drops out.
 
+use super::base_shift::{BaseSigma, base_sigma};
 use crate::diagnose::examine::diagnose;
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::{Findings, Verdict};
@@ -87,10 +88,14 @@ pub struct MeasurementComparison {
     pub rms_m: f64,
     /// What noise alone would give, where the noise is known.
     pub noise_rms_m: Option<f64>,
+    /// Where each target sat on the flange before, metres.
+    pub tools_m: Vec<Vector3<f64>>,
     /// How far each target has moved on the flange, with its largest standard deviation, metres.
     pub tools_moved_m: Vec<(Vector3<f64>, f64)>,
     /// The base now in the frame of the base before: real where the instrument has not moved.
     pub base_moved: Isometry3<f64>,
+    /// How exactly that is told; `None` where it is not, or where the arm has changed, which may be a part of it.
+    pub base_sigma: Option<BaseSigma>,
     /// The points that have moved furthest, the furthest first.
     pub worst: Vec<MovedPoint>,
     /// The diagnosis of the differences.
@@ -101,6 +106,18 @@ pub struct MeasurementComparison {
     pub is_changed: bool,
     /// What a person should look at in the files before and after: rows that were left out.
     pub warnings: [Vec<Diagnostic>; 2],
+}
+
+impl MeasurementComparison {
+    /// Whether the differences are more than base, tool and noise make.
+    #[must_use]
+    pub fn arm_is_changed(&self) -> bool {
+        is_of_the_arm(&self.diagnosis)
+    }
+}
+
+fn is_of_the_arm(diagnosis: &Findings) -> bool {
+    !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData)
 }
 
 /// What has moved by more than noise moves it.
@@ -173,19 +190,20 @@ fn compared(
         shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
 
     let sigma_m = noise_m(&old, &new, options, &pairs);
-    let differences = as_measurements(&pairs, &shown, before);
     let diagnosis_options =
         DiagnosisOptions { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
-    let diagnosis = diagnose(&differences, robot, &diagnosis_options);
+    let diagnosis = diagnose(&as_measurements(&pairs, &shown, before), robot, &diagnosis_options);
     let tools_moved_m: Vec<(Vector3<f64>, f64)> =
         fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
     // The same readings twice have no noise against which anything could be told.
     let is_same = moved.iter().all(|by| by.norm() < SAME_M);
     let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
-    let arm_is_changed = !matches!(diagnosis.verdict, Verdict::NothingAboveNoise | Verdict::InsufficientData);
+    let arm_is_changed = is_of_the_arm(&diagnosis);
     let base_moved = was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base;
-    let beyond =
-        Noise::new(sigma_m, &old, &new, &left).beyond(&left, base_shift_m(&pairs, &was, &base_moved));
+    let base_sigma = told_sigma(&pairs, &was, sigma_m, &left).filter(|_| !arm_is_changed);
+    let is_beyond_sigma = base_sigma.is_some_and(|sigma| sigma.is_exceeded_by(&base_moved));
+    let by_rms_m = base_shift_m(&pairs, &was, &base_moved);
+    let beyond = Noise::new(sigma_m, &old, &new, &left).beyond(&left, (by_rms_m, is_beyond_sigma));
     let beyond = if is_same { BeyondNoise::default() } else { beyond };
     let is_changed = tool_is_changed || arm_is_changed || beyond.poses > 0 || beyond.is_scattered;
     Ok(MeasurementComparison {
@@ -193,8 +211,10 @@ fn compared(
         alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
         rms_m: rms_m(&left),
         noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
+        tools_m: was.tools_m,
         tools_moved_m,
         base_moved,
+        base_sigma,
         worst: worst_changes(&pairs, &left, before, after),
         diagnosis,
         beyond,
@@ -242,6 +262,20 @@ fn base_shift_m(pairs: &[Pair<'_>], was: &Registration, base_moved: &Isometry3<f
         base_moved * point - point
     };
     rms_m(&pairs.iter().map(shift).collect::<Vec<_>>())
+}
+
+/// How exactly the pairs tell a shift of the base, with the noise that is known, or, where more is `left` of the points, with that.
+fn told_sigma(
+    pairs: &[Pair<'_>],
+    was: &Registration,
+    known_m: Option<f64>,
+    left: &[Vector3<f64>],
+) -> Option<BaseSigma> {
+    let unknowns = 6 + 3 * was.tools_m.len();
+    let freedom = 1.0 - unknowns as f64 / (3 * pairs.len()) as f64;
+    let left_m = rms_m(left) / (3.0 * freedom.max(0.1)).sqrt();
+    let poses = pairs.iter().map(|pair| (pair.flange, pair.before.target));
+    base_sigma(poses, was, known_m.unwrap_or(0.0).max(left_m))
 }
 
 /// A file whose rows do not contradict the robot.
@@ -294,11 +328,11 @@ impl Noise {
         Self { sigma_m, error: 1.0 / (2.0 * freedom).sqrt(), is_known: true, pairs }
     }
 
-    fn beyond(&self, left: &[Vector3<f64>], base_shift_m: f64) -> BeyondNoise {
+    fn beyond(&self, left: &[Vector3<f64>], (base_shift_m, is_beyond_sigma): (f64, bool)) -> BeyondNoise {
         BeyondNoise {
             poses: left.iter().filter(|by| by.norm() > self.furthest_m()).count(),
             is_scattered: self.is_known && rms_m(left) > self.largest_rms_m(),
-            base_is_moved: base_shift_m > self.largest_base_shift_m(),
+            base_is_moved: is_beyond_sigma || base_shift_m > self.largest_base_shift_m(),
         }
     }
 

@@ -14,13 +14,10 @@ const AXIS_SHARE: f64 = 0.05;
 /// The turn by which the axis is found, radians.
 const STEP_RAD: f64 = 0.5;
 
-/// That the zero of the last axis explains how the targets, which sat at `tools_m` on the flange, have moved.
+/// That the zero of the last axis explains how the targets have moved on the flange.
 #[must_use]
-pub fn last_zero(
-    comparison: &MeasurementComparison,
-    tools_m: &[Vector3<f64>],
-    robot: &SerialArm,
-) -> Option<Diagnostic> {
+pub fn last_zero(comparison: &MeasurementComparison, robot: &SerialArm) -> Option<Diagnostic> {
+    let tools_m = &comparison.tools_m;
     let moved = &comparison.tools_moved_m;
     let is_moved = moved.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
     let last = robot.joints.len().checked_sub(1)?;

@@ -5,7 +5,7 @@ mod compare;
 mod last_zero;
 mod two_files;
 
-pub use base_shift::{BaseSigma, MeasuredPoses};
+pub use base_shift::BaseSigma;
 pub use compare::{BeyondNoise, CompareError, MeasurementComparison, MovedPoint, compare_measurements};
 pub use last_zero::last_zero;
 pub use two_files::{beside_each_other, why_unpaired};
