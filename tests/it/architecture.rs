@@ -7,14 +7,15 @@ use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 
 /// Members of the workspace with those of them that each may use; the root package may use all.
-const CRATES: [(&str, &[&str]); 10] = [
+const CRATES: [(&str, &[&str]); 11] = [
+    ("parallel", &[]),
     ("rapid-syntax", &[]),
     ("robot-model", &["rapid-syntax"]),
     ("rapid-program", &["rapid-syntax", "robot-model"]),
-    ("rapid-compensation", &["rapid-syntax", "robot-model", "rapid-program"]),
+    ("rapid-compensation", &["parallel", "rapid-syntax", "robot-model", "rapid-program"]),
     ("virtual-controller", &["rapid-syntax", "robot-model"]),
     ("measurements", &["rapid-syntax", "robot-model"]),
-    ("metrology", &["rapid-syntax", "robot-model", "measurements"]),
+    ("metrology", &["parallel", "rapid-syntax", "robot-model", "measurements"]),
     ("exam", &["robot-model"]),
     ("rws-double", &["robot-model"]),
     // The double for its tests alone.
@@ -24,7 +25,7 @@ const CRATES: [(&str, &[&str]); 10] = [
 /// Modules of each crate in the order of the data flow.
 const MODULES: [(&str, &[&str]); 4] = [
     ("robot_model", &["units", "csv_lines", "robot", "kinematics", "deform"]),
-    ("rapid_compensation", &["parallel", "schedule", "compensate", "emit"]),
+    ("rapid_compensation", &["schedule", "compensate", "emit"]),
     ("metrology", &["diagnose", "plan"]),
     ("driftpost", &["report", "application", "cli"]),
 ];

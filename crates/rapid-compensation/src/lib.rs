@@ -6,5 +6,3 @@
 pub mod compensate;
 pub mod emit;
 pub mod schedule;
-
-mod parallel;

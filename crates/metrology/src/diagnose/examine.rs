@@ -50,7 +50,7 @@ fn examine(
     options: &DiagnosisOptions,
     wants_model: bool,
 ) -> Evaluation {
-    rayon::scope(|_| examine_in_pool(measurements, robot, options, wants_model))
+    parallel::within(&mut || examine_in_pool(measurements, robot, options, wants_model))
 }
 
 fn examine_in_pool(

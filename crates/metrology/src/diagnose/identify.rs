@@ -19,7 +19,6 @@ use super::terms::terms;
 use super::time_course::TimeCourse;
 use measurements::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{DVector, Isometry3, Vector3};
-use rayon::prelude::*;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, Identified, MeasuredRange, Mounting, Term, ThermalState};
 use robot_model::deform::{DeformedSerialArm, Payload};
@@ -356,20 +355,18 @@ pub(super) fn predicted(
     let base = DeformedSerialArm::new(robot, &Arc::new(base));
     let zero = Joints::all(robot.joints.len(), 0.0);
     let flange_from_base = arm.nominal().forward(&zero).inverse();
-    let poses = stations
-        .par_iter()
-        .map(|station| {
-            let when = ThermalState {
-                t_min: station.t_min.unwrap_or(0.0),
-                joint_temperature_c: station.joint_temperature_c,
-            };
-            if !station.reading.involves_arm() {
-                return base.forward(&zero, &when, &Payload::default(), &[]) * flange_from_base;
-            }
-            let payload = Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m: payload_m.into() };
-            arm.forward(&station.q_rad, &when, &payload, &station.direction.unwrap_or_default())
-        })
-        .collect();
+    let poses = parallel::map(stations.len(), &|at| {
+        let station = &stations[at];
+        let when = ThermalState {
+            t_min: station.t_min.unwrap_or(0.0),
+            joint_temperature_c: station.joint_temperature_c,
+        };
+        if !station.reading.involves_arm() {
+            return base.forward(&zero, &when, &Payload::default(), &[]) * flange_from_base;
+        }
+        let payload = Payload { mass_kg: station.payload_kg.unwrap_or(0.0), cog_m: payload_m.into() };
+        arm.forward(&station.q_rad, &when, &payload, &station.direction.unwrap_or_default())
+    });
     let scaled =
         stations.iter().map(|s| Station { reading: s.reading.scaled(1.0 / scale), ..s.clone() }).collect();
     PredictedStations { stations: scaled, poses }

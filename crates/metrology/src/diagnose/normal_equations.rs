@@ -8,7 +8,6 @@ use super::design::registration;
 use super::design::{Design, Visits, Whitening};
 use super::effects::Candidate;
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 use robot_model::robot::Axis;
 use std::ops::Range;
 
@@ -184,17 +183,15 @@ impl ModelColumns<'_> {
         let along = |a: usize, other: &[f64]| rows.along(a, other, d);
         let pairs: Vec<(usize, usize)> =
             (0..at.len()).flat_map(|a| (a..at.len()).map(move |b| (a, b))).collect();
-        let blocks: Vec<DMatrix<f64>> = pairs
-            .par_iter()
-            .map(|&(a, b)| {
-                let factors = along(a, rows.turns.column(b).as_slice());
-                let mut weighted = rows.angles[b].clone();
-                for mut column in weighted.column_iter_mut() {
-                    column.iter_mut().zip(&factors).for_each(|(v, f)| *v *= f);
-                }
-                rows.angles[a].transpose() * &weighted
-            })
-            .collect();
+        let blocks: Vec<DMatrix<f64>> = parallel::map(pairs.len(), &|pair| {
+            let (a, b) = pairs[pair];
+            let factors = along(a, rows.turns.column(b).as_slice());
+            let mut weighted = rows.angles[b].clone();
+            for mut column in weighted.column_iter_mut() {
+                column.iter_mut().zip(&factors).for_each(|(v, f)| *v *= f);
+            }
+            rows.angles[a].transpose() * &weighted
+        });
         for (&(a, b), block) in pairs.iter().zip(&blocks) {
             normal.gram.view_mut((at[a].start, at[b].start), block.shape()).copy_from(block);
             let (low, high) = ((at[b].start, at[a].start), (block.ncols(), block.nrows()));

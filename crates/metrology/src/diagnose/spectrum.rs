@@ -11,7 +11,6 @@ use super::design::Whitening;
 use super::effects::Candidate;
 use super::normal_equations::{JointLines, LINE_RAD, ModelColumns, NormalEquations};
 use super::search::ChosenCause;
-use rayon::prelude::*;
 use robot_model::robot::Axis;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -98,7 +97,8 @@ pub(super) fn size_rad(
             let mean = squares.iter().sum::<f64>() / squares.len().max(1) as f64;
             Some(0.5 * mean.max(1e-18).ln())
         };
-        let scores: Vec<f64> = held.par_iter().filter_map(left).collect();
+        let scores: Vec<f64> =
+            parallel::map(held.len(), &|at| left(&held[at])).into_iter().flatten().collect();
         let score: f64 = scores.iter().sum();
         if score > best.0 {
             // One valley: the first time it rises is its floor.

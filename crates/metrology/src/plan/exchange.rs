@@ -3,7 +3,6 @@
 
 use super::information::{Information, Reduced, Regression};
 use crate::diagnose::signature::Signatures;
-use rayon::prelude::*;
 
 /// Effects are compared at this rms over the noise's, averaged over all possible poses.
 const RHO: f64 = 0.5;
@@ -127,11 +126,9 @@ pub(super) fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds
             let Some(reduced) = without.reduced(signatures) else { continue };
             let pairs = compared.steering(&reduced);
             let steering = Steering::of(&pairs);
-            let mut gains: Vec<(f64, usize)> = (0..rows.len())
-                .into_par_iter()
-                .filter(|i| !chosen.contains(i))
-                .map(|i| (steering.saved(rows[i], width), i))
-                .collect();
+            let left: Vec<usize> = (0..rows.len()).filter(|i| !chosen.contains(i)).collect();
+            let mut gains: Vec<(f64, usize)> =
+                parallel::map(left.len(), &|at| (steering.saved(rows[left[at]], width), left[at]));
             gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
             let best = gains
                 .iter()

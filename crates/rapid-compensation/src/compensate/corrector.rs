@@ -15,7 +15,6 @@ use super::ramp_errors::add_errors_of_ramp;
 use super::resolved::{Point, Resolved};
 use super::shared_corrections::share_corrections;
 use super::warm_joints::{CommandedOrSkipped, commanded_joints_of_each};
-use crate::parallel;
 use crate::schedule::Chosen;
 use rapid_program::Program;
 use rapid_program::motion::{Motion, MotionId, SkipReason, Target};

@@ -2,7 +2,6 @@
 
 use super::model::Model;
 use super::resolved::{Point, Resolved};
-use crate::parallel;
 use crate::schedule::{Displacements, Drift, Moment};
 use nalgebra::Vector3;
 use rapid_program::Program;

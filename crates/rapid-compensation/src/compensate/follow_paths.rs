@@ -6,7 +6,6 @@ use super::model::Model;
 use super::path::{CorrectedLeg, Ends, Leg, deviations};
 use super::plan::{PlannedMotion, Status};
 use super::resolved::{Point, Resolved};
-use crate::parallel;
 use rapid_program::Program;
 use rapid_program::motion::MotionId;
 use robot_model::deform::{Conditions, DeformedArms};

@@ -21,7 +21,6 @@ use super::resolved::{Point, Resolved};
 use super::unknown_branch::skip_unknown_branches;
 use super::warm_joints::warm_joints_of;
 use super::{clock_gaps, conditions, directions, held_play, placement, plausible, unknown_sides};
-use crate::parallel;
 use crate::schedule::{Chosen, Moment, choose};
 use rapid_program::Program;
 use rapid_program::motion::{Motion, MotionId, Path, SkipReason, Target};

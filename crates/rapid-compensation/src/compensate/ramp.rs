@@ -11,7 +11,6 @@ use super::placement::Placement;
 use super::plan::Correction;
 use super::resolved::Point;
 use super::warm_joints::warm_joints_each;
-use crate::parallel;
 use crate::schedule::{
     Displacements, Drift, Moment, TimeFunctions, Timeline, Until, timeline, timeline_of_one_law,
 };

@@ -6,7 +6,6 @@ use super::plan::{Correction, Corrections, Form};
 use super::ramp::{LEVER_M, Ramp, Sample, values};
 use super::resolved::Point;
 use super::warm_joints::{CommandedJoints, CommandedOrSkipped, commanded_joints_of_each};
-use crate::parallel;
 use crate::schedule::Moment;
 use nalgebra::{Isometry3, Point3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use rapid_program::one_or_many::OneOrMany;

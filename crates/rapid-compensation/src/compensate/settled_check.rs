@@ -2,7 +2,6 @@
 
 use super::model::Model;
 use super::resolved::Resolved;
-use crate::parallel;
 use crate::schedule::Moment;
 use rapid_program::Program;
 use rapid_program::motion::{Motion, MotionId, SkipReason};

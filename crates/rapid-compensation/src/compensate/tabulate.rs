@@ -1,7 +1,6 @@
 //! The reference paper's offline method: the joints of every target at every minute of warm-up.
 
 use super::targets::NamedPose;
-use crate::parallel;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::{Deformation, TableIndex};
 use robot_model::kinematics::{

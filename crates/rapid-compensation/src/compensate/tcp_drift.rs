@@ -6,7 +6,6 @@ use super::options::Options;
 use super::placement::Placement;
 use super::plan::{Plan, PlannedMotion, PlannedTarget};
 use super::resolved::Point;
-use crate::parallel;
 use crate::schedule::Moment;
 use rapid_program::Program;
 use rapid_program::motion::{Motion, MotionId, Target};

@@ -14,7 +14,6 @@ use super::module;
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
 use super::restore::{gives_back, restore};
 use crate::compensate::plan::Plan;
-use crate::parallel;
 use rapid_program::{Program, task_of};
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::tree::{DataKind, FileItem, ModuleItem, Scope};

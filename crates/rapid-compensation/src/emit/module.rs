@@ -7,7 +7,6 @@ use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
 use super::options::{Core, EmitError};
-use crate::parallel;
 use rapid_program::motion::MotionId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;

@@ -7,7 +7,6 @@ use super::whitening::Whitening;
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use crate::diagnose::effects::Candidate;
 use nalgebra::{DMatrix, DMatrixView};
-use rayon::prelude::*;
 use std::borrow::Borrow;
 use std::ops::Range;
 
@@ -260,8 +259,9 @@ impl Design {
             at += columns.ncols();
         }
         let all = &self.columns;
-        self.gram.par_iter_mut().zip(&self.groups).for_each(|(gram, rows)| {
-            let all = all.rows(rows.start, rows.len());
+        let groups = &self.groups;
+        parallel::for_each_mut(&mut self.gram, &|group, gram| {
+            let all = all.rows(groups[group].start, groups[group].len());
             let new = inner_products(all.columns(known, width - known), all);
             let old = std::mem::replace(gram, DMatrix::zeros(0, 0));
             *gram = old.resize(width, width, 0.0);

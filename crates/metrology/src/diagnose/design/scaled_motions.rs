@@ -6,7 +6,6 @@ use super::products::Products;
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::effects::{Candidate, Motion};
 use nalgebra::DMatrix;
-use rayon::prelude::*;
 use std::ops::Range;
 
 /// Columns of the design whose products with all members come at once: thousands of members with all of them take memory that is
@@ -107,25 +106,21 @@ impl Design {
             .collect();
         let pairs = |member: &[Parameter]| member.len() * member.len();
         let count: usize = motions.parameters.iter().map(|member| pairs(member)).sum();
-        let of_groups: Vec<Vec<f64>> = self
-            .groups
-            .par_iter()
-            .map(|rows| {
-                let mut sums = vec![0.0; count];
-                for observation in self.observations(rows) {
-                    let factors = motions.factors.column(observation).map(f64::from);
-                    let mut sums = sums.iter_mut();
-                    for member in &motions.parameters {
-                        for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
-                            let square = squares[a.plain * width + b.plain][observation];
-                            let sum = sums.next().expect("room for each pair");
-                            *sum += square * factors[a.factor] * factors[b.factor];
-                        }
+        let of_groups: Vec<Vec<f64>> = parallel::map(self.groups.len(), &|group| {
+            let mut sums = vec![0.0; count];
+            for observation in self.observations(&self.groups[group]) {
+                let factors = motions.factors.column(observation).map(f64::from);
+                let mut sums = sums.iter_mut();
+                for member in &motions.parameters {
+                    for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
+                        let square = squares[a.plain * width + b.plain][observation];
+                        let sum = sums.next().expect("room for each pair");
+                        *sum += square * factors[a.factor] * factors[b.factor];
                     }
                 }
-                sums
-            })
-            .collect();
+            }
+            sums
+        });
         let mut before = 0;
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
             let p = member.len();
@@ -162,16 +157,10 @@ impl Design {
     /// Adds the members' products with these columns of the design.
     fn extend_scaled_by(&self, motions: &ScaledMotions, columns: Range<usize>, products: &mut [Products]) {
         let width = motions.plain.ncols();
-        let by_observation: Vec<Vec<f64>> = columns
-            .clone()
-            .into_par_iter()
-            .flat_map_iter(|column| {
-                let column = self.column(column);
-                let of_plain =
-                    |a| by_observation(motions.plain.column(a).as_slice(), column, self.rows_per_observation);
-                (0..width).map(of_plain)
-            })
-            .collect();
+        let by_observation: Vec<Vec<f64>> = parallel::map(columns.len() * width, &|pair| {
+            let (column, plain) = (self.column(columns.start + pair / width), pair % width);
+            by_observation(motions.plain.column(plain).as_slice(), column, self.rows_per_observation)
+        });
         let of_group = |rows: &Range<usize>| {
             let observations = self.observations(rows);
             let mut crossed = DMatrix::zeros(motions.factors.nrows(), by_observation.len());
@@ -183,7 +172,8 @@ impl Design {
             }
             crossed
         };
-        let crossed: Vec<DMatrix<f64>> = self.groups.par_iter().map(of_group).collect();
+        let crossed: Vec<DMatrix<f64>> =
+            parallel::map(self.groups.len(), &|group| of_group(&self.groups[group]));
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
             let to = &mut products[c].cross;
             for column in 0..columns.len() {

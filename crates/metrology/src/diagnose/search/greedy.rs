@@ -8,7 +8,6 @@ use super::ranking::{BestEffect, HypothesisRanking};
 use crate::diagnose::design::Design;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::marginal::NoisePrior;
-use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Share of it that a further effect has to pass: where one effect is at work, more are.
@@ -68,7 +67,7 @@ impl Library<'_> {
                 break;
             }
             nuisance = search.nuisance(&search.chosen);
-            search.tracked.par_iter_mut().for_each(|f| {
+            parallel::for_each_mut(&mut search.tracked, &|_, f| {
                 self.products[f.candidate].sum_more(subset, &mut f.sums);
                 f.projected = nuisance.project(&f.sums);
             });

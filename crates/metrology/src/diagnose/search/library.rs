@@ -7,7 +7,6 @@ use crate::diagnose::effects::{Candidate, Motion, RigidBody};
 use crate::diagnose::evidence::{NuisanceModel, Projected};
 use crate::diagnose::gp_alternative::{self, GpAlternative, WeightedAlternative};
 use nalgebra::DMatrix;
-use rayon::prelude::*;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, Joints};
 use std::borrow::Cow;
@@ -99,10 +98,8 @@ impl<'a> Library<'a> {
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
         let motions: Vec<Motion> = joints.chain(bodies).collect();
-        let scaled: Vec<ScaledMotions> = motions
-            .into_par_iter()
-            .map(|motion| design.scaled_motions(dataset, candidates, motion))
-            .collect();
+        let scaled: Vec<ScaledMotions> =
+            parallel::map(motions.len(), &|at| design.scaled_motions(dataset, candidates, motions[at]));
         let mut room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
         let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
         for (motion, scaled) in scaled.iter().enumerate() {
@@ -119,18 +116,20 @@ impl<'a> Library<'a> {
                 fits
             })
             .collect();
-        let (mut products, sources): (Vec<Products>, Vec<ColumnSource>) = sources
-            .into_par_iter()
-            .enumerate()
-            .map(|(c, source)| {
-                if let ColumnSource::Scaled { .. } = source {
-                    return (Products::none(), source);
-                }
+        let computed = parallel::map(sources.len(), &|c| match sources[c] {
+            ColumnSource::Computed => {
                 let columns = design.columns_of(dataset, &candidates[c]);
-                let products = design.products(&columns);
-                (products, if keep[c] { ColumnSource::Kept(columns) } else { source })
-            })
-            .unzip();
+                (design.products(&columns), keep[c].then_some(columns))
+            }
+            _ => (Products::none(), None),
+        });
+        let mut products = Vec::with_capacity(computed.len());
+        for (source, (of_this, kept)) in sources.iter_mut().zip(computed) {
+            products.push(of_this);
+            if let Some(columns) = kept {
+                *source = ColumnSource::Kept(columns);
+            }
+        }
         for motions in &scaled {
             design.begin_scaled(motions, &mut products);
             design.extend_scaled(motions, &mut products);
@@ -175,24 +174,22 @@ impl<'a> Library<'a> {
         let keep = |gp_alternative: GpAlternative| {
             small || matches!(gp_alternative, GpAlternative::TimeVaryingCause(_))
         };
-        let more: Vec<Structure> = list
-            .into_par_iter()
-            .filter_map(|WeightedAlternative { gp_alternative, weight }| {
-                let columns = columns(gp_alternative);
-                if columns.is_empty() {
-                    return None;
-                }
-                let sums = design.sums(&columns);
-                let log_prior = (UNEXPLAINED_PRIOR * weight).ln();
-                Some(Structure {
-                    gp_alternative,
-                    columns: keep(gp_alternative).then_some(columns),
-                    sums,
-                    log_prior,
-                })
+        let more = parallel::map(list.len(), &|at| {
+            let WeightedAlternative { gp_alternative, weight } = list[at];
+            let columns = columns(gp_alternative);
+            if columns.is_empty() {
+                return None;
+            }
+            let sums = design.sums(&columns);
+            let log_prior = (UNEXPLAINED_PRIOR * weight).ln();
+            Some(Structure {
+                gp_alternative,
+                columns: keep(gp_alternative).then_some(columns),
+                sums,
+                log_prior,
             })
-            .collect();
-        self.gp_alternatives.extend(more);
+        });
+        self.gp_alternatives.extend(more.into_iter().flatten());
     }
 
     /// A candidate's whitened columns.
@@ -231,16 +228,12 @@ impl<'a> Library<'a> {
             design.extend_scaled(motions, &mut self.products);
         }
         let sources = &self.sources;
-        self.products.par_iter_mut().zip(sources).enumerate().for_each(
-            |(c, (products, source))| match source {
-                ColumnSource::Scaled { .. } => {}
-                ColumnSource::Kept(columns) => design.extend(products, columns),
-                ColumnSource::Computed => {
-                    design.extend(products, &design.columns_of(dataset, &candidates[c]));
-                }
-            },
-        );
-        self.gp_alternatives.par_iter_mut().for_each(|s| match &s.columns {
+        parallel::for_each_mut(&mut self.products, &|c, products| match &sources[c] {
+            ColumnSource::Scaled { .. } => {}
+            ColumnSource::Kept(columns) => design.extend(products, columns),
+            ColumnSource::Computed => design.extend(products, &design.columns_of(dataset, &candidates[c])),
+        });
+        parallel::for_each_mut(&mut self.gp_alternatives, &|_, s| match &s.columns {
             Some(columns) => design.extend_sums(&mut s.sums, columns),
             None => {
                 design.extend_sums(&mut s.sums, &gp_alternative::columns(s.gp_alternative, design, dataset));
@@ -275,14 +268,11 @@ impl<'a> Library<'a> {
 
     /// All candidates over `nuisance`.
     pub(super) fn track(&self, nuisance: &NuisanceModel, subset: &[usize]) -> Vec<TrackedCandidate> {
-        (0..self.candidates.len())
-            .into_par_iter()
-            .map(|candidate| {
-                let sums = self.products[candidate].sum(subset);
-                let projected = nuisance.project(&sums);
-                TrackedCandidate { candidate, sums, projected }
-            })
-            .collect()
+        parallel::map(self.candidates.len(), &|candidate| {
+            let sums = self.products[candidate].sum(subset);
+            let projected = nuisance.project(&sums);
+            TrackedCandidate { candidate, sums, projected }
+        })
     }
 
     /// Brings the tracked candidates up to date with a nuisance model that has grown.
@@ -292,7 +282,7 @@ impl<'a> Library<'a> {
         subset: &[usize],
         tracked: &mut [TrackedCandidate],
     ) {
-        tracked.par_iter_mut().for_each(|f| {
+        parallel::for_each_mut(tracked, &|_, f| {
             self.products[f.candidate].sum_more(subset, &mut f.sums);
             nuisance.update(&mut f.projected, &f.sums);
         });

@@ -4,7 +4,6 @@ use super::chosen::NULL_PRIOR;
 use super::library::{Library, TrackedCandidate};
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, Screened, ScreeningPoint};
 use crate::diagnose::marginal::{log_sum, normal_cdf};
-use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Candidates that are looked at after their upper bounds.
@@ -202,17 +201,15 @@ impl Library<'_> {
         let screening_grid = nuisance.screening_grid(&null);
         let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
         let screened: Vec<Screened<'_>> =
-            tracked.par_iter().map(|f| nuisance.screened(&f.projected, &screening_grid)).collect();
-        let mut weighted: Vec<WeightedHypothesis> = self
-            .short_list(nuisance, tracked, &screened, &screening_grid, most)
-            .par_iter()
-            .map(|ShortListed { index, first }| {
-                let candidate = tracked[*index].candidate;
-                let peak = self.evidence_of(nuisance, &screened[*index], first, candidate);
-                let log_weight = peak.log_evidence + self.log_prior[candidate];
-                WeightedHypothesis { hypothesis: Hypothesis::Effect(candidate), log_weight, peak }
-            })
-            .collect();
+            parallel::map(tracked.len(), &|at| nuisance.screened(&tracked[at].projected, &screening_grid));
+        let short = self.short_list(nuisance, tracked, &screened, &screening_grid, most);
+        let mut weighted: Vec<WeightedHypothesis> = parallel::map(short.len(), &|at| {
+            let ShortListed { index, first } = &short[at];
+            let candidate = tracked[*index].candidate;
+            let peak = self.evidence_of(nuisance, &screened[*index], first, candidate);
+            let log_weight = peak.log_evidence + self.log_prior[candidate];
+            WeightedHypothesis { hypothesis: Hypothesis::Effect(candidate), log_weight, peak }
+        });
         if gp_alternatives {
             weighted.extend(self.weighted_alternatives(nuisance, &screening_grid, &null));
         }
@@ -245,10 +242,8 @@ impl Library<'_> {
         let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
         let bounds = screened.iter().enumerate().map(|(i, s)| (i, s.upper_bound() + log_prior(i)));
         let long = best(bounds.collect());
-        let firsts: BTreeMap<usize, EvidencePeak> = long
-            .par_iter()
-            .map(|&i| (i, nuisance.screening_evidence(&screened[i], screening_grid)))
-            .collect();
+        let first = |at: usize| (long[at], nuisance.screening_evidence(&screened[long[at]], screening_grid));
+        let firsts: BTreeMap<usize, EvidencePeak> = parallel::map(long.len(), &first).into_iter().collect();
         let seen = best(firsts.iter().map(|(&i, first)| (i, first.log_evidence + log_prior(i))).collect());
         // Thousands of gear lines must not push out the one variant of an effect that explains as much.
         let mut kinds = BTreeSet::new();
@@ -270,30 +265,24 @@ impl Library<'_> {
         null: &EvidencePeak,
     ) -> Vec<WeightedHypothesis> {
         let projected: Vec<Projected> =
-            self.gp_alternatives.par_iter().map(|s| nuisance.project(&s.sums)).collect();
-        let seen: Vec<(Screened<'_>, EvidencePeak)> = projected
-            .par_iter()
-            .map(|projected| {
-                let screened = nuisance.screened(projected, screening_grid);
-                let first = nuisance.screening_evidence(&screened, screening_grid);
-                (screened, first)
-            })
-            .collect();
+            parallel::map(self.gp_alternatives.len(), &|k| nuisance.project(&self.gp_alternatives[k].sums));
+        let seen: Vec<(Screened<'_>, EvidencePeak)> = parallel::map(projected.len(), &|k| {
+            let screened = nuisance.screened(&projected[k], screening_grid);
+            let first = nuisance.screening_evidence(&screened, screening_grid);
+            (screened, first)
+        });
         let best = seen
             .iter()
             .zip(&self.gp_alternatives)
             .map(|((_, first), s)| first.log_evidence + s.log_prior)
             .fold(null.log_evidence + NULL_PRIOR.ln(), f64::max);
-        seen.par_iter()
-            .zip(&self.gp_alternatives)
-            .enumerate()
-            .map(|(k, ((screened, first), s))| {
-                let near = first.log_evidence + s.log_prior > best - FAR_BEHIND_NATS;
-                let peak = if near { nuisance.evidence_of(screened, first) } else { *first };
-                let log_weight = peak.log_evidence + s.log_prior;
-                WeightedHypothesis { hypothesis: Hypothesis::GpAlternative(k), log_weight, peak }
-            })
-            .collect()
+        parallel::map(seen.len(), &|k| {
+            let ((screened, first), s) = (&seen[k], &self.gp_alternatives[k]);
+            let near = first.log_evidence + s.log_prior > best - FAR_BEHIND_NATS;
+            let peak = if near { nuisance.evidence_of(screened, first) } else { *first };
+            let log_weight = peak.log_evidence + s.log_prior;
+            WeightedHypothesis { hypothesis: Hypothesis::GpAlternative(k), log_weight, peak }
+        })
     }
 
     /// Best candidate of `ranking` and its effect's ln evidence over nothing, the prior within the effect included.

@@ -12,7 +12,6 @@ use crate::diagnose::search::ALARM_NATS;
 use measurements::{self, Fault, RegisterError, Station, Touches, register};
 use nalgebra::{DMatrix, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
-use rayon::prelude::*;
 use robot_model::deform::GrowthLaw;
 use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::Robot;
@@ -218,11 +217,10 @@ fn fit_without(
     let sums =
         |history: &ThermalHistory| points.iter().map(|p| p.sums(history, stops)).collect::<Vec<Sums>>();
     let weigh = |grid: Vec<ThermalHistory>| -> Vec<WeighedHistory> {
-        grid.into_par_iter()
-            .filter_map(|history| {
-                Some(WeighedHistory { history, log_evidence: log_evidence(&sums(&history))? })
-            })
-            .collect()
+        let weighed = parallel::map(grid.len(), &|at| {
+            Some(WeighedHistory { history: grid[at], log_evidence: log_evidence(&sums(&grid[at]))? })
+        });
+        weighed.into_iter().flatten().collect()
     };
     let coarse = weigh(coarse_grid(!stops.is_empty()));
     let Some(likeliest) = coarse.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)) else {
@@ -297,11 +295,12 @@ fn fitted(
     sums: &(impl Fn(&ThermalHistory) -> Vec<Sums> + Sync),
 ) -> Vec<FittedHistory> {
     let most = weighed.iter().map(|w| w.log_evidence).fold(f64::NEG_INFINITY, f64::max);
-    weighed
-        .into_par_iter()
-        .filter(|w| w.log_evidence > most - NEGLIGIBLE_NATS)
-        .filter_map(|w| Some(FittedHistory { history: w.history, posterior: posterior(&sums(&w.history))? }))
-        .collect()
+    let counted: Vec<ThermalHistory> =
+        weighed.iter().filter(|w| w.log_evidence > most - NEGLIGIBLE_NATS).map(|w| w.history).collect();
+    let fits = parallel::map(counted.len(), &|at| {
+        Some(FittedHistory { history: counted[at], posterior: posterior(&sums(&counted[at]))? })
+    });
+    fits.into_iter().flatten().collect()
 }
 
 /// How far the histories lie about one of their numbers, as a standard deviation; a history that has none does not count.

@@ -8,12 +8,12 @@ use rayon::prelude::*;
 use std::sync::Mutex;
 
 /// How many pieces are worked on at the same time.
-pub(crate) fn threads() -> usize {
+pub fn threads() -> usize {
     rayon::current_num_threads()
 }
 
 /// What `of_piece` gives for each of `count` pieces, in their order.
-pub(crate) fn map<T: Send>(count: usize, of_piece: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
+pub fn map<T: Send>(count: usize, of_piece: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
     let mut results: Vec<Mutex<Option<T>>> = Vec::new();
     results.resize_with(count, Mutex::default);
     for_each(count, &|piece| {
@@ -26,7 +26,7 @@ pub(crate) fn map<T: Send>(count: usize, of_piece: &(dyn Fn(usize) -> T + Sync))
 }
 
 /// What `of_chunk` gives for each `size` items that follow one another, told the position of the first.
-pub(crate) fn map_chunks<I: Sync, T: Send>(
+pub fn map_chunks<I: Sync, T: Send>(
     items: &[I],
     size: usize,
     of_chunk: &(dyn Fn(usize, &[I]) -> T + Sync),
@@ -38,17 +38,28 @@ pub(crate) fn map_chunks<I: Sync, T: Send>(
 }
 
 /// Hands each `size` items that follow one another to `change`, told the position of the first.
-pub(crate) fn for_each_chunk_mut<I: Send>(
-    items: &mut [I],
-    size: usize,
-    change: &(dyn Fn(usize, &mut [I]) + Sync),
-) {
+pub fn for_each_chunk_mut<I: Send>(items: &mut [I], size: usize, change: &(dyn Fn(usize, &mut [I]) + Sync)) {
     let chunks: Vec<Mutex<&mut [I]>> = items.chunks_mut(size).map(Mutex::new).collect();
     for_each(chunks.len(), &|chunk| {
         if let Ok(mut items) = chunks[chunk].lock() {
             change(chunk * size, &mut items);
         }
     });
+}
+
+/// Hands each item to `change` with its position.
+pub fn for_each_mut<I: Send>(items: &mut [I], change: &(dyn Fn(usize, &mut I) + Sync)) {
+    let items: Vec<Mutex<&mut I>> = items.iter_mut().map(Mutex::new).collect();
+    for_each(items.len(), &|at| {
+        if let Ok(mut item) = items[at].lock() {
+            change(at, &mut item);
+        }
+    });
+}
+
+/// Runs `work` on one of the threads, so that what it shares out begins there and does not wait for them each time.
+pub fn within<T: Send>(work: &mut (dyn FnMut() -> T + Send)) -> T {
+    rayon::scope(|_| work())
 }
 
 fn for_each(count: usize, work: &(dyn Fn(usize) + Sync)) {
@@ -68,5 +79,8 @@ mod tests {
         let mut items = [0; 10];
         for_each_chunk_mut(&mut items, 3, &|first, some| some.iter_mut().for_each(|item| *item = first));
         assert_eq!(items, [0, 0, 0, 3, 3, 3, 6, 6, 6, 9]);
+        for_each_mut(&mut items, &|at, item| *item += 10 * at);
+        assert_eq!(items, [0, 10, 20, 33, 43, 53, 66, 76, 86, 99]);
+        assert_eq!(within(&mut || map(3, &|piece| piece)), [0, 1, 2]);
     }
 }
