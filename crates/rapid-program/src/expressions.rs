@@ -88,18 +88,27 @@ pub(super) fn expressions_of(stmt: &Stmt) -> impl Iterator<Item = &Expr> {
 
 /// Calls `visit` with every expression in an expression and with itself, inner ones first.
 fn every_expr<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
+    every_expr_where(expr, &|_| true, visit);
+}
+
+/// The same of those parts of the expression that `counts` says count.
+fn every_expr_where<'a>(expr: &'a Expr, counts: &dyn Fn(&Expr) -> bool, visit: &mut dyn FnMut(&'a Expr)) {
+    if !counts(expr) {
+        return;
+    }
+    let mut within = |inner: &'a Expr| every_expr_where(inner, counts, visit);
     match &expr.kind {
-        ExprKind::Call(call) => call.args.iter().filter_map(value_of).for_each(|e| every_expr(e, visit)),
-        ExprKind::Field(field) => every_expr(&field.base, visit),
-        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => every_expr(inner, visit),
+        ExprKind::Call(call) => call.args.iter().filter_map(value_of).for_each(within),
+        ExprKind::Field(field) => within(&field.base),
+        ExprKind::Paren(inner) | ExprKind::Unary { operand: inner, .. } => within(inner),
         ExprKind::Index(element) => {
-            every_expr(&element.base, visit);
-            element.indices.iter().for_each(|i| every_expr(i, visit));
+            within(&element.base);
+            element.indices.iter().for_each(within);
         }
-        ExprKind::Aggregate(parts) => parts.iter().for_each(|p| every_expr(p, visit)),
+        ExprKind::Aggregate(parts) => parts.iter().for_each(within),
         ExprKind::Binary(binary) => {
-            every_expr(&binary.lhs, visit);
-            every_expr(&binary.rhs, visit);
+            within(&binary.lhs);
+            within(&binary.rhs);
         }
         ExprKind::Number
         | ExprKind::Numbers
@@ -114,7 +123,16 @@ fn every_expr<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
 
 /// Calls `visit` with the name and arguments of every function call in an expression, inner ones first.
 pub(super) fn every_call<'a>(expr: &'a Expr, visit: &mut dyn FnMut(TextRange, &'a [Arg])) {
-    every_expr(expr, &mut |inner| {
+    every_call_where(expr, &|_| true, visit);
+}
+
+/// The same of those parts of the expression that `counts` says count.
+pub(super) fn every_call_where<'a>(
+    expr: &'a Expr,
+    counts: &dyn Fn(&Expr) -> bool,
+    visit: &mut dyn FnMut(TextRange, &'a [Arg]),
+) {
+    every_expr_where(expr, counts, &mut |inner| {
         if let ExprKind::Call(call) = &inner.kind {
             visit(call.name, &call.args);
         }

@@ -4,7 +4,7 @@
 //! narrows that down (`state`).
 
 use super::call_arguments::{MatchedArgument, match_arguments};
-use super::expressions::{every_call, expressions_of, root_of, value_of};
+use super::expressions::{every_call, every_call_where, expressions_of, root_of, value_of};
 use super::ids::{DatumId, IdSet, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
 use super::late_bound::reached;
@@ -296,8 +296,11 @@ impl OwnPositions {
         holds: &dyn Fn(DatumId) -> bool,
     ) -> Option<Span> {
         let mut read = None;
-        every_call(expr, &mut |name, _| read = read.or(self.reading(index, ctx, name)));
-        names_in_where(index, ctx, expr, &|ctx, expr| tells_the_pose(index, ctx, expr), &mut |datum| {
+        let counts = |ctx, part: &Expr| tells_the_pose(index, ctx, part);
+        every_call_where(expr, &|part| counts(ctx, part), &mut |name, _| {
+            read = read.or(self.reading(index, ctx, name));
+        });
+        names_in_where(index, ctx, expr, &counts, &mut |datum| {
             read = read.or(self.data.get(&datum).filter(|_| holds(datum)).copied());
         });
         read

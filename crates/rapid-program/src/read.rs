@@ -66,7 +66,9 @@ impl Program {
         let file_values = FileValues::new(&index, &writes);
         let StatesAtMotions { first, any, left } =
             states_at_motions(&mut evaluator, sites.motions.len(), &control_flow, (&tracked, &file_values));
-        let on_ways = by_ways(&mut evaluator, (&index, &writes), &sites, &file_values, overrides.base_fixed);
+        let own_positions = OwnPositions::new(&index);
+        let by_ways = ByWays { sites: &sites, file_values: &file_values, own_positions: &own_positions };
+        let on_ways = by_ways.targets(&mut evaluator, (&index, &writes), overrides.base_fixed);
         diagnostics.extend(super::shared_values::warnings(&mut evaluator, &sites, &writes));
         diagnostics.extend(super::seam_tracking::warning(&index, &sites));
         let speed_override = speed_override(&mut evaluator);
@@ -77,7 +79,8 @@ impl Program {
         drop(control_flow); // of many motions it is as much again
         let MotionSites { motions: sites, loops, nests, routines } = sites;
         let known = (&tracked, &left, &file_values);
-        let mut reader = MotionReader::new(evaluator, known, on_ways, nests, overrides.base_fixed);
+        let targets = (own_positions, on_ways);
+        let mut reader = MotionReader::new(evaluator, known, targets, nests, overrides.base_fixed);
         let seen = first.into_iter().zip(any);
         let MotionsInOrder { motions, merge_points, also_anywhere } =
             reader.motions(sites.into_iter().zip(seen).zip(before));
@@ -108,20 +111,30 @@ impl Program {
 }
 
 /// Targets that a program assigns, by the ways on which their motions are come to.
-fn by_ways<'a>(
-    evaluator: &mut ConstEvaluator<'a>,
-    (index, writes): (&'a Index<'a>, &'a Writes),
-    sites: &MotionSites<'a>,
-    file_values: &FileValues,
-    base_fixed: [bool; 6],
-) -> TargetsOnWays {
-    let found = OwnPositions::of_searches(index);
-    let of_targets = TrackedData::of_targets(index, writes, sites, &|datum| found.holds(datum));
-    if of_targets.data.is_empty() && found.is_empty() {
-        return TargetsOnWays::default();
+struct ByWays<'w, 'a> {
+    sites: &'w MotionSites<'a>,
+    file_values: &'w FileValues,
+    own_positions: &'w OwnPositions,
+}
+
+impl<'a> ByWays<'_, 'a> {
+    /// What is known of the targets of all motions.
+    fn targets(
+        &self,
+        evaluator: &mut ConstEvaluator<'a>,
+        (index, writes): (&'a Index<'a>, &'a Writes),
+        base_fixed: [bool; 6],
+    ) -> TargetsOnWays {
+        let (found, read) = (OwnPositions::of_searches(index), self.own_positions);
+        let is_position = |datum| found.holds(datum) || read.holds(datum);
+        let of_targets = TrackedData::of_targets(index, writes, self.sites, &is_position);
+        if of_targets.data.is_empty() && found.is_empty() {
+            return TargetsOnWays::default();
+        }
+        let ways = ControlFlow::new(evaluator, self.sites, &of_targets, base_fixed);
+        let known = (&of_targets, self.file_values);
+        targets_on_ways(evaluator, self.sites, &ways, known, (&found, read))
     }
-    let ways = ControlFlow::new(evaluator, sites, &of_targets, base_fixed);
-    targets_on_ways(evaluator, sites, &ways, (&of_targets, file_values), &found)
 }
 
 /// Warnings about what is given and what is not, whatever motions make of it.
@@ -199,6 +212,8 @@ struct MotionReader<'f, 'a> {
     on_ways: ByNumber<MotionId, FiniteSet>,
     /// The motions with a target that can be what a search has found.
     from_search: BTreeSet<MotionId>,
+    /// The motions with a target that is not read from where the robot stands on any way that leads to them, if it is at other times.
+    not_read: BTreeSet<MotionId>,
     /// The PERS of whose value in the file targets are made, by the ways that lead to them.
     of_file: ByNumber<MotionId, Option<DatumId>>,
     /// External axes that move neither the robot's base nor a work object.
@@ -245,7 +260,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
     fn new(
         evaluator: ConstEvaluator<'a>,
         (tracked, left, file_values): (&'f TrackedData, &'f Table<Slot, LeftBehind>, &'f FileValues),
-        on_ways: TargetsOnWays,
+        (own_positions, on_ways): (OwnPositions, TargetsOnWays),
         nests: Vec<Vec<usize>>,
         base_fixed: [bool; 6],
     ) -> Self {
@@ -255,11 +270,12 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             tracked,
             left,
             file_values,
-            own_positions: OwnPositions::new(index),
+            own_positions,
             read_as_data: ReadAsData::new(index),
             finite_sets: FiniteSets::new(index),
             on_ways: on_ways.values,
             from_search: on_ways.found,
+            not_read: on_ways.not_read,
             of_file: on_ways.of_file,
             base_fixed,
             nests,

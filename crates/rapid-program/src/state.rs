@@ -8,6 +8,7 @@
 //! on with TRYNEXT or RETRY, it goes on with that.
 
 mod entry;
+mod held_parts;
 mod in_force;
 mod routine;
 mod steps;
@@ -121,7 +122,9 @@ struct StateAnalysis<'w, 'a> {
     /// Motions whose target is looked at on every visit.
     watched: ByNumber<MotionId, Watched<'a>>,
     /// Points that searches have found, and the motions to which they come.
-    found: Option<FoundPoints<'w, 'a>>,
+    found: Option<FollowedPositions<'w, 'a>>,
+    /// The same of what was read from where the robot stands.
+    read: Option<FollowedPositions<'w, 'a>>,
     /// What the program is entered with; nothing: declared values, and everything off.
     entry: Option<State>,
     /// What motion settings are in force where a cycle ends, on any way of this pass.
@@ -141,13 +144,20 @@ struct Watched<'a> {
     of_file: Option<DatumId>,
 }
 
-/// The points that searches have found, followed to the motions.
-struct FoundPoints<'w, 'a> {
-    points: &'w OwnPositions,
-    /// The targets of each motion that can be one at some time.
+/// What holds the arm's own position, followed to the motions.
+struct FollowedPositions<'w, 'a> {
+    positions: &'w OwnPositions,
+    /// The targets of each motion that can hold one at some time.
     targets: ByNumber<MotionId, (Vec<&'a Expr>, Ctx)>,
     /// The motions to which one comes.
     motions: BTreeSet<MotionId>,
+}
+
+impl<'a> FollowedPositions<'_, 'a> {
+    /// The targets of a motion that can hold one at some time, and where they are written.
+    fn targets_of(&self, motion: MotionId) -> Option<(Vec<&'a Expr>, Ctx)> {
+        self.targets.get(&motion).cloned()
+    }
 }
 
 /// What a routine leaves.
@@ -190,6 +200,7 @@ impl<'w, 'a> StateAnalysis<'w, 'a> {
             effects: routine_effects(control_flow),
             watched: ByNumber::default(),
             found: None,
+            read: None,
             entry: None,
             cycle_end: None,
             left: Table::filled(tracked.data.len(), LeftBehind::default()),

@@ -11,6 +11,7 @@ mod of_pers;
 mod order;
 mod pages;
 mod pressing_and_arcs;
+mod readings_in_order;
 mod robodk;
 mod searches;
 mod state;

@@ -58,7 +58,8 @@ impl<'a> MotionReader<'_, 'a> {
             let indexed = args.targets.len() == 1 && !target.elements().is_empty();
             targets.push(target);
             reached.extend(calc);
-            match (self.own_positions.read_at(index, ctx, expr), failed) {
+            let read_at = self.own_positions.read_at(index, ctx, expr);
+            match (read_at.filter(|_| !self.not_read.contains(&motion)), failed) {
                 (Some(at), _) => {
                     let (function, place) = (as_text(index.text(at.file, at.range)), index.place(at));
                     let reason = format!(

@@ -6,6 +6,7 @@
 //! that nothing calls beside a `main` are called by hand: what they set counts where it is known, as somebody may choose a tool so; what
 //! only run time tells (a tool that is calibrated) does not, or nothing made of it could be corrected by tables.
 
+use super::held_parts::HeldParts;
 use super::in_force::{lose, same, unknown};
 use super::{MOST_STEPS, SlotState, State, StateAnalysis};
 use crate::const_eval::Constant;
@@ -156,9 +157,10 @@ impl StateAnalysis<'_, '_> {
                 value = Value::Unknown(unknown("it may be as the cycle before has left it"));
             }
             let outlives = self.outlives(datum);
-            // What a search has found the next cycle begins with, too.
+            // What a search has found, and where the robot stood, the next cycle begins with, too.
             let of_file = differs_on_controllers(self.evaluator.index, datum).then_some(datum);
-            slots.push(SlotState { value, at_entry: outlives, found: outlives, of_file, set_at: None });
+            let read = if outlives { HeldParts::ALL } else { HeldParts::NONE };
+            slots.push(SlotState { value, at_entry: outlives, found: outlives, read, of_file, set_at: None });
         }
         // From its beginning a program grips nothing.
         let grip = Some(LoadData::default());

@@ -3,6 +3,7 @@
 //!
 //! Knows nothing of ways through the program.
 
+use super::held_parts::HeldParts;
 use crate::data::LoadData;
 use crate::flow::{BLOCKERS, Blocker};
 use crate::ids::{DatumId, Slot, Table};
@@ -20,6 +21,9 @@ pub(crate) struct SlotState {
     pub(crate) at_entry: bool,
     /// It can be what a search has found; looked at for data alone that can hold such a point at some time.
     pub(super) found: bool,
+    /// The components of it that can hold what was read from where the robot stands; looked at for data alone that can hold such a
+    /// reading at some time.
+    pub(super) read: HeldParts,
     /// The PERS of whose value in the file it is made on some way that leads here.
     pub(super) of_file: Option<DatumId>,
     pub(super) set_at: Option<Span>,
@@ -58,6 +62,7 @@ pub(super) fn same(a: &State, b: &State) -> bool {
         && a.slots.iter().zip(&b.slots).all(|(a, b)| {
             a.at_entry == b.at_entry
                 && a.found == b.found
+                && a.read == b.read
                 && a.of_file.is_some() == b.of_file.is_some()
                 && a.value.same(&b.value)
         })
@@ -76,6 +81,7 @@ pub(super) fn lose(state: &mut State, effects: &RoutineEffects, why: &Why) {
         if let Some(slot) = state.slots.get_mut(slot) {
             slot.value = Value::Unknown(why.clone());
             slot.found = true;
+            slot.read = HeldParts::ALL;
         }
     }
     state.conf_l = state.conf_l.filter(|_| !effects.conf_l);

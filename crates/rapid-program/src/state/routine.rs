@@ -3,6 +3,7 @@
 //!
 //! Knows nothing of where a program begins, nor of what a single step does.
 
+use super::held_parts::HeldParts;
 use super::in_force::{lose, same, same_or_none, unknown};
 use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, StateAnalysis};
 use crate::flow::{ForwardAnalysis, walk};
@@ -17,7 +18,7 @@ impl StateAnalysis<'_, '_> {
     /// What a motion sees on one more visit; `shared`: the same for other motions that see it.
     pub(super) fn record(&mut self, motion: MotionId, state: &State, shared: &mut Option<Rc<State>>) {
         self.watch(motion, state);
-        self.watch_found(motion, state);
+        self.watch_positions(motion, state);
         let seen = self.at_motions.get_mut(motion.index()).and_then(Option::take);
         let seen = match seen {
             None => Rc::clone(shared.get_or_insert_with(|| match self.last_seen.take() {
@@ -108,6 +109,7 @@ impl StateAnalysis<'_, '_> {
                     // What it stands for the other call may have changed.
                     DatumKind::Param { .. } => {
                         now.value = Value::Unknown(unknown("its routine calls itself"));
+                        now.read = HeldParts::ALL;
                     }
                     DatumKind::Declared(_) | DatumKind::LoopVariable => {}
                 }

@@ -1,5 +1,6 @@
 //! What each step of a routine does to the state.
 
+use super::held_parts::HeldParts;
 use super::in_force::{same, unknown};
 use super::{MOST_STEPS, SlotState, State, StateAnalysis, View};
 use crate::const_eval::Constant;
@@ -38,6 +39,7 @@ impl<'a> ForwardAnalysis<'a> for StateAnalysis<'_, 'a> {
             a.value = a.value.join(&b.value, &why);
             a.at_entry |= b.at_entry;
             a.found |= b.found;
+            a.read = a.read.or(b.read);
             a.of_file = a.of_file.or(b.of_file);
             a.set_at = at;
         }
@@ -69,6 +71,7 @@ impl<'a> ForwardAnalysis<'a> for StateAnalysis<'_, 'a> {
                         value: value.clone(),
                         at_entry: false,
                         found: true,
+                        read: HeldParts::ALL,
                         of_file: None,
                         set_at: Some(*at),
                     };
@@ -134,13 +137,16 @@ impl StateAnalysis<'_, '_> {
     ) {
         let new = self.value(value, ctx, state);
         let found = self.reads_found(value, ctx, state);
+        let read = self.parts_read(value, ctx, state);
         let of_file = self.of_file(value, ctx, state);
-        let type_name = self.tracked.data.get(slot).map(|&datum| self.evaluator.index.data[datum].type_name);
-        if let (Some(old), Some(type_name)) = (state.slots.get_mut(slot), type_name) {
-            let value = self.with_component(&old.value, type_name, path, new);
+        let index = self.evaluator.index;
+        if let (Some(old), Some(&datum)) = (state.slots.get_mut(slot), self.tracked.data.get(slot)) {
+            let value = self.with_component(&old.value, index.data[datum].type_name, path, new);
+            let read = old.read.with_part(index, datum, path, read);
             let found = found || !path.is_empty() && old.found;
             let of_file = of_file.or(old.of_file.filter(|_| !path.is_empty()));
-            *old = SlotState { value: value.clone(), at_entry: false, found, of_file, set_at: Some(at) };
+            *old =
+                SlotState { value: value.clone(), at_entry: false, found, read, of_file, set_at: Some(at) };
             self.leave_behind(slot, value, at);
         }
     }
@@ -161,9 +167,11 @@ impl StateAnalysis<'_, '_> {
                 None => self.evaluator.datum(binding.param, &Constant).unwrap_or_else(Value::Unknown),
             };
             let found = binding.value.is_some_and(|value| self.reads_found(value, ctx, state));
+            // Of one that is left out nobody knows here whether the caller was given it.
+            let read = binding.value.map_or(HeldParts::ALL, |value| self.parts_read(value, ctx, state));
             let of_file = binding.value.and_then(|value| self.of_file(value, ctx, state));
             if let Some(slot) = entry.slots.get_mut(binding.slot) {
-                *slot = SlotState { value, at_entry: false, found, of_file, set_at: None };
+                *slot = SlotState { value, at_entry: false, found, read, of_file, set_at: None };
             }
         }
         let mut out = maybe.then(|| state.clone());
