@@ -209,7 +209,8 @@ impl Compensation {
             let program = Program { files, ..Program::default() };
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }
-        let program = Program::read(files, &self.overrides);
+        let mut program = Program::read(files, &self.overrides);
+        compensate::leave_out_unreached(&mut program, &self.robot.model);
         let messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));

@@ -146,7 +146,8 @@ fn targets_of_program(
     robot: &Robot,
     warm_up: &WarmUp,
 ) -> Result<Vec<WorkTarget>, CompensateError> {
-    let program = Program::read(program.sources(), &Overrides::default());
+    let mut program = Program::read(program.sources(), &Overrides::default());
+    compensate::leave_out_unreached(&mut program, robot);
     let loose = compensate::Options {
         max_correction_m: m_from_mm(1e3),
         max_correction_rad: rad_from_deg(90.0),

@@ -3,6 +3,7 @@
 use super::data::{ConfData, ExtJoint, JointTarget, RobTarget};
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
+use std::collections::BTreeSet;
 
 /// How a target is written in its motion.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -207,11 +208,25 @@ impl Target {
 
     /// Everything that it may be worth: its value, or those of the elements that it is one of which occur.
     pub fn values(&self) -> impl Iterator<Item = TargetValue> + '_ {
+        self.value().into_iter().chain(self.numbered_elements().map(|(_, value)| value))
+    }
+
+    /// Those of its elements that occur, with their positions; none where its value is known.
+    pub fn numbered_elements(&self) -> impl Iterator<Item = (usize, TargetValue)> + '_ {
         let elements = if self.value.is_some() { &[] } else { self.elements() };
         let occurring = self.indices().and_then(|indices| indices.occurring.as_deref());
         let occurs = move |at: &usize| occurring.is_none_or(|occurring| occurring.binary_search(at).is_ok());
-        let elements = elements.iter().copied().enumerate().filter(move |(at, _)| occurs(at));
-        self.value().into_iter().chain(elements.map(|(_, value)| value))
+        elements.iter().copied().enumerate().filter(move |(at, _)| occurs(at))
+    }
+
+    /// Elements of an array at these positions occur no longer.
+    pub fn leave_out(&mut self, positions: &BTreeSet<usize>) {
+        let left: Box<[usize]> =
+            self.numbered_elements().map(|(at, _)| at).filter(|at| !positions.contains(at)).collect();
+        if let Some(ChosenBy::Indices(indices)) = self.details.as_mut().map(|details| &mut details.chosen_by)
+        {
+            indices.occurring = Some(left);
+        }
     }
 
     /// The text of the value as the source spells it: the aggregate of an inline target, or the initial value of a named
@@ -335,6 +350,11 @@ mod tests {
         assert_eq!(some.spread(["a", "c"]), [Some("a"), None, Some("c")]);
         assert_eq!(indices.spread([1, 2, 3]), [1, 2, 3].map(Some));
         assert_eq!(written().with_elements(vec![joints; 3], some).values().count(), 2);
+        let mut reached = written().with_elements(vec![joints; 3], indices.clone());
+        reached.leave_out(&BTreeSet::from([1]));
+        assert_eq!(reached.numbered_elements().map(|(at, _)| at).collect::<Vec<_>>(), [0, 2]);
+        reached.leave_out(&BTreeSet::from([0]));
+        assert_eq!(reached.indices().and_then(|indices| indices.occurring.as_deref()), Some(&[2][..]));
         let element = written().with_elements(vec![joints; 3], indices.clone());
         assert_eq!(
             (element.value(), element.values().count(), element.origin()),

@@ -3,6 +3,7 @@
 mod bad_input;
 mod compensate;
 mod diff;
+mod elements;
 mod outputs;
 mod refusals;
 mod restored;

@@ -49,6 +49,7 @@ mod touch_reference;
 mod track;
 mod unknown_branch;
 mod unknown_sides;
+mod unreached;
 mod warm_joints;
 mod wobj_shift_baseline;
 
@@ -61,6 +62,7 @@ pub use planner::plan;
 pub use selection::Selection;
 pub use tcp_drift::{DriftPoint, TcpDrift, tcp_drift};
 pub use touch_reference::{TouchReference, TouchingArm};
+pub use unreached::leave_out_unreached;
 
 #[cfg(test)]
 mod tests;
