@@ -94,6 +94,43 @@ fn a_point_that_was_touched_up_beside_a_motion_taken_out_is_told() {
     );
 }
 
+/// An element of the array that a motion asks with, and what stands in an expression of a target.
+#[test]
+fn elements_and_parts_of_expressions_that_were_touched_up_are_told() {
+    let bench = Bench::default();
+    let source = format!(
+        "MODULE A\n  PERS num n:=1;\n  CONST robtarget p10:=[[400,0,350],{CONF};
+  CONST robtarget pa{{3}}:=[[[420,30,350],{CONF},[[420,40,350],{CONF},[[420,50,350],{CONF}];
+  CONST robtarget pg{{2,2}}:=[[[[410,30,340],{CONF},[[410,40,340],{CONF}],[[[410,50,340],{CONF},[[410,60,340],{CONF}]];
+  PROC main()\n    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+    MoveL pa{{n}},v100,fine,tool0;\n    MoveL pg{{n,1}},v100,fine,tool0;\n    MoveL Offs(p10,0,0,5),v100,fine,tool0;
+  ENDPROC\nENDMODULE\n"
+    );
+    let (from, to) = (bench.file("a.mod", &source), bench.path("o.mod").display().to_string());
+    for form in ["ramp", "live", "auto"] {
+        let made = driftpost(&["compensate", &from, "-o", &to, "--form", form, "--diff", "none", "--force"]);
+        assert_eq!(made.status.code(), Some(0), "{form}: {}", err(&made));
+        let text = bench.text("o.mod");
+        let (message, back) = restored(&bench, &text, 0);
+        assert!(back == source && !message.contains("touched up"), "{form}: {message}");
+        // By 3 and 4 mm.
+        for (was, now, name) in [
+            ("[[420,40,350]", "[[423,44,350]", "pa{2}"),
+            ("[[410,50,340]", "[[413,54,340]", "pg{2,1}"),
+            ("[[400,0,350]", "[[403,4,350]", "p10"),
+        ] {
+            assert_eq!(text.matches(was).count(), 1, "{form}: {was}");
+            let (message, back) = restored(&bench, &text.replacen(was, now, 1), 1);
+            let told = format!("{name} was touched up on the controller by 5.0000 mm");
+            assert!(message.contains(&told), "{form}: {message}");
+            assert_eq!(back, source.replacen(was, now, 1), "{form}");
+        }
+        // With the motion that goes by it taken out, the others are known again.
+        let (message, _) = restored(&bench, &without(&text, "pg{n,1}"), 0);
+        assert!(!message.contains("touched up") && !message.contains("warning"), "{form}: {message}");
+    }
+}
+
 /// The same module in the form schedule, where the arrays hold the targets.
 fn scheduled(bench: &Bench) -> String {
     emitted(bench);

@@ -16,6 +16,7 @@ mod context;
 mod core_module;
 mod correction;
 mod digest;
+mod elements;
 mod emission;
 mod header;
 mod header_text;

@@ -3,7 +3,9 @@
 
 use super::aggregate::{Singles, is_plain};
 use super::checksum;
-use rapid_program::motion::Motion;
+use super::elements::elements;
+use super::names::words;
+use rapid_program::motion::{Motion, indices_of};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Module, ModuleItem, Routine, StmtKind};
 use std::collections::{HashMap, HashSet};
@@ -21,85 +23,166 @@ const COORDINATE: usize = 4;
 pub(super) struct Original {
     /// The value, an aggregate of numbers.
     pub value: TextRange,
-    /// It is the initial value of named data.
-    pub declared: bool,
+    /// The name of the data whose initial value it is.
+    pub declared: Option<TextRange>,
+    /// The array whose element it is, by its number among those of the module, and its position there.
+    pub element: Option<(usize, usize)>,
+}
+
+/// What a name is declared as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Declared {
+    /// With this initial value.
+    Value { name: TextRange, init: TextRange },
+    /// As the array of this number.
+    Array(usize),
+    /// Without an initial value.
+    Nothing,
+}
+
+/// An array as it is declared.
+struct DeclaredArray {
+    name: TextRange,
+    dims: Vec<usize>,
+    elements: Vec<TextRange>,
 }
 
 /// A module's data by name.
 pub(super) struct Declarations<'t> {
     bytes: &'t [u8],
-    module: HashMap<Vec<u8>, TextRange>,
-    /// The data of each routine that has some, by where it begins: name and initial value.
-    local: HashMap<u32, Vec<(TextRange, Option<TextRange>)>>,
+    module: HashMap<Vec<u8>, Declared>,
+    /// The data of each routine that has some, by where it begins: names and what they are declared as.
+    local: HashMap<u32, Vec<(TextRange, Declared)>>,
+    arrays: Vec<DeclaredArray>,
 }
 
 impl<'t> Declarations<'t> {
     /// Of a module in `bytes`.
     #[must_use]
     pub(super) fn new(bytes: &'t [u8], module: &Module) -> Self {
-        let data = module.items.iter().filter_map(|item| match item {
-            ModuleItem::Data(data) => Some(data),
-            _ => None,
-        });
-        let init = |data: &DataDecl| {
-            let init = data.init.as_ref().filter(|_| data.dims.is_empty())?;
-            Some(init.range)
-        };
-        let named = |data: &DataDecl| {
-            let init = init(data)?;
-            Some((data.name.of(bytes).to_ascii_lowercase(), init))
-        };
-        let mut local: HashMap<u32, Vec<_>> = HashMap::new();
+        let mut new = Self { bytes, module: HashMap::new(), local: HashMap::new(), arrays: Vec::new() };
+        for item in &module.items {
+            if let ModuleItem::Data(data) = item {
+                let declared = new.declare(data);
+                new.module.insert(data.name.of(bytes).to_ascii_lowercase(), declared);
+            }
+        }
         for routine in module.routines() {
             for stmt in &routine.body {
                 if let StmtKind::Data(data) = &stmt.kind {
-                    local.entry(routine.range.start).or_default().push((data.name, init(data)));
+                    let declared = new.declare(data);
+                    new.local.entry(routine.range.start).or_default().push((data.name, declared));
                 }
             }
         }
-        Self { bytes, module: data.filter_map(named).collect(), local }
+        new
+    }
+
+    fn declare(&mut self, data: &DataDecl) -> Declared {
+        let Some(init) = &data.init else { return Declared::Nothing };
+        if data.dims.is_empty() {
+            return Declared::Value { name: data.name, init: init.range };
+        }
+        let mut dims: Vec<usize> = Vec::new();
+        for count in 1..=data.dims.len() {
+            let so_far: usize = dims.iter().product();
+            dims.push(elements(self.bytes, init, count).len() / so_far.max(1));
+        }
+        let elements = elements(self.bytes, init, data.dims.len());
+        self.arrays.push(DeclaredArray { name: data.name, dims, elements });
+        Declared::Array(self.arrays.len() - 1)
+    }
+
+    /// What a name is declared as, seen from `routine`.
+    fn declared(&self, name: &[u8], routine: &Routine) -> Declared {
+        let local = self.local.get(&routine.range.start).map(Vec::as_slice).unwrap_or_default();
+        let local = local.iter().find(|(local, _)| local.of(self.bytes).eq_ignore_ascii_case(name));
+        match local {
+            Some((_, declared)) => *declared,
+            None => self.module.get(&name.to_ascii_lowercase()).copied().unwrap_or(Declared::Nothing),
+        }
     }
 
     /// Where the initial value of data named `name` stands, seen from `routine`.
     #[must_use]
     pub(super) fn initial_value(&self, name: &[u8], routine: &Routine) -> Option<TextRange> {
-        let local = self.local.get(&routine.range.start).map(Vec::as_slice).unwrap_or_default();
-        let local = local.iter().find(|(local, _)| local.of(self.bytes).eq_ignore_ascii_case(name));
-        match local {
-            Some((_, init)) => *init,
-            None => self.module.get(&name.to_ascii_lowercase()).copied(),
+        match self.declared(name, routine) {
+            Declared::Value { init, .. } => Some(init),
+            Declared::Array(_) | Declared::Nothing => None,
         }
     }
 
-    /// Where the value of a target argument stands; `None` where it is worked out.
+    /// An original as a person calls it whose motion's target is written so: `pa{2}` for an array's element.
     #[must_use]
-    pub(super) fn original(&self, argument: TextRange, routine: &Routine) -> Option<Original> {
-        let text = argument.of(self.bytes);
-        if text.first() == Some(&b'[') {
-            return is_plain(text).then_some(Original { value: argument, declared: false });
+    pub(super) fn name_of(&self, original: Original, target: TextRange) -> String {
+        let text = |range: TextRange| String::from_utf8_lossy(range.of(self.bytes)).into_owned();
+        match original.element.and_then(|(array, at)| Some((self.arrays.get(array)?, at))) {
+            Some((array, at)) => {
+                let indices: Vec<String> = indices_of(&array.dims, at).iter().map(usize::to_string).collect();
+                format!("{}{{{}}}", text(array.name), indices.join(","))
+            }
+            None => text(original.declared.unwrap_or(target)),
         }
-        let value = self.initial_value(text.trim_ascii(), routine)?;
-        is_plain(value.of(self.bytes)).then_some(Original { value, declared: true })
     }
 }
 
-/// The fingerprints of a module's originals, each once, in the order of the motions.
+/// The originals of targets, each that is declared once.
+pub(super) struct Originals<'d, 't> {
+    declarations: &'d Declarations<'t>,
+    /// The declared values and arrays that were there before, by where they stand.
+    seen: HashSet<u32>,
+}
+
+impl<'d, 't> Originals<'d, 't> {
+    /// Of a module's targets.
+    pub(super) fn new(declarations: &'d Declarations<'t>) -> Self {
+        Self { declarations, seen: HashSet::new() }
+    }
+
+    /// Hands over those of a target argument in `routine`: the argument itself where its numbers stand there, else whatever it names.
+    pub(super) fn of(&mut self, argument: TextRange, routine: &Routine, mut each: impl FnMut(Original)) {
+        let (declarations, seen) = (self.declarations, &mut self.seen);
+        let text = argument.of(declarations.bytes);
+        let is_target = |value: TextRange| {
+            let text = value.of(declarations.bytes);
+            text.first() == Some(&b'[') && is_plain(text)
+        };
+        if text.first() == Some(&b'[') && is_plain(text) {
+            return each(Original { value: argument, declared: None, element: None });
+        }
+        words(text, |word| match declarations.declared(word, routine) {
+            Declared::Value { name, init } => {
+                if is_target(init) && seen.insert(name.start) {
+                    each(Original { value: init, declared: Some(name), element: None });
+                }
+            }
+            Declared::Array(number) => {
+                let array = &declarations.arrays[number];
+                if seen.insert(array.name.start) {
+                    let elements = array.elements.iter().copied().enumerate();
+                    for (at, value) in elements.filter(|(_, value)| is_target(*value)) {
+                        each(Original { value, declared: Some(array.name), element: Some((number, at)) });
+                    }
+                }
+            }
+            Declared::Nothing => {}
+        });
+    }
+}
+
+/// The fingerprints of a module's originals, in the order of the motions.
 #[derive(Default)]
 pub(super) struct Fingerprints {
-    declared: HashSet<u32>,
     text: Vec<u8>,
     reader: Singles,
 }
 
 impl Fingerprints {
-    /// Takes in an original; its fingerprint, where it is one that was not there before.
-    pub(super) fn add(&mut self, bytes: &[u8], original: Original) -> Option<&[u8]> {
-        if original.declared && !self.declared.insert(original.value.start) {
-            return None;
-        }
+    /// Adds that of an original, and gives it.
+    pub(super) fn add(&mut self, bytes: &[u8], original: Original) -> &[u8] {
         let before = self.text.len();
         add_fingerprint(original.value.of(bytes), &mut self.reader, &mut self.text);
-        self.text.get(before..)
+        &self.text[before..]
     }
 
     /// Those of all originals, one after another.
@@ -114,14 +197,12 @@ impl Fingerprints {
 pub(super) fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
     let declarations = Declarations::new(bytes, module);
     let routines: Vec<&Routine> = module.routines().collect();
-    let mut fingerprints = Fingerprints::default();
+    let (mut originals, mut fingerprints) = (Originals::new(&declarations), Fingerprints::default());
     for Motion { range, targets, .. } in motions {
         let after = routines.partition_point(|routine| routine.range.start <= range.start);
         let Some(routine) = after.checked_sub(1).and_then(|at| routines.get(at)) else { continue };
         for target in targets.iter() {
-            if let Some(original) = declarations.original(target.range, routine) {
-                fingerprints.add(bytes, original);
-            }
+            originals.of(target.range, routine, |original| _ = fingerprints.add(bytes, original));
         }
     }
     fingerprints.text()

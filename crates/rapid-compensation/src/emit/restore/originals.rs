@@ -5,7 +5,7 @@ use super::known_again::{Past, pasts};
 use super::removal::Remover;
 use super::rounded::is_rounded;
 use crate::emit::insertion;
-use crate::emit::point::{self, Declarations, Fingerprints, Original};
+use crate::emit::point::{self, Declarations, Fingerprints, Original, Originals};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, Routine, StmtKind};
 
@@ -41,9 +41,8 @@ impl<'w> Remover<'w> {
         }
         let (mut fingerprints, mut asked) = (Fingerprints::default(), Vec::new());
         self.each_original(routines, declarations, |target, original| {
-            if let Some(own) = fingerprints.add(self.bytes, original) {
-                asked.push(Asked { target, original, fingerprint: own.to_vec() });
-            }
+            let fingerprint = fingerprints.add(self.bytes, original).to_vec();
+            asked.push(Asked { target, original, fingerprint });
         });
         let now: Vec<&[u8]> = asked.iter().map(|one| one.fingerprint.as_slice()).collect();
         let mut touched = Vec::new();
@@ -51,7 +50,7 @@ impl<'w> Remover<'w> {
             match past {
                 Past::Same => {}
                 Past::Was(was) => {
-                    let now = self.touched_original(one, was);
+                    let now = self.touched_original(one, was, declarations);
                     let stands = now.moved < SAME;
                     if !(stands && is_rounded(one.original.value.of(self.bytes), was)) {
                         touched.push(now);
@@ -59,21 +58,27 @@ impl<'w> Remover<'w> {
                 }
                 Past::Unknown => {
                     let line = self.lines.line(one.original.value.start);
-                    self.altered.push(Altered::Original { target: self.text(one.target), line });
+                    let target = declarations.name_of(one.original, one.target);
+                    self.altered.push(Altered::Original { target, line });
                 }
             }
         }
         touched
     }
 
-    fn touched_original(&self, Asked { target, original, .. }: &Asked, was: &[u8]) -> ModifiedTarget {
+    fn touched_original(
+        &self,
+        Asked { target, original, .. }: &Asked,
+        was: &[u8],
+        declarations: &Declarations<'w>,
+    ) -> ModifiedTarget {
         let (moved, unit) = point::moved(original.value.of(self.bytes), was);
         ModifiedTarget {
             array: None,
-            target: self.text(*target),
+            target: declarations.name_of(*original, *target),
             value: self.text(original.value),
             line: self.lines.line(original.value.start),
-            into: if original.declared { ModifiedIn::Declaration } else { ModifiedIn::Motion },
+            into: if original.declared.is_some() { ModifiedIn::Declaration } else { ModifiedIn::Motion },
             moved,
             unit,
         }
@@ -86,15 +91,14 @@ impl<'w> Remover<'w> {
         declarations: &Declarations<'w>,
         mut each: impl FnMut(TextRange, Original),
     ) {
+        let mut originals = Originals::new(declarations);
         for routine in routines {
             for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
                 for arg in &call.args {
                     let ArgKind::Positional(expr) = &arg.kind else { continue };
-                    if let Some((target, _)) = self.inside(expr)
-                        && let Some(original) = declarations.original(target, routine)
-                    {
-                        each(target, original);
+                    if let Some((target, _)) = self.inside(expr) {
+                        originals.of(target, routine, |original| each(target, original));
                     }
                 }
             }

@@ -6,11 +6,11 @@ use super::lines::Lines;
 use super::undo::{UndoEdits, UndoText};
 use crate::emit::array_reader::ArrayReader;
 use crate::emit::checksum::{self, Elements};
+use crate::emit::elements::elements;
 use crate::emit::header::Record;
 use crate::emit::insertion;
 use crate::emit::point::Declarations;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::ranges_of_numbers;
 use rapid_syntax::tree::{Arg, ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
 /// Functions that stand round a target and correct it by what is beside it.
@@ -140,19 +140,7 @@ impl<'w> Remover<'w> {
 
     /// The elements of an array of so many dimensions, the last one fastest.
     pub(super) fn elements(&self, init: &Expr, dims: usize) -> Vec<TextRange> {
-        match (&init.kind, dims.checked_sub(1)) {
-            (_, None) => vec![init.range],
-            (ExprKind::Aggregate(all), Some(rest)) => {
-                all.iter().flat_map(|part| self.elements(part, rest)).collect()
-            }
-            (ExprKind::Numbers, Some(_)) => {
-                let parts = |all: Vec<TextRange>| -> Vec<TextRange> {
-                    all.into_iter().flat_map(|part| ranges_of_numbers(self.bytes, part)).collect()
-                };
-                (0..dims).fold(vec![init.range], |all, _| parts(all))
-            }
-            _ => Vec::new(),
-        }
+        elements(self.bytes, init, dims)
     }
 
     /// The module's own routines, and what takes out those behind them.
