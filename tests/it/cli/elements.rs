@@ -1,4 +1,4 @@
-//! Motions to an element of an array that only run time tells: elements that are not in use.
+//! Motions to an element of an array that only run time tells: elements that are not in use, and what is said of the clock.
 
 use super::{Bench, driftpost, err, out};
 use serde_json::Value;
@@ -94,4 +94,24 @@ fn an_array_of_which_no_element_is_reached_is_kept() {
     let all = ["430,60,300", "430,90,300", "430,60,250", "430,90,250"];
     let (status, message) = compensated(&bench, &pallet("PERS", all, BY_PERS), "ramp");
     assert!(status == ["compensated"; 2] && !message.contains("reach::"), "{message}");
+}
+
+/// To one of sixty elements some 130 mm away and at most 170 mm from each other: at 5 mm/s a minute, where the way through all of them takes
+/// the ten minutes of a pause and more.
+#[test]
+fn the_way_to_an_element_is_no_way_through_all_of_them() {
+    let bench = Bench::default();
+    let places: Vec<String> =
+        (0..60).map(|i| format!("[[{},{},{}],{REST}", 400 + i % 4, 60 + 2 * i, 300 - 20 * (i % 3))).collect();
+    let array = format!("  CONST robtarget pa{{60}}:=[\n    {}];\n", places.join(",\n    "));
+    let text = |speed: &str| {
+        let main = BY_PERS.replace("pu{nPos},v100", &format!("pa{{nPos}},{speed}"));
+        let text = pallet("PERS", ["430,60,300"; 4], &main);
+        text.replacen("  PROC main", &format!("{array}  PROC main"), 1)
+    };
+    for (speed, is_long) in [("v5", false), ("[0.3,500,5000,1000]", true)] {
+        let (status, message) = compensated(&bench, &text(speed), "schedule");
+        assert_eq!(status, ["compensated"; 2]);
+        assert_eq!(message.contains("clock::long-motion"), is_long, "{speed}: {message}");
+    }
 }

@@ -106,7 +106,13 @@ fn time_s(
         Some(_) => resolved.end(motion, model).into_iter().collect(),
     };
     let to = Some(to.as_slice()).filter(|to| !to.is_empty());
-    let (way_m, turn_rad) = from.zip(to).map_or((UNKNOWN_WAY_M, UNKNOWN_WAY_RAD), |(from, to)| way(from, to));
+    // Of an array's elements it goes to one alone: the furthest.
+    let goes_to_one = resolved.indexed && motion.targets.len() == 1;
+    let (way_m, turn_rad) = match from.zip(to) {
+        Some((from, to)) if goes_to_one => to.chunks(1).map(|one| way(from, one)).fold((0.0, 0.0), longer),
+        Some((from, to)) => way(from, to),
+        None => (UNKNOWN_WAY_M, UNKNOWN_WAY_RAD),
+    };
     let (most_m_s, most_rad_s) = match slowed.is_known {
         true => (FASTEST_M_S, FASTEST_RAD_S),
         false => (UNKNOWN_M_S, UNKNOWN_RAD_S),
@@ -121,6 +127,11 @@ fn time_s(
     let written_s = motion.setup.time_s.map(|time_s| time_s / slowed.share);
     let on_way_s = written_s.unwrap_or_else(|| SLOWER * f64::max(way_m / v, turn_rad / w));
     on_way_s + ends_s
+}
+
+/// The greater length and the greater turn of two ways.
+fn longer(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
+    (a.0.max(b.0), a.1.max(b.1))
 }
 
 /// Length and turn of the way through the points; an arc is at most π/2 longer than its chords.
