@@ -131,6 +131,35 @@ fn elements_and_parts_of_expressions_that_were_touched_up_are_told() {
     }
 }
 
+/// What was added and is named by hand would not be there any more: a controller would not load the module.
+#[test]
+fn an_added_correction_that_is_named_elsewhere_is_no_part_of_the_original() {
+    let bench = Bench::default();
+    let text = emitted(&bench);
+    let named = text.replacen(
+        "    MoveL tcAt(p20,",
+        "    Set do1;\n    MoveL Offs(p20,tcP20.trans.x,0,0),v100,fine,tool0;\n    MoveL tcAt(p20,",
+        1,
+    );
+    let output = driftpost(&[
+        "restore",
+        &bench.file("named.mod", &named),
+        "-o",
+        &bench.path("none.mod").display().to_string(),
+    ]);
+    let message = err(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("restore::damaged") && message.contains("tcP20 is still named there"),
+        "{message}"
+    );
+    assert!(!bench.path("none.mod").exists());
+    // In a comment it does no harm.
+    let commented = text.replacen("    MoveL tcAt(p20,", "    ! see tcP20\n    MoveL tcAt(p20,", 1);
+    let (message, _) = restored(&bench, &commented, 0);
+    assert!(!message.contains("tcP20"), "{message}");
+}
+
 /// The same module in the form schedule, where the arrays hold the targets.
 fn scheduled(bench: &Bench) -> String {
     emitted(bench);

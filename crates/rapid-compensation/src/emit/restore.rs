@@ -118,6 +118,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
             edits: &mut edits,
             code: Vec::new(),
             altered: Vec::new(),
+            corrections: Vec::new(),
         };
         let mut arrays = remover.data()?;
         let (routines, added_routines) = remover.routines()?;
@@ -130,6 +131,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         } else {
             altered.push(Altered::Header { line: lines.line(comment.start) });
         }
+        added.append(&mut remover.corrections);
         added.extend(arrays.into_iter().map(|array| array.name.into_bytes()));
         added.extend(ASKED.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
         source = Some((record.source_sha256, record.source_name));

@@ -28,6 +28,8 @@ pub(super) struct Remover<'w> {
     /// Name and range of the data and routines that were added beside targets.
     pub(super) code: Vec<(TextRange, TextRange)>,
     pub(super) altered: Vec<Altered>,
+    /// Names of the corrections that were added, in lower case.
+    pub(super) corrections: Vec<Vec<u8>>,
 }
 
 impl<'w> Remover<'w> {
@@ -77,6 +79,7 @@ impl<'w> Remover<'w> {
                     .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
                 arrays.push(NamedArray::new(&name, array));
             } else {
+                self.corrections.push(data.name.of(self.bytes).to_ascii_lowercase());
                 let (own, rest) = checksums.split_at_checked(3).unwrap_or((checksums, &[]));
                 checksums = rest;
                 let now = init.map(|init| checksum::of_numbers(init.range.of(self.bytes)));
