@@ -54,6 +54,7 @@ impl<'a> ControlFlow<'a> {
                 ctx,
                 fallible,
                 recovery,
+                before: None,
                 out: &mut out,
             };
             let body = builder.body(&routine.tree.body);
@@ -99,6 +100,8 @@ struct CfgBuilder<'l, 'a> {
     fallible: bool,
     /// What becomes of an error.
     recovery: Recovery,
+    /// The statement that runs just before the one that is looked at, where it stands just above it.
+    before: Option<&'a Stmt>,
     out: &'l mut ControlFlow<'a>,
 }
 
@@ -117,8 +120,13 @@ impl<'a> CfgBuilder<'_, 'a> {
 
     fn body(&mut self, body: &'a [Stmt]) -> Vec<Node<'a>> {
         let mut out = Vec::new();
+        let mut before = None;
         for stmt in body {
+            self.before = before;
             self.statement(stmt, &mut out);
+            if !matches!(stmt.kind, StmtKind::Comment | StmtKind::Empty) {
+                before = Some(stmt);
+            }
         }
         out.shrink_to_fit();
         out

@@ -118,6 +118,27 @@ fn what_a_pers_decides_or_displaces_is_open() {
         assert_eq!(decided(&data, "PDispSet pe;"), [expected]);
         assert_eq!(decided(&data, "PDispSet pc;"), ["-"]);
     }
+    // What the statement just before sets is what is in force, whatever the file says of it.
+    let (none, some) = ("[[0,0,0],[1,0,0,0]]", "[[0,0,9],[1,0,0,0]]");
+    for (kind, statements, expected) in [
+        ("PERS", format!("pe:={none};\nPDispSet pe;"), "-"),
+        ("VAR", format!("pe:={none};\n! none\nPDispSet pe;"), "-"),
+        ("PERS", format!("pe:={some};\nPDispSet pe;"), "keep::displacement"),
+        ("PERS", format!("pe:={none};\npe.trans.z:=9;\nPDispSet pe;"), "keep::displacement"),
+        ("PERS", format!("pe:={none};\nb:=TRUE;\nPDispSet pe;"), "keep::displacement"),
+        ("PERS", format!("pe:={none};\nIF b PDispSet pe;"), "keep::displacement"),
+        ("PERS", format!("pe:={none};\nagain:\nPDispSet pe;\nGOTO again;"), "keep::unreachable"),
+        ("PERS", format!("pe:={none};\nPDispSet pe;\nSetDataVal \"pe\",pq;"), "keep::displacement"),
+    ] {
+        let data = format!("{kind} pose pe:={some};\nPERS bool b:=TRUE;\nVAR pose pq;");
+        assert_eq!(decided(&data, &statements), [expected], "{statements}");
+    }
+    let set = module(&format!(
+        "PERS pose pe:={none};\nCONST robtarget p:={};\nPROC main()\npe:={some};\nPDispSet pe;\nMoveL p,v100,fine,tool0;\nENDPROC",
+        at(5, 5, 5)
+    ));
+    let reason = set.motions[0].skip_reason.as_ref().unwrap().reason.clone();
+    assert!(reason.starts_with("a program displacement is in force (PDispSet)"), "{reason}");
     let axes = |kind: &str| decided(&format!("{kind} extjoint e:=[0,0,0,0,0,0];"), "EOffsSet e;");
     assert_eq!((axes("CONST"), axes("PERS")), (vec!["-"], vec!["keep::external-offset"]));
 }

@@ -7,13 +7,15 @@ use crate::convert;
 use crate::data::LoadData;
 use crate::expressions::{every_index, root_of, words};
 use crate::flow::{Blocker, FlowStep, Node};
+use crate::ids::DatumId;
+use crate::index::Resolved;
 use crate::motion::MotionId;
 use crate::names::{as_text, lower_case};
 use crate::other_instructions::{harmless, moves_arm};
 use crate::written_by::written_by_instruction;
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{ArgKind, CallStmt, Callee};
+use rapid_syntax::tree::{ArgKind, CallStmt, Callee, Expr, ExprKind, StmtKind};
 
 impl<'a> CfgBuilder<'_, 'a> {
     /// Tracked data that an instruction writes.
@@ -123,7 +125,7 @@ impl<'a> CfgBuilder<'_, 'a> {
     }
 
     /// What a program displacement that is set by `instruction` is.
-    fn displacement(&self, instruction: &str, call: &CallStmt) -> &'static str {
+    fn displacement(&self, instruction: &str, call: &'a CallStmt) -> &'static str {
         // Without \ExeP it is measured where the arm stands.
         match instruction == "pdispon" && !self.has_option(call, "exep") {
             true => "a program displacement is in force, which holds the correction of the motion before it",
@@ -141,15 +143,33 @@ impl<'a> CfgBuilder<'_, 'a> {
         })
     }
 
-    /// Whether a PERS goes into what an instruction is given.
-    fn is_by_pers(&self, call: &CallStmt) -> bool {
-        let first = call.args.first().map(|arg| &arg.kind);
-        matches!(first, Some(ArgKind::Positional(given)) if self.can_be_set(given))
+    /// Whether a PERS goes into the pose that is given to PDispSet.
+    fn is_by_pers(&self, call: &'a CallStmt) -> bool {
+        self.given_pose(call).is_some_and(|given| self.can_be_set(given))
+    }
+
+    /// The pose that is given to PDispSet: of a name that the statement just before sets what that sets it to.
+    fn given_pose(&self, call: &'a CallStmt) -> Option<&'a Expr> {
+        let Some(ArgKind::Positional(given)) = call.args.first().map(|arg| &arg.kind) else { return None };
+        let index = self.index();
+        let named = |expr: &Expr| match (&expr.kind, index.datum(expr.range, self.ctx)) {
+            (ExprKind::Name, Resolved::Here(datum) | Resolved::Elsewhere(datum)) => Some(datum),
+            _ => None,
+        };
+        let writes = self.evaluator.writes;
+        let by_statements =
+            |datum: &DatumId| writes.orderly(*datum) && writes.by_computed_name(index, *datum).is_none();
+        match (named(given).filter(by_statements), self.before.map(|stmt| &stmt.kind)) {
+            (Some(datum), Some(StmtKind::Assign(assign))) if named(&assign.target) == Some(datum) => {
+                Some(&assign.value)
+            }
+            _ => Some(given),
+        }
     }
 
     /// Whether the pose given to PDispSet is a constant that displaces nothing.
-    fn is_no_displacement(&mut self, call: &CallStmt) -> bool {
-        let Some(ArgKind::Positional(pose)) = call.args.first().map(|arg| &arg.kind) else { return false };
+    fn is_no_displacement(&mut self, call: &'a CallStmt) -> bool {
+        let Some(pose) = self.given_pose(call) else { return false };
         if self.can_be_set(pose) {
             return false;
         }
