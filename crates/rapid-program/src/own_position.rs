@@ -68,6 +68,9 @@ impl OwnPositions {
                 if !is(name, "getjointdata") || index.declares_routine(name, ctx) {
                     return;
                 }
+                if is_of_other_unit(index, ctx, &call.args) {
+                    return;
+                }
                 for arg in &call.args {
                     if let ArgKind::Named { name, value: Some(value) } = &arg.kind
                         && is(*name, "position")
@@ -266,8 +269,9 @@ impl OwnPositions {
                 };
             }
             for expr in expressions_of(stmt) {
-                every_call(expr, &mut |name, _| {
-                    calls |= index.declares_routine(name, ctx) || self.reading(index, ctx, name).is_some();
+                every_call(expr, &mut |name, args| {
+                    calls |=
+                        index.declares_routine(name, ctx) || self.reading(index, ctx, (name, args)).is_some();
                 });
                 names_in(index, ctx, expr, &mut |datum| {
                     foreign |= self.holds(datum) && index.data[datum].ctx.routine != Some(id);
@@ -297,8 +301,8 @@ impl OwnPositions {
     ) -> Option<Span> {
         let mut read = None;
         let counts = |ctx, part: &Expr| tells_the_pose(index, ctx, part);
-        every_call_where(expr, &|part| counts(ctx, part), &mut |name, _| {
-            read = read.or(self.reading(index, ctx, name));
+        every_call_where(expr, &|part| counts(ctx, part), &mut |name, args| {
+            read = read.or(self.reading(index, ctx, (name, args)));
         });
         names_in_where(index, ctx, expr, &counts, &mut |datum| {
             read = read.or(self.data.get(&datum).filter(|_| holds(datum)).copied());
@@ -316,8 +320,8 @@ impl OwnPositions {
         self.data.is_empty() && self.routines.is_empty()
     }
 
-    /// The reading that a function gives.
-    fn reading(&self, index: &Index<'_>, ctx: Ctx, name: TextRange) -> Option<Span> {
+    /// The reading that a function gives that is called so.
+    fn reading(&self, index: &Index<'_>, ctx: Ctx, (name, args): (TextRange, &[Arg])) -> Option<Span> {
         let own = index.name_at(ctx.file, name).map(|name| index.routine(name, ctx));
         match own {
             Some(Resolved::Here(routine) | Resolved::Elsewhere(routine)) => {
@@ -325,7 +329,8 @@ impl OwnPositions {
             }
             _ => {
                 let read = self.readings.contains(&&*lower_case(index.text(ctx.file, name)));
-                read.then_some(Span { file: ctx.file, range: name })
+                let is_own = read && !is_of_other_unit(index, ctx, args);
+                is_own.then_some(Span { file: ctx.file, range: name })
             }
         }
     }
@@ -334,11 +339,31 @@ impl OwnPositions {
         let mut read = false;
         in_all(index, routine, &mut |stmt| {
             for expr in expressions_of(stmt) {
-                every_call(expr, &mut |name, _| read |= self.reading(index, routine.ctx, name).is_some());
+                every_call(expr, &mut |name, args| {
+                    read |= self.reading(index, routine.ctx, (name, args)).is_some();
+                });
             }
         });
         read
     }
+}
+
+/// Whether what is read is an axis of a mechanical unit beside the robot, a positioner or a track, by a name that the controller's configuration
+/// gives it: `ReadMotor(\MecUnit:=STN_1,1)`. Robots are `ROB_1` and so on.
+fn is_of_other_unit(index: &Index<'_>, ctx: Ctx, args: &[Arg]) -> bool {
+    args.iter().any(|arg| match &arg.kind {
+        ArgKind::Named { name, value: Some(unit) } => {
+            let option = lower_case(index.text(ctx.file, *name));
+            let unit_name = lower_case(index.text(ctx.file, unit.range));
+            let is_robot = unit_name.starts_with("rob")
+                || unit_name.starts_with("irb") && !unit_name.starts_with("irbp");
+            matches!(&*option, "mecunit" | "mechunit")
+                && unit.kind == ExprKind::Name
+                && matches!(index.datum(unit.range, ctx), Resolved::Nowhere)
+                && !is_robot
+        }
+        _ => false,
+    })
 }
 
 /// Whether a part of an expression tells of the arm's pose: external axes and configurations that are taken of a reading hold no drift.

@@ -63,6 +63,25 @@ fn a_motors_angle_is_the_arms_own_place() {
     assert_eq!(codes(&target), ["keep::own-position"]);
     let handed_on = read("n:=ReadMotor(\\MecUnit:=ROB_1,3);\nMoveL Offs(p,0,0,n),v100,fine,t;");
     assert_eq!(codes(&handed_on), ["keep::own-position"]);
+    // A positioner's axis holds none of the arm's drift.
+    for (unit, expected) in [
+        ("STN_1", "keep::runtime-target"),
+        ("ROB_1", "keep::own-position"),
+        ("rob_2", "keep::own-position"),
+        ("IRB140", "keep::own-position"),
+    ] {
+        let motor = read(&format!("n:=ReadMotor(\\MecUnit:={unit},1);\nMoveL Offs(p,0,0,n),v100,fine,t;"));
+        assert_eq!(codes(&motor), [expected], "{unit}");
+        let joint = read(&format!(
+            "GetJointData\\MechUnit:={unit},1\\Position:=n;\nMoveL Offs(p,0,0,n),v100,fine,t;"
+        ));
+        assert_eq!(codes(&joint), [expected], "{unit}");
+    }
+    // Which one a parameter stands for nobody knows here.
+    let handed = read(
+        "go ROB_1;\nENDPROC\nPROC go(VAR mecunit unit)\nn:=ReadMotor(\\MecUnit:=unit,1);\nMoveL Offs(p,0,0,n),v100,fine,t;",
+    );
+    assert_eq!(codes(&handed), ["keep::own-position"]);
     // GetJointData gives the joint's own angle; a speed is none.
     let given = |what: &str| read(&format!("GetJointData 1\\{what}:=n;\nMoveL Offs(p,0,0,n),v100,fine,t;"));
     assert_eq!(codes(&given("Position")), ["keep::own-position"]);
