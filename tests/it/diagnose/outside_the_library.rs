@@ -10,7 +10,7 @@ use nalgebra::Point3;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
 use serde_json::Value;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The diagnosis of `n` noted rows with an effect outside the library, four times the noise.
 fn outside(effect: Effect, n: usize, seed: u64) -> Value {
@@ -51,6 +51,25 @@ fn reason_of_structure(rows: usize, hand_m: impl Fn([f64; 6], usize) -> Point3<f
     let (code, answer, json) = diagnose(csv.as_bytes(), &[]);
     assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{answer}");
     json.unwrap()["reason"].as_str().unwrap().to_owned()
+}
+
+/// Large arms measure over metres: a shift that changes over four metres, as of an instrument's frame that is bent, is found by its
+/// place, although it is smooth over far more than the hand's own size. 60 rows, 0.057 mm along each axis, twice the noise.
+#[test]
+fn a_shift_that_changes_slowly_over_a_large_workspace_is_structure_by_place() {
+    let chain = Chain::nominal(&Robot::built_in("irb2600-1.85").unwrap());
+    let wave = |along_m: f64, phase: f64| 0.08 * (TAU * along_m / 4.0 + phase).sin();
+    let csv = file(60, |k| {
+        let q_deg = jumbled_deg(k);
+        let hand_m = chain.forward(&q_deg.map(f64::to_radians)) * Point3::new(0.04, 0.03, 0.09);
+        let [x, y, z] = [hand_m.x, hand_m.y, hand_m.z];
+        let shift_mm = [wave(y + z, 0.4), wave(x - z, 1.3), wave(x + y, 2.2)];
+        (q_deg, std::array::from_fn(|i| 1000.0 * hand_m[i] + shift_mm[i] + 0.05 * noise(3 * k + i)))
+    });
+    let (code, answer, json) = diagnose(csv.as_bytes(), &["--robot", "irb2600-1.85", "--sigma-mm", "0.029"]);
+    assert_eq!((code, verdict(&json)), (0, "unexplained_structure"), "{answer}");
+    let reason = json.unwrap()["reason"].as_str().unwrap().to_owned();
+    assert!(reason.contains("place in the workspace"), "{reason}");
 }
 
 /// Joints of row `k`, degrees, each row's without any relation to the row's before.

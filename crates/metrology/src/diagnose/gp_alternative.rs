@@ -30,6 +30,8 @@ pub(super) enum GpAlternative {
     Workspace,
     /// The same, more local.
     WorkspaceFine,
+    /// The same over all of the place that was measured: a floor, a frame or a track that is not flat.
+    WorkspaceBroad,
     /// One shift near one place of the workspace: which of the places, and which of the reaches.
     LocalBump(usize, usize),
     /// A shift with the hand by the angles of the wrist's joints: hoses and cables pull so.
@@ -71,6 +73,9 @@ pub(super) enum GpAlternative {
 const JOINT_RAD: [f64; 2] = [0.45, 0.13];
 const JOINTS_RAD: f64 = 1.0;
 const WORKSPACE_M: [f64; 2] = [0.15, 0.075];
+/// Length of a shift over all of the place that was measured, as a share of how far the points lie from their middle: as broad as what
+/// geometry leaves.
+const BROAD_SHARE: f64 = 0.6;
 const WRIST_RAD: [f64; 2] = [2.0, 1.0];
 const PAIR_RAD: f64 = 1.0;
 /// Places at which a single shift is looked for, and how far it reaches, metres: shapes that are scanned at a price, for
@@ -106,6 +111,7 @@ pub(super) fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
     let mut all = vec![
         GpAlternative::Workspace.weighing(2.0),
         GpAlternative::WorkspaceFine.weighing(1.0),
+        GpAlternative::WorkspaceBroad.weighing(1.0),
         GpAlternative::AllJoints.weighing(1.0),
     ];
     let axes = || (0..joints).map(Axis::at);
@@ -180,6 +186,13 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
         }
         GpAlternative::Workspace => shift_columns(design, dataset, position, 40, WORKSPACE_M[0]),
         GpAlternative::WorkspaceFine => shift_columns(design, dataset, position, 60, WORKSPACE_M[1]),
+        GpAlternative::WorkspaceBroad => {
+            let length_m = BROAD_SHARE * spread_m(dataset);
+            if length_m < 1.5 * WORKSPACE_M[0] {
+                return DMatrix::zeros(0, 0);
+            }
+            shift_columns(design, dataset, position, 40, length_m)
+        }
         GpAlternative::LocalBump(which, radius) => {
             match farthest_points(dataset, position, BUMP_CENTRES).get(which) {
                 Some(centre) => {
@@ -267,6 +280,14 @@ fn periodic_columns(design: &Design, dataset: &Dataset, axis: Axis, n: u32, stri
 
 fn position(observation: &Observation) -> Vec<f64> {
     observation.point_m.iter().copied().collect()
+}
+
+/// How far the points lie from their middle, root mean square, metres.
+fn spread_m(dataset: &Dataset) -> f64 {
+    let count = dataset.observations.len().max(1) as f64;
+    let points = || dataset.observations.iter().map(|s| s.point_m);
+    let middle = points().sum::<Vector3<f64>>() / count;
+    (points().map(|point| (point - middle).norm_squared()).sum::<f64>() / count).sqrt()
 }
 
 /// A joint that turns by a function of a joint's angle, another's or its own.

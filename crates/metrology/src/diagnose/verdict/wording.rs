@@ -61,7 +61,9 @@ pub(super) fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> St
         GpAlternative::Joints(j) => format!("joint {j}, depending on all joints' angles"),
         GpAlternative::Driven(a, b) => format!("joint {b}, depending on the angle of joint {a}"),
         GpAlternative::AllJoints => "the angles of several joints".to_owned(),
-        GpAlternative::Workspace | GpAlternative::WorkspaceFine => "the place in the workspace".to_owned(),
+        GpAlternative::Workspace | GpAlternative::WorkspaceFine | GpAlternative::WorkspaceBroad => {
+            "the place in the workspace".to_owned()
+        }
         GpAlternative::LocalBump(..) => "one place of the workspace".to_owned(),
         GpAlternative::WristCable | GpAlternative::WristCableFine => {
             "the angles of the wrist's joints".to_owned()
