@@ -129,14 +129,24 @@ impl<'t> Declarations<'t> {
 /// The originals of targets, each that is declared once.
 pub(super) struct Originals<'d, 't> {
     declarations: &'d Declarations<'t>,
+    named: Named,
     /// The declared values and arrays that were there before, by where they stand.
     seen: HashSet<u32>,
 }
 
+/// Which of the data that a motion's target names are its originals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Named {
+    /// All of them: `p10` in `Offs(p10,0,0,5)`, and every element of `pa` in `pa{n}`.
+    Within,
+    /// What it names by itself alone, which is all that older modules have fingerprints of.
+    Alone,
+}
+
 impl<'d, 't> Originals<'d, 't> {
     /// Of a module's targets.
-    pub(super) fn new(declarations: &'d Declarations<'t>) -> Self {
-        Self { declarations, seen: HashSet::new() }
+    pub(super) fn new(declarations: &'d Declarations<'t>, named: Named) -> Self {
+        Self { declarations, named, seen: HashSet::new() }
     }
 
     /// Hands over those of a target argument in `routine`: the argument itself where its numbers stand there, else whatever it names.
@@ -150,13 +160,15 @@ impl<'d, 't> Originals<'d, 't> {
         if text.first() == Some(&b'[') && is_plain(text) {
             return each(Original { value: argument, declared: None, element: None });
         }
+        let within = self.named == Named::Within;
         words(text, |word| match declarations.declared(word, routine) {
             Declared::Value { name, init } => {
-                if is_target(init) && seen.insert(name.start) {
+                let asked = within || word == text.trim_ascii();
+                if asked && is_target(init) && seen.insert(name.start) {
                     each(Original { value: init, declared: Some(name), element: None });
                 }
             }
-            Declared::Array(number) => {
+            Declared::Array(number) if within => {
                 let array = &declarations.arrays[number];
                 if seen.insert(array.name.start) {
                     let elements = array.elements.iter().copied().enumerate();
@@ -165,7 +177,7 @@ impl<'d, 't> Originals<'d, 't> {
                     }
                 }
             }
-            Declared::Nothing => {}
+            Declared::Array(_) | Declared::Nothing => {}
         });
     }
 }
@@ -197,7 +209,8 @@ impl Fingerprints {
 pub(super) fn of_motions((bytes, module): (&[u8], &Module), motions: &[&Motion]) -> Vec<u8> {
     let declarations = Declarations::new(bytes, module);
     let routines: Vec<&Routine> = module.routines().collect();
-    let (mut originals, mut fingerprints) = (Originals::new(&declarations), Fingerprints::default());
+    let (mut originals, mut fingerprints) =
+        (Originals::new(&declarations, Named::Within), Fingerprints::default());
     for Motion { range, targets, .. } in motions {
         let after = routines.partition_point(|routine| routine.range.start <= range.start);
         let Some(routine) = after.checked_sub(1).and_then(|at| routines.get(at)) else { continue };

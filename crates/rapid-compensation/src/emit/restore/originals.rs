@@ -5,7 +5,7 @@ use super::known_again::{Past, pasts};
 use super::removal::Remover;
 use super::rounded::is_rounded;
 use crate::emit::insertion;
-use crate::emit::point::{self, Declarations, Fingerprints, Original, Originals};
+use crate::emit::point::{self, Declarations, Fingerprints, Named, Original, Originals};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, Routine, StmtKind};
 
@@ -32,18 +32,7 @@ impl<'w> Remover<'w> {
             return Vec::new();
         }
         let made = record.points.as_slice();
-        let mut all = Fingerprints::default();
-        self.each_original(routines, declarations, |_, original| {
-            all.add(self.bytes, original);
-        });
-        if all.text() == made {
-            return Vec::new();
-        }
-        let (mut fingerprints, mut asked) = (Fingerprints::default(), Vec::new());
-        self.each_original(routines, declarations, |target, original| {
-            let fingerprint = fingerprints.add(self.bytes, original).to_vec();
-            asked.push(Asked { target, original, fingerprint });
-        });
+        let Some(asked) = self.asked_of(made, routines, declarations) else { return Vec::new() };
         let now: Vec<&[u8]> = asked.iter().map(|one| one.fingerprint.as_slice()).collect();
         let mut touched = Vec::new();
         for (one, past) in asked.iter().zip(pasts(&now, made)) {
@@ -64,6 +53,37 @@ impl<'w> Remover<'w> {
             }
         }
         touched
+    }
+
+    /// The originals whose fingerprints `made` holds, as they are today; `None` where they are the same.
+    fn asked_of(
+        &self,
+        made: &[u8],
+        routines: &[&'w Routine],
+        declarations: &Declarations<'w>,
+    ) -> Option<Vec<Asked>> {
+        let today = |named| {
+            let mut all = Fingerprints::default();
+            self.each_original(routines, (declarations, named), |_, original| {
+                all.add(self.bytes, original);
+            });
+            all.text()
+        };
+        let within = today(Named::Within);
+        if within == made {
+            return None;
+        }
+        let alone = if within.len() == made.len() { Vec::new() } else { today(Named::Alone) };
+        if alone == made {
+            return None;
+        }
+        let named = if alone.len() == made.len() { Named::Alone } else { Named::Within };
+        let (mut fingerprints, mut asked) = (Fingerprints::default(), Vec::new());
+        self.each_original(routines, (declarations, named), |target, original| {
+            let fingerprint = fingerprints.add(self.bytes, original).to_vec();
+            asked.push(Asked { target, original, fingerprint });
+        });
+        Some(asked)
     }
 
     fn touched_original(
@@ -88,10 +108,10 @@ impl<'w> Remover<'w> {
     fn each_original(
         &self,
         routines: &[&'w Routine],
-        declarations: &Declarations<'w>,
+        (declarations, named): (&Declarations<'w>, Named),
         mut each: impl FnMut(TextRange, Original),
     ) {
-        let mut originals = Originals::new(declarations);
+        let mut originals = Originals::new(declarations, named);
         for routine in routines {
             for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
