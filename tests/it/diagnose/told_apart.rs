@@ -228,6 +228,31 @@ fn what_stood_as_calibrated_before_a_jump_has_no_constant() {
     }
 }
 
+/// The hand with the target `shift_m` elsewhere in the flange's axes.
+fn shifted(chain: &Chain, q_rad: [f64; 6], shift_m: [f64; 2]) -> Point3<f64> {
+    chain.forward(&q_rad) * Point3::new(0.04 + shift_m[0], 0.03 + shift_m[1], 0.09)
+}
+
+/// Joint 6 warms up in a file without temperatures: one target that creeps about its axis does the same, and one that creeps away from it does not.
+/// It has settled within a twentieth of the time.
+#[test]
+fn a_slow_turn_of_the_last_joint_is_as_well_the_target() {
+    let chain = chain();
+    let settled = |k: usize, tau_min: f64| 1.0 - (-(k as f64) / tau_min).exp();
+    let (_, text, found) =
+        answer(anywhere_deg, |q_rad, k| turned(&chain, q_rad, 5, 2e-3 * settled(k, 30.0)), &[]);
+    assert_eq!(found["verdict"], "ambiguous", "{text}");
+    let causes = found["causes"].as_array().unwrap();
+    let mut named: Vec<_> = causes.iter().filter_map(|c| c["effect"].as_str()).collect();
+    named.sort_unstable();
+    assert_eq!(named, ["thermal_joint_drift", "tool_drift"], "{text}");
+    assert_eq!(causes[0]["posterior"], causes[1]["posterior"], "{text}");
+    let away = |q_rad, k| shifted(&chain, q_rad, [0.8, 0.6].map(|part| 1.2e-4 * part * settled(k, 7.0)));
+    let (_, text, found) = answer(anywhere_deg, away, &[]);
+    assert_eq!(found["verdict"], "explained", "{text}");
+    assert_eq!(found["causes"][0]["effect"], "tool_drift", "{text}");
+}
+
 /// Those that take seconds: `cargo test --test it -- --ignored long::`.
 mod long {
     use super::*;

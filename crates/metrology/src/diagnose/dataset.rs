@@ -139,6 +139,12 @@ impl Dataset {
         self.slides.len()
     }
 
+    /// Whether all that was measured is where one point of the flange is.
+    #[must_use]
+    pub(super) fn has_one_point(&self) -> bool {
+        self.rows_per_observation == 3 && self.observations.iter().all(|observation| observation.target == 0)
+    }
+
     /// The joints that turn, counted from 0.
     pub(super) fn turning(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.joints()).filter(|&j| !self.slides[j])

@@ -35,9 +35,15 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
     let hours = dataset.time_min.map_or(USUAL_HOURS, |_| h_from_min(span_min));
     let settling = |share: f64| Growth::Law(GrowthLaw::Exp { tau_min: share * span_min });
     let grown_m = 3e-5 * hours.clamp(0.5, 4.0);
-    [(Growth::Linear { from_min, to_min }, 0.7), (settling(0.15), 0.1), (settling(0.4), 0.2)]
-        .map(|(growth, weight)| DriftPrior { growth, weight, grown_m })
-        .into()
+    // What settles within half an hour does so in a twentieth of a long day, too.
+    [
+        (Growth::Linear { from_min, to_min }, 0.7),
+        (settling(0.05), 0.05),
+        (settling(0.15), 0.1),
+        (settling(0.4), 0.15),
+    ]
+    .map(|(growth, weight)| DriftPrior { growth, weight, grown_m })
+    .into()
 }
 
 /// The effect `kind` of a change over time, of these usual sizes: for an arm that stood as its model says before it changed, and for one that was

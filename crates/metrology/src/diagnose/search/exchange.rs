@@ -8,6 +8,7 @@ use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::marginal::NoisePrior;
 use robot_model::deform::EffectKind;
+use robot_model::robot::Axis;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// With more causes than this each is not tried against all others.
@@ -176,17 +177,19 @@ impl Library<'_> {
         odds
     }
 
-    /// Two causes in one joint, or two that give way under load, against any one that was ever near, in the place of both: a
-    /// shape can be taken for the sum of two others.
+    /// Two causes in one joint, two that give way under load, or two that move the target over time, against any one that was ever near, in
+    /// the place of both: a shape can be taken for the sum of two others.
     pub(super) fn merge(&mut self, search: &mut Search<'_>) {
         let joint = |of: &ChosenCause| self.candidates[of.candidate].variant.joint;
         let loaded = |of: &ChosenCause| self.candidates[of.candidate].kind.needs_load();
+        let shifts = |of: &ChosenCause| self.moves_target(of.candidate);
         let chosen = &search.chosen;
         let pairs: Vec<(usize, usize)> = (0..chosen.len())
             .flat_map(|k| (0..k).map(move |i| (i, k)))
             .filter(|&(i, k)| {
                 joint(&chosen[i]).is_some() && joint(&chosen[i]) == joint(&chosen[k])
                     || loaded(&chosen[i]) && loaded(&chosen[k])
+                    || shifts(&chosen[i]) && shifts(&chosen[k])
             })
             .collect();
         for (i, k) in pairs.into_iter().rev() {
@@ -204,6 +207,17 @@ impl Library<'_> {
                 search.chosen.remove(k);
                 return;
             }
+        }
+    }
+
+    /// Whether `candidate` moves the target against the last link over time: by itself, or as the last joint turns.
+    fn moves_target(&self, candidate: usize) -> bool {
+        let Candidate { kind, variant, .. } = &self.candidates[candidate];
+        let last = self.dataset.joints().checked_sub(1).map(Axis::at);
+        match kind {
+            EffectKind::ToolDrift | EffectKind::ToolStep => true,
+            EffectKind::ThermalJointDrift | EffectKind::JointStep => variant.joint == last,
+            _ => false,
         }
     }
 

@@ -1,6 +1,6 @@
 //! What stands in one slot of the model, cause by cause: all variants of one effect in one joint together.
 
-use crate::diagnose::effects::{Candidate, CauseKey};
+use crate::diagnose::effects::CauseKey;
 use crate::diagnose::evidence::NuisanceModel;
 use crate::diagnose::gear_lines::{AngleSpectra, is_one_bend};
 use crate::diagnose::marginal::log_sum;
@@ -9,7 +9,6 @@ use crate::diagnose::search::{
     ChosenCause, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis, cause_columns,
 };
 use robot_model::deform::EffectKind;
-use robot_model::robot::Axis;
 
 /// An alternative this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;
@@ -248,26 +247,6 @@ pub(super) fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseG
         group.probability = probability;
     }
     cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
-}
-
-/// Gives a target that has slipped on the flange about the last joint's axis the odds of a jump of that joint's zero, and takes half of
-/// them from it: one and the same motion, of which a shift of any direction would be likelier to be another.
-pub(super) fn share_slip(workspace: &Workspace<'_>, cause_groups: &mut Vec<CauseGroup>) {
-    let candidates = workspace.library.candidates;
-    let Some(first) = cause_groups.first() else { return };
-    let jump = &candidates[first.best];
-    let last = workspace.library.dataset.joints().checked_sub(1).map(Axis::at);
-    if jump.kind != EffectKind::JointStep || jump.variant.joint != last {
-        return;
-    }
-    let is_slip = |c: &Candidate| c.kind == EffectKind::ToolStep && c.variant.growth == jump.variant.growth;
-    let Some(slip) = candidates.iter().position(is_slip) else { return };
-    let known = cause_groups.iter().position(|g| candidates[g.best].kind == EffectKind::ToolStep);
-    let slipped = known.map(|at| cause_groups.remove(at).probability).unwrap_or_default();
-    let first = &mut cause_groups[0];
-    first.probability = 0.5 * (first.probability + slipped);
-    let CauseGroup { probability, gain_nats, size_ratio, .. } = *first;
-    cause_groups.insert(1, CauseGroup { best: slip, probability, gain_nats, size_ratio, lines: Vec::new() });
 }
 
 /// Whether both give under load, and one of them in a shape that is known to [`SHAPE_KNOWN_TO`] only.

@@ -15,6 +15,7 @@ mod listing;
 mod noise;
 mod overtones;
 mod size;
+mod slip;
 mod springs_together;
 mod structure;
 mod two_states;

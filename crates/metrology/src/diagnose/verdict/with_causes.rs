@@ -2,7 +2,6 @@
 
 use super::cause_group::{
     CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, line_among_many, scan,
-    share_slip,
 };
 use super::doubt::{Doubt, LIKELIER_THAN_NOT, beam, share_beam};
 use super::hidden_load::{HiddenLoad, in_place_of_steps};
@@ -11,6 +10,7 @@ use super::listing::{listed, rejected};
 use super::noise::{MAX_RESIDUAL_SHARE, Scatter, Slowness, slowness};
 use super::overtones::overtones;
 use super::size::{cause, cause_unfitted, moved_m, rms, total_rms_m};
+use super::slip::share_slip;
 use super::springs_together::share_springs;
 use super::structure::{
     MANY_CAUSES, NEGLIGIBLE_STRUCTURE_RATIO, alternative_share, gp_alternative_share, left_over_m,
@@ -228,7 +228,7 @@ fn groups_of_slot(
     let mut groups = cause_groups(&fitted.workspace, ranking);
     join_nested(&fitted.workspace, &mut groups);
     doubt_shapes(&fitted.workspace, &mut groups);
-    share_slip(&fitted.workspace, &mut groups);
+    share_slip(&fitted.workspace, ranking, &mut groups);
     share_springs(fitted, chosen, i, &mut groups);
     groups
 }
