@@ -45,6 +45,7 @@ mod outlier_history;
 mod payload_centre;
 mod play_ahead;
 mod robust_weights;
+mod rounded_scatter;
 mod rounding;
 mod scatter;
 mod search;

@@ -1,23 +1,22 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
 use super::angle_grid::AngleGrid;
-use super::dataset::{Dataset, Observation, Twist};
+use super::dataset::Twist;
+use super::design::Design;
 use super::evidence::NuisanceModel;
 use super::linear_fit::solve;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
+use super::rounded_scatter::RoundedScatter;
 use measurements::{Fault, FaultKind};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Vector3};
 use rapid_syntax::diagnostic::is_or_are;
-use robot_model::units::{mm_from_m, rad_from_deg};
-use std::collections::BTreeMap;
+use robot_model::units::mm_from_m;
 
 /// Steps that people command poses in: their being common to all joints proves nothing.
 const COMMANDED_DEG: [f64; 4] = [1.0, 0.5, 0.1, 0.01];
 /// A step that nobody commands in need not show so clearly, nats.
 const ODD_NATS: f64 = 1.0;
-/// A joint's value in more than this share of the stations is a posture.
-const OFTEN: f64 = 0.2;
 /// Rounding must be likelier than plain noise by so much, nats.
 const CLEAR_NATS: f64 = 8.0;
 /// Where the scatter is so many times what is stated or repeated, and as large as the rounding would make it within a factor of two
@@ -29,6 +28,8 @@ const SAME_SIZE: f64 = 1.6;
 /// Without any cause rounding is the whole of what is left, as a variance: more than so many times what it makes beside the noise, and other
 /// things are in it.
 const MOST_SCATTER: f64 = 9.0;
+/// By how much rounding, which they are fitted to, usually shifts base and target, metres.
+const USUAL_SHIFT_M: f64 = 1e-3;
 
 /// What else is known of the file, which decides how clearly rounding has to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,6 +104,7 @@ fn on_grid(
     let without_causes = gain_nats > clear_nats
         && gain_nats > fitted.log_odds()
         && plain_m2 < MOST_SCATTER * (expected_m2 + known_m2.unwrap_or(0.0));
+    let among_postures = among_postures(&scatter, &points, clear_nats, fitted);
     // Many lines of a gear follow some dozens of rounded angles as closely as one likes: the size of the scatter, which nothing was fitted
     // to, speaks louder where one column alone has so few decimals.
     let one_column = prior == FaultPrior::FollowedHereAlone
@@ -114,8 +116,58 @@ fn on_grid(
     if plain_m2 < 0.3 * expected_m2 {
         return None;
     }
-    (without_causes || one_column || beside_causes)
-        .then(|| rounded_joints(grid, measured, [expected_m2, plain_m2]))
+    (without_causes || among_postures || one_column || beside_causes)
+        .then(|| rounded_joints(grid, measured, [scatter.expected_with_shared_m2(), plain_m2]))
+}
+
+/// Whether rounding is the likeliest where joints come back to a few values again and again: what these leave in the residuals is no scatter,
+/// and what is left beside it still has to be, and all of it together to be likelier than the model. `points`: of the stations that count.
+fn among_postures(
+    scatter: &RoundedScatter,
+    points: &dyn Fn(&[Twist]) -> Vec<Vector3<f64>>,
+    clear_nats: f64,
+    fitted: &FittedModel<'_>,
+) -> bool {
+    let FittedModel { model, workspace, .. } = fitted;
+    if !scatter.has_shared() {
+        return false;
+    }
+    let design = &workspace.design;
+    let registered = solve(design, &design.all_groups(), &[], None).coefficients;
+    let bare = points(&design.residuals(&registered));
+    let beside = scatter.beside_shared(&bare);
+    let known_m2 = model.noise.known.map_or(0.0, |known| known.sigma_m.powi(2));
+    let most_m2 = MOST_SCATTER * (scatter.expected_with_shared_m2() + known_m2);
+    scatter.mean_square(&bare) < most_m2
+        && scatter.rounded(&beside) - scatter.plain(&beside) > clear_nats
+        && scatter.gain_with_shared(&bare, &placed(design, points, registered.len())) > fitted.log_odds()
+}
+
+/// How the points move with each number of base and target, by [`USUAL_SHIFT_M`] rms, three rows for each; of the design's `coefficients`.
+fn placed(
+    design: &Design,
+    points: &dyn Fn(&[Twist]) -> Vec<Vector3<f64>>,
+    coefficients: usize,
+) -> DMatrix<f64> {
+    let at = |number: Option<usize>| -> Vec<Vector3<f64>> {
+        let mut moved = vec![0.0; coefficients];
+        number.into_iter().for_each(|number| moved[number - 1] = 1.0);
+        points(&design.residuals(&moved))
+    };
+    let still = at(None);
+    let columns: Vec<DVector<f64>> = design
+        .registration
+        .clone()
+        .map(|number| {
+            let moved = at(Some(number));
+            let apart =
+                still.iter().zip(&moved).flat_map(|(a, b)| (b - a).iter().copied().collect::<Vec<_>>());
+            let column = DVector::from_iterator(3 * still.len(), apart);
+            let rms = column.norm() / (column.len().max(1) as f64).sqrt();
+            if rms > 0.0 { column * (USUAL_SHIFT_M / rms) } else { column }
+        })
+        .collect();
+    if columns.is_empty() { DMatrix::zeros(3 * still.len(), 0) } else { DMatrix::from_columns(&columns) }
 }
 
 /// Whether each station has all its rows where the joints of `grid` are on it.
@@ -150,91 +202,4 @@ fn rounded_joints(grid: &AngleGrid, measured: MeasuredRobot<'_>, squares_m2: [f6
     Fault::in_rows(FaultKind::RoundedJoints, &columns, lines, |count, which| {
         format!("in {count} rows ({which}) {rounded} {so}")
     })
-}
-
-/// What rounding joints does to the measured points, and how likely residuals are with it and without.
-struct RoundedScatter {
-    /// Covariance of each observation's point that is not set aside, m^2.
-    shapes: Vec<Matrix3<f64>>,
-    /// The variance of one coordinate's noise where it is known, m^2.
-    known_m2: Option<f64>,
-}
-
-impl RoundedScatter {
-    /// Of the observations that are not `left_out`, those of which `rounded` says so on a grid.
-    fn of(
-        dataset: &Dataset,
-        left_out: &[bool],
-        (grid, rounded): (&AngleGrid, &[bool]),
-        known_m2: Option<f64>,
-    ) -> Self {
-        // Uniform over one step.
-        let variance = rad_from_deg(grid.step_deg).powi(2) / 12.0;
-        // A value that comes again and again is rounded the same way each time: that is structure, not scatter.
-        let mut times: BTreeMap<(usize, u64), usize> = BTreeMap::new();
-        for observation in &dataset.observations {
-            for (j, q) in observation.q_rad.iter().enumerate() {
-                *times.entry((j, q.to_bits())).or_default() += 1;
-            }
-        }
-        let often = (OFTEN * dataset.observations.len() as f64).max(4.0) as usize;
-        let shape = |observation: &Observation| {
-            dataset
-                .turning()
-                .filter(|j| grid.joints.contains(j))
-                .filter(|&j| times.get(&(j, observation.q_rad[j].to_bits())).is_none_or(|&t| t <= often))
-                .map(|j| {
-                    let v = observation.jacobian_column(j);
-                    let v = Vector3::new(v[0], v[1], v[2]);
-                    v * v.transpose() * variance
-                })
-                .sum()
-        };
-        let all = dataset.observations.iter().zip(left_out).zip(rounded);
-        let kept = all.filter(|((_, is_left_out), _)| !**is_left_out);
-        let shapes = kept.map(|((observation, _), is_rounded)| match is_rounded {
-            true => shape(observation),
-            false => Matrix3::zeros(),
-        });
-        Self { shapes: shapes.collect(), known_m2 }
-    }
-
-    /// Square of one coordinate that this rounding leads one to expect.
-    fn expected_m2(&self) -> f64 {
-        self.shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * self.shapes.len() as f64)
-    }
-
-    /// Mean square of one coordinate of `residuals`.
-    fn mean_square(&self, residuals: &[Vector3<f64>]) -> f64 {
-        residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * self.shapes.len() as f64)
-    }
-
-    /// ln likelihood of residuals that are plain noise.
-    fn plain(&self, residuals: &[Vector3<f64>]) -> f64 {
-        self.log_likelihood(residuals, 0.0, self.mean_square(residuals))
-    }
-
-    /// The same where joints are rounded, with the likeliest of some sizes of noise beside that.
-    fn rounded(&self, residuals: &[Vector3<f64>]) -> f64 {
-        let plain_m2 = self.mean_square(residuals);
-        let known_m2 = self.known_m2.unwrap_or(1e-10);
-        [0.05, 0.15, 0.4, 0.7]
-            .into_iter()
-            .map(|k| self.log_likelihood(residuals, 0.9, k * plain_m2))
-            .chain([self.log_likelihood(residuals, 0.9, known_m2)])
-            .fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// With a share of the rounding's covariance beside noise of one variance.
-    fn log_likelihood(&self, residuals: &[Vector3<f64>], share: f64, noise_m2: f64) -> f64 {
-        self.shapes
-            .iter()
-            .zip(residuals)
-            .map(|(shape, e)| {
-                let c = shape * share + Matrix3::identity() * noise_m2.max(1e-14);
-                c.cholesky()
-                    .map_or(f64::NEG_INFINITY, |l| -0.5 * e.dot(&l.solve(e)) - 0.5 * l.determinant().ln())
-            })
-            .sum()
-    }
 }
