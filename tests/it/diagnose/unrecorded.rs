@@ -110,4 +110,20 @@ mod long {
         let (_, text, found) = answer(anywhere_deg, noisy, &[]);
         assert_eq!(found["missing_channel"], serde_json::Value::Null, "{text}");
     }
+
+    /// Joint 2 warms as the arm works and cools as it rests, three times, in a file without temperatures: it is no jump, and it is joint 2.
+    #[test]
+    #[ignore = "long"]
+    fn a_joint_that_works_and_rests_in_turn_did_not_jump() {
+        let chain = chain();
+        let warm = |k: usize| -> f64 {
+            let spells = [(14.0, 0.5), (58.0, 0.3), (104.0, 1.2)];
+            spells.iter().map(|(at, much)| much * (-0.5 * ((k as f64 - at) / 13.0).powi(2)).exp()).sum()
+        };
+        let hand = |q_rad, k| turned(&chain, q_rad, 1, 2e-4 * warm(k));
+        let (_, text, found) = answer(anywhere_deg, hand, &[]);
+        assert_eq!(found["verdict"], "unexplained_structure", "{text} {found:#}");
+        assert_eq!(found["location"]["joint"], 2, "{text}");
+        assert_eq!(found["location"]["time"], "drift", "{text}");
+    }
 }

@@ -49,6 +49,8 @@ pub(super) enum GpAlternative {
     ToolTime,
     /// A joint that turns slowly over time.
     JointTime(Axis),
+    /// The same, as it does where an arm works and rests in turn.
+    JointTimeFine(Axis),
     /// What the arm gives under a load that comes and goes and is not recorded.
     HiddenLoad,
     /// A shift to and fro, so many half cycles over the measurement: an air conditioning's, a cooler's.
@@ -85,6 +87,8 @@ const BUMP_RADII_M: [f64; 3] = [0.07, 0.14, 0.28];
 /// Features kept for each pair of joints and joint that they turn.
 const MOST_OF_PAIR: usize = 16;
 const TIME_SHARE: [f64; 2] = [0.25, 0.06];
+/// Spells of work and rest, a share of the time.
+const WORK_SHARE: f64 = 0.1;
 
 /// A GP alternative with its share of the prior of all structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -145,7 +149,9 @@ pub(super) fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
         GpAlternative::ToolTime.weighing(1.0),
         GpAlternative::WanderingScale.weighing(0.5),
     ]);
-    all.extend(axes().map(|j| GpAlternative::JointTime(j).weighing(0.5)));
+    all.extend(axes().flat_map(|j| {
+        [GpAlternative::JointTime(j).weighing(0.25), GpAlternative::JointTimeFine(j).weighing(0.25)]
+    }));
     let total: f64 = all.iter().map(|one| one.weight).sum();
     all.iter_mut().for_each(|one| one.weight /= total);
     all
@@ -242,14 +248,8 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
                 0.5 * TIME_SHARE[0],
             ))
         }
-        GpAlternative::JointTime(j) => {
-            let centres: Vec<Vec<f64>> = (0..6).map(|k| vec![f64::from(k) / 5.0]).collect();
-            compress(&design.stack(dataset, centres.len(), |_, observation, out| {
-                let features = bumps(&[dataset.progress(observation)], &centres, TIME_SHARE[0]);
-                let turn = observation.jacobian_column(j.index());
-                out.extend(features.into_iter().map(|f| scaled(turn, f)));
-            }))
-        }
+        GpAlternative::JointTime(j) => turning_columns(design, dataset, j, TIME_SHARE[0]),
+        GpAlternative::JointTimeFine(j) => turning_columns(design, dataset, j, WORK_SHARE),
         GpAlternative::HiddenLoad => hidden_load_columns(design, dataset, TIME_SHARE[1]),
         GpAlternative::Cycle(half_cycles) => cycle_columns(design, dataset, half_cycles),
         GpAlternative::Periodic(j, n) => periodic_columns(design, dataset, j, n, 1),
@@ -259,6 +259,17 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
         GpAlternative::LoadedZeros => loaded_zeros_columns(design, dataset),
         GpAlternative::WanderingScale | GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
     }
+}
+
+/// A joint that turns by a function of time of this length, a share of the measurement.
+fn turning_columns(design: &Design, dataset: &Dataset, axis: Axis, length: f64) -> DMatrix<f64> {
+    let count = (1.25 / length).ceil() as usize + 1;
+    let centres: Vec<Vec<f64>> = (0..count).map(|k| vec![k as f64 / (count - 1) as f64]).collect();
+    compress(&design.stack(dataset, count, |_, observation, out| {
+        let features = bumps(&[dataset.progress(observation)], &centres, length);
+        let turn = observation.jacobian_column(axis.index());
+        out.extend(features.into_iter().map(|f| scaled(turn, f)));
+    }))
 }
 
 /// Overtones of a periodic structure, and the usual size of the first.

@@ -35,6 +35,7 @@ impl MissingChannel {
             | GpAlternative::TimeVaryingCause(_)
             | GpAlternative::ToolTime
             | GpAlternative::JointTime(_)
+            | GpAlternative::JointTimeFine(_)
             | GpAlternative::Cycle(_)
             | GpAlternative::WanderingScale
                 if !timed =>

@@ -56,7 +56,10 @@ pub(super) fn gp_alternative_share(ranking: &HypothesisRanking) -> f64 {
 fn is_shape_of(workspace: &Workspace<'_>, gp_alternative: usize, candidate: usize) -> bool {
     let this = &workspace.library.candidates[candidate];
     let warming = (this.kind == EffectKind::ThermalJointDrift).then_some(this.variant.joint).flatten();
-    matches!(workspace.library.gp_alternatives[gp_alternative].gp_alternative, GpAlternative::JointTime(j) if Some(j) == warming)
+    match workspace.library.gp_alternatives[gp_alternative].gp_alternative {
+        GpAlternative::JointTime(j) | GpAlternative::JointTimeFine(j) => Some(j) == warming,
+        _ => false,
+    }
 }
 
 /// Probability of the structure in a ranking that is no mere shape of `candidate`.
@@ -308,6 +311,7 @@ pub(super) fn location_of_gp(
             | GpAlternative::Joints(j)
             | GpAlternative::Pair(_, _, j)
             | GpAlternative::JointTime(j)
+            | GpAlternative::JointTimeFine(j)
             | GpAlternative::Periodic(j, _)
             | GpAlternative::SquareWave(j, _) => Some(j),
             _ => None,
@@ -317,6 +321,7 @@ pub(super) fn location_of_gp(
             | GpAlternative::TimeFine
             | GpAlternative::ToolTime
             | GpAlternative::JointTime(_)
+            | GpAlternative::JointTimeFine(_)
             | GpAlternative::HiddenLoad
             | GpAlternative::Cycle(_)
             | GpAlternative::WanderingScale

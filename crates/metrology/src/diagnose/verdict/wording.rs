@@ -74,7 +74,7 @@ pub(super) fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> St
         }
         GpAlternative::Time | GpAlternative::TimeFine | GpAlternative::TimeVaryingCause(_) => time.to_owned(),
         GpAlternative::ToolTime => format!("the target on the flange, over {time}"),
-        GpAlternative::JointTime(j) => format!("joint {j}, over {time}"),
+        GpAlternative::JointTime(j) | GpAlternative::JointTimeFine(j) => format!("joint {j}, over {time}"),
         GpAlternative::HiddenLoad => {
             format!(
                 "what the arm gives under a load that comes and goes over {time}: the payload (payload_kg) is not in the file"
