@@ -135,6 +135,8 @@ pub(crate) struct Candidate {
     pub weight: f64,
     /// Physics gives its first parameter a sign: a gear gives way to gravity, a warm link grows.
     pub sign_constrained: bool,
+    /// Its second parameter is the first times how far off its zero lies, which usually is the ratio of their prior sigmas.
+    pub about_own_zero: bool,
 }
 
 /// What two variants of one cause have in common.
@@ -182,6 +184,7 @@ impl Candidate {
             own_unit: None,
             weight: 1.0,
             sign_constrained: false,
+            about_own_zero: false,
         }
     }
 

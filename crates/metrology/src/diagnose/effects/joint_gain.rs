@@ -33,7 +33,9 @@ impl Effect for JointGain {
             .flat_map(|j| {
                 let constant = USUAL * dataset.by_kind(j, ZERO_OFF[0], ZERO_OFF[1]);
                 let plain = EffectVariant::of_joint(j);
-                Candidate::without_and_with_constant(EffectKind::JointGain, plain, [USUAL, constant])
+                let variants =
+                    Candidate::without_and_with_constant(EffectKind::JointGain, plain, [USUAL, constant]);
+                variants.map(|one| Candidate { about_own_zero: one.variant.refined, ..one })
             })
             .collect()
     }

@@ -9,6 +9,7 @@
 //! was off by 0.51 nats at most, and a candidate's gain over none by 0.40; without geometry by 0.2 and mostly by less
 //! than 0.01. Decisions are made at 3 and 5 nats. The tests hold it to 0.6 and 0.5.
 
+mod about_zero;
 mod accumulate;
 mod candidate;
 mod elimination;

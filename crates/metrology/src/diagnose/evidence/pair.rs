@@ -1,6 +1,7 @@
 //! Two candidates at once, each with a size of its own that is integrated: what the first takes alone, and how large it must then
 //! be, is not held against it beside the second.
 
+use super::about_zero::SizeAndConstant;
 use super::candidate::{Projected, ReducedProducts};
 use super::prior::{geometry_prior, size_prior};
 use super::sum::{EvidencePeak, EvidenceSum};
@@ -22,6 +23,8 @@ pub(crate) struct PairPeak {
     pub size_ratios: [f64; 2],
     /// By how many standard deviations the first parameter of each is positive there.
     pub signs: [f64; 2],
+    /// What it adds to the evidence there if the second of two parameters is the first about a zero of its own.
+    pub about_zero_nats: [f64; 2],
 }
 
 /// The products of two candidates side by side: `second`'s with the design hold those with the first, whose columns stand at `at`.
@@ -81,11 +84,7 @@ impl NuisanceModel {
             }
         }
         let peak = sum.peak(self.slow_log_det);
-        PairPeak {
-            log_evidence: peak.log_evidence,
-            size_ratios: peak.size_ratio,
-            signs: self.signs(both, &with_geometry, first, &peak),
-        }
+        self.pair_peak(both, &with_geometry, first, &peak)
     }
 
     /// What two candidates of these sizes reach beside geometry of one, which has left them `reduced`. `signals` are those of one
@@ -114,25 +113,35 @@ impl NuisanceModel {
         Some(EvidencePeak { log_evidence, sigma_m, geometry_ratio: geometry.ratio, size_ratio })
     }
 
-    /// By how many standard deviations the first parameter of each is positive at the peak.
-    fn signs(
+    /// The peak with what is known of the parameters of each there.
+    fn pair_peak(
         &self,
         both: &Projected,
         with_geometry: &DMatrix<f64>,
         first: usize,
         peak: &EvidencePeak<[f64; 2]>,
-    ) -> [f64; 2] {
+    ) -> PairPeak {
+        let (log_evidence, size_ratios) = (peak.log_evidence, peak.size_ratio);
+        let unknown = PairPeak { log_evidence, size_ratios, signs: [0.0; 2], about_zero_nats: [0.0; 2] };
         let ReducedProducts { own, with_y } = self.reduced(both, with_geometry, peak.geometry_ratio);
         let [s, t] = peak.size_ratio;
         let scale = |k: usize| if k < first { s } else { t };
         let Some(covariance) = normal_matrix(&own, scale).cholesky().map(|c| c.inverse()) else {
-            return [0.0; 2];
+            return unknown;
         };
         let scaled = DVector::from_fn(with_y.len(), |k, _| scale(k) * with_y[k]);
-        [0, first].map(|k| {
-            let mean = (covariance.row(k) * &scaled)[0];
-            mean / (peak.sigma_m * covariance[(k, k)].max(1e-300).sqrt())
-        })
+        let mean = &covariance * scaled;
+        let signs = [0, first].map(|k| mean[k] / (peak.sigma_m * covariance[(k, k)].max(1e-300).sqrt()));
+        let about_zero_nats = [0..first, first..with_y.len()].map(|of| match of.len() {
+            2 => {
+                let [k, l] = [of.start, of.start + 1];
+                // Both over their prior sigma, in metres of noise.
+                let covariance = [(k, k), (k, l), (l, l)].map(|at| covariance[at] * peak.sigma_m.powi(2));
+                SizeAndConstant { mean: [mean[k], mean[l]], covariance, spread: peak.sigma_m }.nats()
+            }
+            _ => 0.0,
+        });
+        PairPeak { signs, about_zero_nats, ..unknown }
     }
 }
 

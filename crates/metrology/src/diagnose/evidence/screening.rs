@@ -155,6 +155,12 @@ impl NuisanceModel {
         self.sign(candidate.projected, &candidate.with_geometry, peak)
     }
 
+    /// What it adds to ln evidence that the second parameter is the first about a zero of its own, where the candidate has its `peak`.
+    #[must_use]
+    pub(crate) fn about_zero_nats_of(&self, candidate: &Screened<'_>, peak: &EvidencePeak) -> f64 {
+        self.about_zero_nats(candidate.projected, &candidate.with_geometry, peak)
+    }
+
     /// The candidate along its own directions at one point of the grid.
     fn directions_at<'c>(
         &self,

@@ -291,7 +291,7 @@ impl Library<'_> {
         Some(PairWeight { gain_nats, odds, second_nats, causes: [first, second] })
     }
 
-    /// Evidence of two causes over `bare`, the signs that physics gives them included.
+    /// Evidence of two causes over `bare`, with what physics says of their signs and constants.
     #[must_use]
     pub(crate) fn evidence_of_two(
         &self,
@@ -303,9 +303,13 @@ impl Library<'_> {
         let both = bare.project(&joined(&a, &b, &first.columns));
         let near = [first.size_ratio, second.size_ratio];
         let mut peak = bare.evidence_of_two(&both, a.own.nrows(), near);
-        for (cause, sign) in [first, second].into_iter().zip(peak.signs) {
-            if self.candidates[cause.candidate].sign_constrained {
-                peak.log_evidence += sign_nats(sign);
+        for (k, cause) in [first, second].into_iter().enumerate() {
+            let candidate = &self.candidates[cause.candidate];
+            if candidate.sign_constrained {
+                peak.log_evidence += sign_nats(peak.signs[k]);
+            }
+            if candidate.about_own_zero {
+                peak.log_evidence += peak.about_zero_nats[k];
             }
         }
         peak

@@ -187,6 +187,9 @@ impl Library<'_> {
         if self.candidates[candidate].sign_constrained {
             peak.log_evidence += sign_nats(nuisance.sign_of(screened, &peak));
         }
+        if self.candidates[candidate].about_own_zero {
+            peak.log_evidence += nuisance.about_zero_nats_of(screened, &peak);
+        }
         peak
     }
 
