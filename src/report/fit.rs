@@ -98,25 +98,30 @@ fn tip_is_told(tip: &TipCheck) -> &'static str {
 }
 
 fn false_touches(out: &mut String, w: &WarmUp) {
-    let all = || w.residuals.iter().filter(|one| one.looks_false);
-    let lines: Vec<String> = all().map(|one| one.line.to_string()).collect();
-    if lines.is_empty() {
-        return;
+    for counts in [false, true] {
+        let all = w.residuals.iter().filter(|one| one.looks_false && one.counts == counts);
+        let lines: Vec<String> = all.map(|one| one.line.to_string()).collect();
+        if lines.is_empty() {
+            continue;
+        }
+        let some = counted(lines.len(), "touch");
+        let (verb, word) = if lines.len() == 1 { ("looks", "line") } else { ("look", "lines") };
+        let what = match (counts, lines.len()) {
+            (true, 1) => {
+                "it counts, as it goes with those before and after it: does the arm drift as this law says, is the tip's place right?"
+            }
+            (true, _) => {
+                "all count, as they are no accidents of single touches: does the arm drift as this law says, is the tip's place right?"
+            }
+            (false, 1) => "it is set aside",
+            (false, _) => "they are set aside",
+        };
+        let _ = writeln!(
+            out,
+            "{some} {verb} false, further off than noise takes one: {word} {}; {what}",
+            lines.join(", ")
+        );
     }
-    let some = counted(lines.len(), "touch");
-    let (verb, word) = if lines.len() == 1 { ("looks", "line") } else { ("look", "lines") };
-    let what = if all().any(|one| one.counts) {
-        "all count, as so many are no accidents: does the arm drift as this law says, is the tip's place right?"
-    } else if lines.len() == 1 {
-        "it is set aside"
-    } else {
-        "they are set aside"
-    };
-    let _ = writeln!(
-        out,
-        "{some} {verb} false, further off than noise takes one: {word} {}; {what}",
-        lines.join(", ")
-    );
 }
 
 fn forecast_at_targets(out: &mut String, there: &TargetForecast) {
@@ -169,6 +174,9 @@ pub fn json(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) 
         })),
         "prior_mm": mm_from_m(w.prior[0]), "prior_deg": deg_from_rad(w.prior[1]),
         "points": w.points.iter().map(|p| json!({ "point": p.name, "settled_mm": mm(&p.settled_m) })).collect::<Vec<_>>(),
+        "knocked": w.knocked.iter().map(|p| json!({
+            "point": p.name, "from_min": p.between_min[0], "to_min": p.between_min[1], "step_mm": mm(&p.step_m),
+        })).collect::<Vec<_>>(),
         "parameters": parameters,
         "residuals": w.residuals.iter().map(|one| json!({
             "line": one.line, "point": one.point, "t_min": one.t_min, "before_mm": mm(&one.before_m), "after_mm": mm(&one.after_m),

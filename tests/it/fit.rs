@@ -1,6 +1,7 @@
 //! A deformation table from touched points, proved on virtual robots whose physics is not the fit's.
 
 mod doubtful;
+mod knocked_points;
 mod moving_points;
 
 use assert_cmd::Command;

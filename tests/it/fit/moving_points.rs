@@ -12,18 +12,18 @@ use robot_model::deform::Deformation;
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
 
-fn robot() -> Robot {
+pub(super) fn robot() -> Robot {
     Robot::built_in("irb140").unwrap()
 }
 
 /// Five points touched on the virtual arm: two lags of 46 minutes, noise of 0.02 mm.
-fn sound(seed: u64) -> Touches {
+pub(super) fn sound(seed: u64) -> Touches {
     let csv =
         touches(&robot(), &recipe(0.02, Deformation::paper().settled().0), &mut Rng::new(seed, 0)).unwrap();
     Touches::from_csv(csv.as_bytes()).unwrap()
 }
 
-fn fitted(touches: &Touches, tool_mm: f64) -> Fitted {
+pub(super) fn fitted(touches: &Touches, tool_mm: f64) -> Fitted {
     job(tool_mm).run(touches).unwrap()
 }
 
@@ -32,7 +32,7 @@ fn job(tool_mm: f64) -> Fit {
     Fit { options, ..Fit::new(robot()) }
 }
 
-fn of_code<'w>(found: &'w Fitted, code: &str) -> Vec<&'w Diagnostic> {
+pub(super) fn of_code<'w>(found: &'w Fitted, code: &str) -> Vec<&'w Diagnostic> {
     found.warnings().iter().filter(|warning| warning.code == code).collect()
 }
 
@@ -94,7 +94,12 @@ fn what_one_or_two_points_cannot_tell_is_named() {
 }
 
 /// Joints at which the tip of the arm `chain` is at `goal_m`, joints 4 to 6 where they are: Newton's method on the other three.
-fn led_to(chain: &Chain, q_rad: [f64; 6], tool_m: &Vector3<f64>, goal_m: &Vector3<f64>) -> [f64; 6] {
+pub(super) fn led_to(
+    chain: &Chain,
+    q_rad: [f64; 6],
+    tool_m: &Vector3<f64>,
+    goal_m: &Vector3<f64>,
+) -> [f64; 6] {
     let tip_m = |q: &[f64; 6]| (chain.forward(q) * nalgebra::Point3::from(*tool_m)).coords;
     let mut q = q_rad;
     for _ in 0..8 {

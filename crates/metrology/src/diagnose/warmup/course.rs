@@ -7,6 +7,9 @@ use robot_model::deform::GrowthLaw;
 
 /// A point with fewer touches says nothing of how it moves.
 pub(super) const FEWEST_TOUCHES: usize = 6;
+/// Two variances differ where the logarithm of their ratio is beyond so many of its standard deviations, and what is left of a point goes on
+/// from touch to touch where its share is beyond so many of its own: chance does neither in one file of ten thousand.
+pub(super) const SURE: f64 = 4.0;
 /// Numbers that each point has of its own: where it is cold, and how far it moves.
 const OWN_NUMBERS: usize = 6;
 
@@ -57,6 +60,23 @@ impl PointCourse {
 /// Sum of squares of lengths.
 pub(super) fn sum_of_squares(left_m: &[Vector3<f64>]) -> f64 {
     left_m.iter().map(Vector3::norm_squared).sum()
+}
+
+/// Whether what is left goes on from touch to touch by more than chance lets it.
+pub(super) fn goes_on(left_m: &[Vector3<f64>]) -> bool {
+    let n = left_m.len() as f64;
+    wander_m2(left_m) * n > sum_of_squares(left_m) * SURE / (3.0 * n).sqrt()
+}
+
+/// How much of what is left goes on from touch to touch, in square metres a touch: its square beyond the noise.
+pub(super) fn wander_m2(left_m: &[Vector3<f64>]) -> f64 {
+    (sum_of_squares(left_m) / left_m.len() as f64 - noise_m2(left_m)).max(0.0)
+}
+
+/// The noise of a touch by how far neighbours differ, square metres (von Neumann 1941, eq. 1): what is slow does not count.
+pub(super) fn noise_m2(left_m: &[Vector3<f64>]) -> f64 {
+    let differences = left_m.windows(2).map(|pair| (pair[1] - pair[0]).norm_squared());
+    differences.sum::<f64>() / (2 * left_m.len().saturating_sub(1).max(1)) as f64
 }
 
 /// Histories with time constants all over their ranges; with those of cooling, too, where the arm stood.

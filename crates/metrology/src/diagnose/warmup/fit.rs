@@ -2,11 +2,12 @@
 
 use super::fitted::{TouchedPoint, WarmUp};
 use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min};
+use super::knocked;
 use super::parameters::{PARAMETERS, signature, tip_m};
 use super::plausible;
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
-use super::touch_residuals::{false_lines, touch_residuals};
+use super::touch_residuals::{MOST_ASIDE, false_lines, touch_residuals};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
 use measurements::{self, Fault, RegisterError, Station, Touches, register};
@@ -24,8 +25,6 @@ const SAME_POSE_RAD: f64 = 0.02;
 /// Histories this much less likely than the likeliest do not count.
 const NEGLIGIBLE_NATS: f64 = 14.0;
 
-/// Where more of the touches than this look false, all of them count.
-pub(super) const MOST_ASIDE: f64 = 0.15;
 /// Nobody touches points for longer, days.
 const LONGEST_DAYS: f64 = 3.0;
 /// Fits without what looked false in the one before, at most.
@@ -126,7 +125,8 @@ struct FittedHistory {
     posterior: Posterior,
 }
 
-/// Fits a settled deformation and its growth to `touches` of one robot; those that look false are set aside, the furthest off first.
+/// Fits a settled deformation and its growth to `touches` of one robot; those that look false are set aside, the furthest off first, and
+/// those of a point that was knocked count from two places.
 ///
 /// # Errors
 /// Too few touches, a point in two poses, all at one time, poses that cannot be registered.
@@ -136,7 +136,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         return Err(FitError::Fault(Box::new(fault)));
     }
     let Observed { moved_m: observed, warning } = observed(touches, robot, &chain, options)?;
-    let points = grouped(touches, &chain, &observed, &options.tool_m)?;
+    let mut points = grouped(touches, &chain, &observed, &options.tool_m)?;
     let [first_min, last_min] = touches.span_min();
     if last_min - first_min < 20.0 {
         return Err(FitError::NoTime { span_min: last_min - first_min });
@@ -144,6 +144,10 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     let mut stops = Standstill::merged(options.stops.clone().unwrap_or_else(|| history::pauses(touches)));
     // Of one after the last touch the touches tell nothing.
     stops.retain(|stop| stop.from_min < last_min);
+    let knocks = knocked::find(&points, &stops, plausible::rounding_sigma_m(touches, robot, options.tool_m));
+    for knock in &knocks {
+        points[knock.index].knocked_min = Some(knock.between_min[1]);
+    }
     let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
     let mut aside = BTreeSet::new();
     let mut found = of(&aside)?;
@@ -176,7 +180,10 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     }
     let mut warm_up = found.warm_up;
     let found_in_touches = plausible::warnings(touches, robot, &warm_up, options.tool_m);
-    warm_up.warnings = warning.into_iter().chain(found_in_touches).collect();
+    let as_fitted = |knock: &knocked::Knock| knock.as_fitted(&points[knock.index], &warm_up.residuals);
+    warm_up.knocked = knocks.iter().filter_map(as_fitted).collect();
+    let knocked = warm_up.knocked.iter().map(knocked::warning);
+    warm_up.warnings = warning.into_iter().chain(found_in_touches).chain(knocked).collect();
     warm_up.stops_are_named = options.stops.is_some();
     Ok(warm_up)
 }
@@ -254,6 +261,7 @@ fn fit_without(
         covariance,
         prior: chosen.prior,
         points: points.iter().map(|p| touched(p, &touches.points, &history, stops)).collect(),
+        knocked: Vec::new(),
         residuals,
         span_min: touches.span_min(),
         touches: touches.touches.len() - aside.len(),
@@ -417,6 +425,7 @@ fn grouped(
                 lines: vec![touch.line],
                 t_min: vec![touch.t_min],
                 observed_m: vec![*observed],
+                knocked_min: None,
             }),
         }
     }

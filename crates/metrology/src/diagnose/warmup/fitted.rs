@@ -37,6 +37,8 @@ pub struct WarmUp {
     pub prior: [f64; 2],
     /// Each point: name, joints, and how far it moves when settled, as touched, metres.
     pub points: Vec<TouchedPoint>,
+    /// Those that were knocked: their later touches count from another place.
+    pub knocked: Vec<KnockedPoint>,
     /// Every touch that took part, in the order of time.
     pub residuals: Vec<TouchResidual>,
     /// Minutes of the first and last touch.
@@ -56,6 +58,17 @@ pub struct TouchedPoint {
     pub q_rad: [f64; 6],
     /// Displacement of the tool when settled, as these touches alone say it, base axes, metres.
     pub settled_m: Vector3<f64>,
+}
+
+/// A point that was elsewhere from one touch to the next.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnockedPoint {
+    /// Name of the touched point.
+    pub name: String,
+    /// The last touch before and the first after it, minutes since the cold start.
+    pub between_min: [f64; 2],
+    /// How far the touches after it are from where those before it would be, base axes, metres.
+    pub step_m: Vector3<f64>,
 }
 
 impl WarmUp {

@@ -10,6 +10,7 @@ mod course;
 mod fit;
 mod fitted;
 mod history;
+mod knocked;
 mod moving_point;
 mod parameters;
 mod plausible;
@@ -22,7 +23,7 @@ mod tip;
 mod touch_residuals;
 
 pub use fit::{FitError, FitOptions, fit};
-pub use fitted::{TouchedPoint, WarmUp};
+pub use fitted::{KnockedPoint, TouchedPoint, WarmUp};
 pub use history::Standstill;
 pub use moving_point::moving_points;
 pub use parameters::{PARAMETERS, signature};

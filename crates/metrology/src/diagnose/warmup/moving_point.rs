@@ -1,7 +1,7 @@
 //! A fixed point that moves itself: a pin that creeps or was knocked shows beside the others, which the arm's warmth moves together.
 //! Of a single point nothing tells its own motion from the arm's.
 
-use super::course::{PointCourse, histories, sum_of_squares};
+use super::course::{PointCourse, SURE, goes_on, histories, noise_m2, sum_of_squares, wander_m2};
 use super::fit::{FitOptions, fit};
 use super::fitted::WarmUp;
 use super::history::{ThermalHistory, warmth};
@@ -11,9 +11,6 @@ use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::robot::Robot;
 use robot_model::units::mm_from_m;
 
-/// Two variances differ where the logarithm of their ratio is beyond so many of its standard deviations, and what is left of a point goes on
-/// from touch to touch where its share is beyond so many of its own: chance does neither in one file of ten thousand.
-const SURE: f64 = 4.0;
 /// Courses of their own take more of two points than one course does where they leave this many variances of the noise less: of three more
 /// numbers (law, time constants) chance takes half as many in one file of ten thousand (chi-square: 21).
 const SURE_APART: f64 = 40.0;
@@ -152,23 +149,6 @@ fn odd_point(points: &[PointCourse], warm_up: &WarmUp) -> Option<OddPoint> {
 /// By how many of its standard deviations the logarithm of the ratio of two variances, each of so many degrees of freedom, is off 0.
 fn log_ratio_sigmas(one: f64, freedom_of_one: f64, other: f64, freedom_of_other: f64) -> f64 {
     (one / other).ln() / (2.0 / freedom_of_one + 2.0 / freedom_of_other).sqrt()
-}
-
-/// Whether what is left goes on from touch to touch by more than chance lets it.
-fn goes_on(left_m: &[Vector3<f64>]) -> bool {
-    let n = left_m.len() as f64;
-    wander_m2(left_m) * n > sum_of_squares(left_m) * SURE / (3.0 * n).sqrt()
-}
-
-/// How much of what is left goes on from touch to touch, in square metres a touch: its square beyond the noise.
-fn wander_m2(left_m: &[Vector3<f64>]) -> f64 {
-    (sum_of_squares(left_m) / left_m.len() as f64 - noise_m2(left_m)).max(0.0)
-}
-
-/// The noise of a touch by how far neighbours differ, square metres (von Neumann 1941, eq. 1): what is slow does not count.
-fn noise_m2(left_m: &[Vector3<f64>]) -> f64 {
-    let differences = left_m.windows(2).map(|pair| (pair[1] - pair[0]).norm_squared());
-    differences.sum::<f64>() / (2 * left_m.len().saturating_sub(1).max(1)) as f64
 }
 
 fn without(touches: &Touches, name: &str) -> Touches {

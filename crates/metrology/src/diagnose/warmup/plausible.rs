@@ -23,6 +23,8 @@ const SLOWEST_TAU_MIN: f64 = 240.0;
 const LATE_START: f64 = 0.5;
 /// Angles are written to one of these, degrees; finer ones move no tip that could be seen.
 const DECIMALS_DEG: [f64; 6] = [1.0, 0.5, 0.1, 0.05, 0.02, 0.01];
+/// The same with those that move it by a few micrometres.
+const FINE_DECIMALS_DEG: [f64; 9] = [1.0, 0.5, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001];
 /// Rounding that makes so large a part of the noise is what the fit sees.
 const MOST_ROUNDING: f64 = 0.5;
 /// Joints that change between the touches of a point, beside one that does not.
@@ -153,20 +155,9 @@ pub(super) fn state_warnings(touches: &Touches, tau_min: f64) -> Vec<Diagnostic>
 
 /// Joints that are written so coarsely that their rounding is much of the noise.
 fn rounded(touches: &Touches, robot: &Robot, warm_up: &WarmUp, tool_m: Vector3<f64>) -> Option<Diagnostic> {
-    let steps: Vec<(usize, f64)> = (0..6).filter_map(|j| Some((j, written_step_deg(touches, j)?))).collect();
+    let steps = written_steps_deg(touches, &DECIMALS_DEG);
     let coarsest_deg = steps.iter().map(|(_, step_deg)| *step_deg).reduce(f64::max)?;
-    let chain = Chain::nominal(robot);
-    let square_m2 = |touch: &Touch| {
-        let of_joint = |(j, step_deg): &(usize, f64)| {
-            let mut moved = touch.q_rad;
-            moved[*j] += rad_from_deg(*step_deg);
-            // Even over a step: the variance is a twelfth of its square.
-            (tip_m(&chain, &moved, &tool_m) - tip_m(&chain, &touch.q_rad, &tool_m)).norm_squared() / 12.0
-        };
-        steps.iter().map(of_joint).sum::<f64>()
-    };
-    let rounding_m =
-        (touches.touches.iter().map(square_m2).sum::<f64>() / touches.touches.len() as f64).sqrt();
+    let rounding_m = rounding_m(touches, robot, tool_m, &steps);
     let noise_m = 3.0_f64.sqrt() * warm_up.sigma_m;
     (rounding_m > MOST_ROUNDING * noise_m).then(|| {
         let columns: Vec<String> = steps.iter().map(|(j, _)| format!("q{}_deg", j + 1)).collect();
@@ -183,6 +174,32 @@ fn rounded(touches: &Touches, robot: &Robot, warm_up: &WarmUp, tool_m: Vector3<f
     })
 }
 
+/// One standard deviation of a coordinate of the tip by how joints are written, metres; 0 where no step shows.
+pub(super) fn rounding_sigma_m(touches: &Touches, robot: &Robot, tool_m: Vector3<f64>) -> f64 {
+    let steps = written_steps_deg(touches, &FINE_DECIMALS_DEG);
+    rounding_m(touches, robot, tool_m, &steps) / 3.0_f64.sqrt()
+}
+
+/// By how much steps of joints, degrees, move the tip: rms in space, metres.
+fn rounding_m(touches: &Touches, robot: &Robot, tool_m: Vector3<f64>, steps: &[(usize, f64)]) -> f64 {
+    let chain = Chain::nominal(robot);
+    let square_m2 = |touch: &Touch| {
+        let of_joint = |(j, step_deg): &(usize, f64)| {
+            let mut moved = touch.q_rad;
+            moved[*j] += rad_from_deg(*step_deg);
+            // Even over a step: the variance is a twelfth of its square.
+            (tip_m(&chain, &moved, &tool_m) - tip_m(&chain, &touch.q_rad, &tool_m)).norm_squared() / 12.0
+        };
+        steps.iter().map(of_joint).sum::<f64>()
+    };
+    (touches.touches.iter().map(square_m2).sum::<f64>() / touches.touches.len() as f64).sqrt()
+}
+
+/// Joints that are written on steps, and these.
+fn written_steps_deg(touches: &Touches, decimals_deg: &[f64]) -> Vec<(usize, f64)> {
+    (0..6).filter_map(|j| Some((j, written_step_deg(touches, j, decimals_deg)?))).collect()
+}
+
 fn are_columns(columns: &[String]) -> String {
     match columns {
         [one] => format!("column {one} is"),
@@ -192,13 +209,13 @@ fn are_columns(columns: &[String]) -> String {
 
 /// The step that all angles of a joint are written on, degrees; `None` of a fine one, and of a joint that only stands at the angles of the
 /// poses.
-fn written_step_deg(touches: &Touches, joint: usize) -> Option<f64> {
+fn written_step_deg(touches: &Touches, joint: usize, decimals_deg: &[f64]) -> Option<f64> {
     let angles_deg = || touches.touches.iter().map(|touch| deg_from_rad(touch.q_rad[joint]));
     let is_on = |step_deg: &f64| {
         angles_deg().all(|angle_deg| (angle_deg / step_deg - (angle_deg / step_deg).round()).abs() < 1e-6)
     };
     let different: BTreeSet<u64> = angles_deg().map(f64::to_bits).collect();
-    DECIMALS_DEG.into_iter().find(is_on).filter(|_| different.len() > touches.points.len())
+    decimals_deg.iter().copied().find(is_on).filter(|_| different.len() > touches.points.len())
 }
 
 /// A joint of the first three, which no lead to a point leaves alone, that is the same to the last digit at all touches of each point where

@@ -4,6 +4,7 @@ use super::history::{Standstill, ThermalHistory, warmth};
 use super::posterior::Sums;
 use nalgebra::{Matrix3xX, Vector3};
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// The touches of one point in one pose.
 pub(super) struct Point {
@@ -13,6 +14,8 @@ pub(super) struct Point {
     pub(super) lines: Vec<u64>,
     pub(super) t_min: Vec<f64>,
     pub(super) observed_m: Vec<Vector3<f64>>,
+    /// From this minute on it is in another place, to which it was knocked.
+    pub(super) knocked_min: Option<f64>,
 }
 
 impl Point {
@@ -26,12 +29,24 @@ impl Point {
             lines: kept().map(|i| self.lines[i]).collect(),
             t_min: kept().map(|i| self.t_min[i]).collect(),
             observed_m: kept().map(|i| self.observed_m[i]).collect(),
+            knocked_min: self.knocked_min,
         }
+    }
+
+    /// Its touches by the place in which it stood: all in one, but where it was knocked.
+    pub(super) fn places(&self) -> [Range<usize>; 2] {
+        let all = self.t_min.len();
+        let knocked = self.knocked_min.map_or(all, |knocked| self.t_min.partition_point(|t| *t < knocked));
+        [0..knocked, knocked..all]
     }
 
     /// What the likelihood needs of them under a history of warmth.
     pub(super) fn sums(&self, history: &ThermalHistory, stops: &[Standstill]) -> Sums {
         let grown = warmth(history, stops, &self.t_min);
-        Sums::new(&self.signature, &grown, &self.observed_m)
+        let mut sums = Sums::none(&self.signature);
+        for place in self.places() {
+            sums.add_place(&grown[place.clone()], &self.observed_m[place]);
+        }
+        sums
     }
 }

@@ -26,28 +26,37 @@ pub(super) struct Sums {
     cross_m: Vector3<f64>,
     /// Squared displacement about its mean.
     square_m2: f64,
-    touches: usize,
+    /// Touches beyond the one that each place of the point has to be known by.
+    free: f64,
 }
 
 impl Sums {
-    pub(super) fn new(signature: &Matrix3xX<f64>, grown: &[f64], observed_m: &[Vector3<f64>]) -> Self {
-        let n = grown.len() as f64;
-        let mean = grown.iter().sum::<f64>() / n;
-        let mean_m = observed_m.iter().sum::<Vector3<f64>>() / n;
-        let mut sums = Self {
+    /// Of no touch yet.
+    pub(super) fn none(signature: &Matrix3xX<f64>) -> Self {
+        Self {
             signature: signature.clone(),
             spread: 0.0,
             cross_m: Vector3::zeros(),
             square_m2: 0.0,
-            touches: grown.len(),
-        };
+            free: 0.0,
+        }
+    }
+
+    /// Adds the touches of one place of the point: its constant is projected out of them.
+    pub(super) fn add_place(&mut self, grown: &[f64], observed_m: &[Vector3<f64>]) {
+        if grown.is_empty() {
+            return;
+        }
+        let n = grown.len() as f64;
+        let mean = grown.iter().sum::<f64>() / n;
+        let mean_m = observed_m.iter().sum::<Vector3<f64>>() / n;
         for (g, observed) in grown.iter().zip(observed_m) {
             let (g, r) = (g - mean, observed - mean_m);
-            sums.spread += g * g;
-            sums.cross_m += r * g;
-            sums.square_m2 += r.norm_squared();
+            self.spread += g * g;
+            self.cross_m += r * g;
+            self.square_m2 += r.norm_squared();
         }
-        sums
+        self.free += n - 1.0;
     }
 
     /// How far the point moves when settled, by its own touches, metres.
@@ -90,7 +99,7 @@ pub(super) fn log_evidence(points: &[Sums]) -> Option<f64> {
 
 /// The same of no drift at all: every point stands still, and all that its touches scatter is noise.
 pub(super) fn log_evidence_of_none(points: &[Sums]) -> f64 {
-    let freedom: f64 = points.iter().map(|p| 3.0 * (p.touches as f64 - 1.0)).sum();
+    let freedom: f64 = points.iter().map(|p| 3.0 * p.free).sum();
     let square_m2: f64 = points.iter().map(|p| p.square_m2).sum();
     let variance_m2 = (square_m2 / freedom).max(1e-14);
     -0.5 * freedom * (variance_m2.ln() + 1.0)
@@ -127,7 +136,7 @@ fn weigh(points: &[Sums]) -> Option<WeighedSizes> {
         seen.rows_mut(3 * k, 3).copy_from(&point.settled_m());
         spreads.rows_mut(3 * k, 3).fill(point.spread);
     }
-    let freedom: f64 = points.iter().map(|p| 3.0 * (p.touches as f64 - 2.0)).sum();
+    let freedom: f64 = points.iter().map(|p| 3.0 * (p.free - 1.0)).sum();
     let left_m2: f64 = points.iter().map(Sums::left_m2).sum();
     let sigma_m = (left_m2 / freedom).sqrt().max(1e-7);
     let noise = spreads.map(|g| sigma_m * sigma_m / g);

@@ -1,10 +1,10 @@
 //! The thermal state of one robot from touches of fixed points: the filter that a corrected program runs, with smoothing.
 
 use super::cold_reference;
-use super::fit::MOST_ASIDE;
 use super::parameters::tip_m;
 use super::plausible;
 use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints};
+use super::touch_residuals::MOST_ASIDE;
 use measurements::{Fault, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter, TouchOutcome};

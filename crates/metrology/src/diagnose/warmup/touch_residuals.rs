@@ -4,12 +4,18 @@ use super::history::{Standstill, ThermalHistory, warmth};
 use super::parameters::PARAMETERS;
 use super::point::Point;
 use nalgebra::{SVector, Vector3};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The median length of a vector of three normal coordinates, in their standard deviation (the root of chi-square's median at 3).
 const MEDIAN_LENGTH: f64 = 1.538_172_3;
 /// Longer than so many standard deviations of one coordinate a touch looks false: by chance one of 65,000 is.
-const FALSE_SIGMAS: f64 = 5.0;
+pub(super) const FALSE_SIGMAS: f64 = 5.0;
+/// Where more of the touches than this are false, all of them count.
+pub(super) const MOST_ASIDE: f64 = 0.15;
+/// A false touch is off those before and after it by more than this share of what it is off the fit: others only go as their neighbours do.
+const OFF_NEIGHBOURS: f64 = 0.5;
+/// And by so many standard deviations: by chance one of 900 is.
+const OFF_NEIGHBOURS_SIGMAS: f64 = 4.0;
 
 /// One touch beside the fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +32,7 @@ pub struct TouchResidual {
     pub after_m: Vector3<f64>,
     /// It lies further off than noise takes a touch.
     pub looks_false: bool,
-    /// The fit counts it: it does not look false, or too many do.
+    /// The fit counts it: it does not look false, or it goes as those before and after it do, or too many do.
     pub counts: bool,
 }
 
@@ -46,11 +52,14 @@ pub(super) fn touch_residuals(
         let settled_m = &point.signature * settled;
         let drift_m = |i: usize| settled_m * grown[i];
         let n = point.t_min.len();
-        let kept: Vec<usize> = (0..n).filter(|&i| !aside.contains(&point.lines[i])).collect();
-        let sum_m: Vector3<f64> = kept.iter().map(|&i| point.observed_m[i] - drift_m(i)).sum();
-        let cold_m = sum_m / kept.len().max(1) as f64;
+        let cold_m = point.places().map(|place| {
+            let kept: Vec<usize> = place.filter(|&i| !aside.contains(&point.lines[i])).collect();
+            let sum_m: Vector3<f64> = kept.iter().map(|&i| point.observed_m[i] - drift_m(i)).sum();
+            sum_m / kept.len().max(1) as f64
+        });
+        let moved_at = point.places()[0].end;
         all.extend((0..n).map(|i| {
-            let before_m = point.observed_m[i] - cold_m;
+            let before_m = point.observed_m[i] - cold_m[usize::from(i >= moved_at)];
             TouchResidual {
                 line: point.lines[i],
                 point: names.get(point.index).cloned().unwrap_or_default(),
@@ -70,23 +79,69 @@ pub(super) fn touch_residuals(
     all
 }
 
-/// The lines to set aside next: those aside that look false still, and of the others those that do and are at least half as far off as the
+/// The lines to set aside next: those aside that are false still, and of the others those that are and are at least half as far off as the
 /// furthest: near ones may only seem so while far ones pull at the fit.
 pub(super) fn false_lines(all: &[TouchResidual], aside: &BTreeSet<u64>) -> BTreeSet<u64> {
-    let others = all.iter().filter(|touch| !aside.contains(&touch.line));
+    let alone = alone(all);
+    let others = all.iter().filter(|touch| !aside.contains(&touch.line) && alone.contains(&touch.line));
     let furthest_m = others.map(|touch| touch.after_m.norm()).fold(0.0, f64::max);
     let is_next = |touch: &&TouchResidual| {
-        touch.looks_false && (aside.contains(&touch.line) || touch.after_m.norm() >= furthest_m / 2.0)
+        alone.contains(&touch.line)
+            && (aside.contains(&touch.line) || touch.after_m.norm() >= furthest_m / 2.0)
     };
     all.iter().filter(is_next).map(|touch| touch.line).collect()
 }
 
+/// The lines that look false beside the touches before and after them, too. Where the arm, or a point, does not go as the fit has it, touches
+/// look false as their neighbours do: setting them aside one by one would hide it.
+fn alone(all: &[TouchResidual]) -> BTreeSet<u64> {
+    let mut by_point: BTreeMap<&str, Vec<&TouchResidual>> = BTreeMap::new();
+    for touch in all {
+        by_point.entry(&touch.point).or_default().push(touch);
+    }
+    let lengths_m: Vec<f64> = all.iter().map(|touch| touch.after_m.norm()).collect();
+    let sigma_m = typical_sigma_m(&lengths_m);
+    let of_point = |own: &Vec<&TouchResidual>| {
+        let left_m: Vec<Vector3<f64>> = own.iter().map(|touch| touch.after_m).collect();
+        let is_alone = |k: &usize| own[*k].looks_false && is_off_neighbours(&left_m, *k, sigma_m);
+        (0..own.len()).filter(is_alone).map(|k| own[k].line).collect::<Vec<u64>>()
+    };
+    by_point.values().flat_map(of_point).collect()
+}
+
+/// Whether what is left of one touch of a point is more than what is left of its neighbours lets expect.
+fn is_off_neighbours(left_m: &[Vector3<f64>], k: usize, sigma_m: f64) -> bool {
+    let (own_m, last) = (left_m[k], left_m.len() - 1);
+    if last < 2 {
+        return true;
+    }
+    let least_m = OFF_NEIGHBOURS * own_m.norm();
+    let is_off = |expected_m: Vector3<f64>, variances: f64| {
+        let sigmas_m = OFF_NEIGHBOURS_SIGMAS * sigma_m * variances.sqrt();
+        (own_m - expected_m).norm() > least_m.max(sigmas_m)
+    };
+    // The first and last have neighbours on one side: neither as the next one nor further on as that goes.
+    let one_sided = |next_m: Vector3<f64>, second_m: Vector3<f64>| {
+        is_off(next_m, 2.0) && (own_m - (next_m * 2.0 - second_m)).norm() > least_m
+    };
+    match k {
+        0 => one_sided(left_m[1], left_m[2]),
+        _ if k == last => one_sided(left_m[last - 1], left_m[last - 2]),
+        _ => is_off((left_m[k - 1] + left_m[k + 1]) / 2.0, 1.5),
+    }
+}
+
 /// Which lengths are beyond what the middle one lets expect.
 fn false_ones(lengths_m: &[f64]) -> Vec<bool> {
+    let sigma_m = typical_sigma_m(lengths_m);
+    lengths_m.iter().map(|length_m| *length_m > FALSE_SIGMAS * sigma_m).collect()
+}
+
+/// One standard deviation of a coordinate by the middle one of lengths, metres.
+pub(super) fn typical_sigma_m(lengths_m: &[f64]) -> f64 {
     let mut sorted = lengths_m.to_vec();
     sorted.sort_by(f64::total_cmp);
-    let sigma_m = sorted.get(sorted.len() / 2).map_or(0.0, |middle_m| middle_m / MEDIAN_LENGTH);
-    lengths_m.iter().map(|length_m| *length_m > FALSE_SIGMAS * sigma_m).collect()
+    sorted.get(sorted.len() / 2).map_or(0.0, |middle_m| middle_m / MEDIAN_LENGTH)
 }
 
 #[cfg(test)]
@@ -104,5 +159,22 @@ mod tests {
             assert_eq!(false_ones(&all), wanted, "{length_m}");
         }
         assert!(false_ones(&[]).is_empty());
+    }
+
+    /// Sigma is 1: what decays by a tenth a touch, as a second lag does, goes on; a single touch or two of it that are 20 off do not.
+    #[test]
+    fn a_touch_is_alone_where_its_neighbours_do_not_go_on_to_it() {
+        let along_x =
+            |lengths: &[f64]| lengths.iter().map(|x| Vector3::new(*x, 0.0, 0.0)).collect::<Vec<_>>();
+        let decays = along_x(&(0..20).map(|k| 20.0 * 0.9_f64.powi(k)).collect::<Vec<_>>());
+        assert!((0..20).all(|k| !is_off_neighbours(&decays, k, 1.0)));
+        for at in [0, 1, 7, 19] {
+            let mut single = vec![0.0; 20];
+            single[at] = 20.0;
+            assert!(is_off_neighbours(&along_x(&single), at, 1.0), "{at}");
+        }
+        let mut step = vec![0.0; 10];
+        step.extend([20.0; 10]);
+        assert!((11..20).all(|k| !is_off_neighbours(&along_x(&step), k, 1.0)));
     }
 }

@@ -1,0 +1,249 @@
+//! A point that was knocked: from one touch to the next it is elsewhere, and stays there. An arm does not do so, whatever its joints warm at:
+//! it goes on smoothly. Each point is asked alone, so that no law of growth is taken for granted; false touches do not speak for a step.
+
+use super::course::goes_on;
+use super::fitted::KnockedPoint;
+use super::history::{Standstill, ThermalHistory, warmth};
+use super::point::Point;
+use super::touch_residuals::{FALSE_SIGMAS, MOST_ASIDE, TouchResidual, typical_sigma_m};
+use nalgebra::{DMatrix, RowDVector, RowVector3, Vector3};
+use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::GrowthLaw;
+use robot_model::units::mm_from_m;
+
+/// Lags whose sums come within a thousandth of every smooth warm-up, of several joints and of two stages, minutes.
+const LAGS_MIN: [f64; 4] = [10.0, 22.0, 48.0, 105.0];
+/// Time constants of cooling tried, in those of warming.
+const COOLINGS: [f64; 6] = [0.6, 0.8, 1.0, 1.3, 1.7, 2.2];
+/// A step is told by so many touches before and after it.
+const FEWEST_BESIDE: usize = 3;
+/// Touches of a point that are asked for a step.
+const FEWEST_TOUCHES: usize = 12;
+/// A step of which the smooth course leaves a smaller part than this, as a sum of squares in touches, cannot be told from it.
+const LEAST_OF_STEP: f64 = 0.05;
+/// A step is sure where twice the logarithm of its likelihood ratio is beyond this: by chance one of three coordinates at any of 36 moments
+/// of five points is in two files of a million (chi-square).
+const SURE: f64 = 40.0;
+/// Where another point makes a step at the same moment by this, it was no point that was knocked: the tip was, or the arm stood.
+const SHARED: f64 = 20.0;
+/// Steps below so many standard deviations of rounding are one or two of the last digit's.
+const ROUNDINGS: f64 = 12.0;
+/// Fits without what looked false in the one before, at most.
+const MOST_ROUNDS: usize = 6;
+
+/// When a point was knocked.
+pub(super) struct Knock {
+    /// Of the points that are fitted.
+    pub(super) index: usize,
+    /// The last touch before and the first after it, minutes.
+    pub(super) between_min: [f64; 2],
+}
+
+/// The points that were knocked, each alone at its moment; `rounding_m` is one standard deviation of a coordinate by how joints are written.
+pub(super) fn find(points: &[Point], stops: &[Standstill], rounding_m: f64) -> Vec<Knock> {
+    // Of two points nothing tells whether it was the tip.
+    if points.len() < 3 {
+        return Vec::new();
+    }
+    let steps = parallel::map(points.len(), &|at| likeliest_step(&points[at], stops, rounding_m));
+    let is_alone = |index: usize, step: &Step| {
+        let shares = |other: &Step| {
+            other.sure > SHARED
+                && other.about_min[0] < step.about_min[1]
+                && step.about_min[0] < other.about_min[1]
+        };
+        let others = steps.iter().enumerate().filter(|(k, _)| *k != index);
+        !others.filter_map(|(_, other)| other.as_ref()).any(shares)
+    };
+    let sure = |(index, step): (usize, &Option<Step>)| {
+        let step = step.as_ref().filter(|step| step.sure > SURE && step.is_clean && is_alone(index, step))?;
+        Some(Knock { index, between_min: step.between_min })
+    };
+    steps.iter().enumerate().filter_map(sure).collect()
+}
+
+impl Knock {
+    /// The same as the fit has it.
+    pub(super) fn as_fitted(&self, point: &Point, residuals: &[TouchResidual]) -> Option<KnockedPoint> {
+        let place_m = |k: usize| {
+            let touch = residuals.iter().find(|one| one.line == point.lines[k])?;
+            Some((point.observed_m[k] - touch.before_m, touch.point.clone()))
+        };
+        let (before_m, name) = place_m(0)?;
+        let (after_m, _) = place_m(point.lines.len() - 1)?;
+        Some(KnockedPoint { name, between_min: self.between_min, step_m: after_m - before_m })
+    }
+}
+
+/// What a person should look at.
+pub(super) fn warning(knocked: &KnockedPoint) -> Diagnostic {
+    let [from_min, to_min] = knocked.between_min;
+    Diagnostic::warning(
+        "fit::moving-point",
+        format!(
+            "point {} was knocked between minutes {from_min:.0} and {to_min:.0}: it is {:.3} mm from where it was, and its touches from then on \
+             count from there",
+            knocked.name,
+            mm_from_m(knocked.step_m.norm())
+        ),
+    )
+    .help("is its mount loose? Touch it again on one that holds; where it was moved on purpose, give it another name from then on")
+}
+
+/// The step that explains the touches of a point best.
+struct Step {
+    between_min: [f64; 2],
+    /// With a touch more to each side.
+    about_min: [f64; 2],
+    /// Twice the logarithm of its likelihood ratio.
+    sure: f64,
+    /// What it leaves is noise, and it is larger than the last digit.
+    is_clean: bool,
+}
+
+/// The touches of a point and the smooth courses that could be theirs.
+struct Asked {
+    /// One for each time constant of cooling: a column of ones and one of each lag.
+    courses: Vec<DMatrix<f64>>,
+    moved_m: DMatrix<f64>,
+    rounding_m: f64,
+}
+
+/// What a course, with a step or without, leaves of the touches.
+struct Explained {
+    /// First touch after the step.
+    step: Option<usize>,
+    step_m: f64,
+    left_m: Vec<Vector3<f64>>,
+    sigma_m: f64,
+    kept: Vec<usize>,
+}
+
+fn likeliest_step(point: &Point, stops: &[Standstill], rounding_m: f64) -> Option<Step> {
+    let touches = point.t_min.len();
+    if touches < FEWEST_TOUCHES || !point.t_min.is_sorted() {
+        return None;
+    }
+    let asked = Asked::new(point, stops, rounding_m);
+    let with = asked.best(true, None)?;
+    let (first, cut_m) = (with.step?, FALSE_SIGMAS * with.sigma_m);
+    let without = asked.best(false, Some(cut_m))?;
+    let freedom = 3 * (touches - LAGS_MIN.len() - 2);
+    let floor_m2 = 3.0 * touches as f64 * rounding_m * rounding_m;
+    let ratio = (without.cost_m2(cut_m) + floor_m2) / (with.cost_m2(cut_m) + floor_m2);
+    let kept_m: Vec<Vector3<f64>> = with.kept.iter().map(|&k| with.left_m[k]).collect();
+    let is_clean = with.kept.len() as f64 > (1.0 - MOST_ASIDE) * touches as f64
+        && with.step_m > ROUNDINGS * rounding_m
+        && !goes_on(&kept_m);
+    let minute = |k: usize| point.t_min[k.min(touches - 1)];
+    Some(Step {
+        between_min: [minute(first - 1), minute(first)],
+        about_min: [minute(first.saturating_sub(2)), minute(first + 1)],
+        sure: freedom as f64 * ratio.ln(),
+        is_clean,
+    })
+}
+
+impl Asked {
+    fn new(point: &Point, stops: &[Standstill], rounding_m: f64) -> Self {
+        let course = |cooling: f64| {
+            let mut columns = vec![vec![1.0; point.t_min.len()]];
+            columns.extend(LAGS_MIN.map(|tau_min| {
+                let law = GrowthLaw::Exp { tau_min };
+                let history = ThermalHistory { law, tau_cool_min: Some(cooling * tau_min) };
+                warmth(&history, stops, &point.t_min)
+            }));
+            DMatrix::from_fn(point.t_min.len(), columns.len(), |i, j| columns[j][i])
+        };
+        let coolings = if stops.is_empty() { &COOLINGS[2..3] } else { &COOLINGS[..] };
+        Self {
+            courses: coolings.iter().map(|cooling| course(*cooling)).collect(),
+            moved_m: DMatrix::from_fn(point.t_min.len(), 3, |i, j| point.observed_m[i][j]),
+            rounding_m,
+        }
+    }
+
+    /// The course that leaves least, each by its own measure of what is false or by `cut_m`.
+    fn best(&self, has_step: bool, cut_m: Option<f64>) -> Option<Explained> {
+        let all = self.courses.iter().filter_map(|course| self.explained(course, has_step));
+        let cost_m2 = |one: &Explained| one.cost_m2(cut_m.unwrap_or(FALSE_SIGMAS * one.sigma_m));
+        all.min_by(|a, b| cost_m2(a).total_cmp(&cost_m2(b)))
+    }
+
+    /// What one course leaves, fitted to the touches that do not look false beside it.
+    fn explained(&self, course: &DMatrix<f64>, has_step: bool) -> Option<Explained> {
+        let touches = course.nrows();
+        let numbers = course.ncols() + usize::from(has_step);
+        let mut kept: Vec<usize> = (0..touches).collect();
+        let mut found = None;
+        for _ in 0..MOST_ROUNDS {
+            let step = if has_step { Some(self.best_step(course, &kept)?) } else { None };
+            let (left_m, step_m) = self.left_m(course, step, &kept)?;
+            let lengths_m: Vec<f64> = left_m.iter().map(Vector3::norm).collect();
+            let fitted = (touches as f64 / (touches - numbers) as f64).sqrt();
+            let sigma_m = (fitted * typical_sigma_m(&lengths_m)).max(self.rounding_m);
+            let next: Vec<usize> = (0..touches).filter(|&k| lengths_m[k] <= FALSE_SIGMAS * sigma_m).collect();
+            let is_last = next == kept;
+            kept.clone_from(&next);
+            found = Some(Explained { step, step_m, left_m, sigma_m, kept: next });
+            if is_last {
+                break;
+            }
+        }
+        found
+    }
+
+    /// The first touch after the step that takes most of what `course` leaves of the touches that are kept.
+    fn best_step(&self, course: &DMatrix<f64>, kept: &[usize]) -> Option<usize> {
+        if kept.len() < course.ncols() + 2 * FEWEST_BESIDE {
+            return None;
+        }
+        let smooth = course.select_rows(kept).qr().q();
+        let moved_m = self.moved_m.select_rows(kept);
+        let left_m = &moved_m - &smooth * (smooth.transpose() * &moved_m);
+        let mut in_smooth = RowDVector::zeros(smooth.ncols());
+        let mut in_left = RowVector3::zeros();
+        let mut best: Option<(usize, f64)> = None;
+        for at in (FEWEST_BESIDE..kept.len()).rev() {
+            in_smooth += smooth.row(at);
+            in_left += left_m.fixed_view::<1, 3>(at, 0);
+            let after = kept.len() - at;
+            let square = after as f64 - in_smooth.norm_squared();
+            if after < FEWEST_BESIDE || square < LEAST_OF_STEP {
+                continue;
+            }
+            let gain_m2 = in_left.norm_squared() / square;
+            if best.is_none_or(|(_, most_m2)| gain_m2 > most_m2) {
+                best = Some((kept[at], gain_m2));
+            }
+        }
+        best.map(|(first, _)| first)
+    }
+
+    /// What is left of all touches by a fit to those kept, and how long the step is.
+    fn left_m(
+        &self,
+        course: &DMatrix<f64>,
+        step: Option<usize>,
+        kept: &[usize],
+    ) -> Option<(Vec<Vector3<f64>>, f64)> {
+        let mut design = course.clone();
+        if let Some(first) = step {
+            let smooth = design.ncols();
+            design = design.insert_column(smooth, 0.0);
+            design.view_mut((first, smooth), (course.nrows() - first, 1)).fill(1.0);
+        }
+        let fit = design.select_rows(kept).svd(true, true);
+        let values = fit.solve(&self.moved_m.select_rows(kept), 1e-12).ok()?;
+        let left_m = &self.moved_m - &design * &values;
+        let step_m = step.map_or(0.0, |_| values.row(course.ncols()).norm());
+        Some((left_m.row_iter().map(|row| Vector3::new(row[0], row[1], row[2])).collect(), step_m))
+    }
+}
+
+impl Explained {
+    /// Sum of squares, none larger than that of `cut_m`.
+    fn cost_m2(&self, cut_m: f64) -> f64 {
+        self.left_m.iter().map(|left_m| left_m.norm_squared().min(cut_m * cut_m)).sum()
+    }
+}
