@@ -7,7 +7,7 @@ use super::parameters::{PARAMETERS, signature, tip_m};
 use super::plausible;
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
-use super::touch_residuals::{MOST_ASIDE, false_lines, touch_residuals};
+use super::touch_residuals::{MOST_ASIDE, accident_lines, false_lines, touch_residuals};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
 use measurements::{self, Fault, RegisterError, Station, Touches, register};
@@ -152,7 +152,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     let mut aside = BTreeSet::new();
     let mut found = of(&aside)?;
     for _ in 0..MOST_ROUNDS {
-        let mut next = false_lines(&found.warm_up.residuals, &aside);
+        let mut next = accident_lines(&found.warm_up.residuals, &aside);
         // So many are no accidents of single touches: it is the arm that does not go as the fit has it.
         let are_many = next.len() as f64 > MOST_ASIDE * found.warm_up.residuals.len() as f64;
         if are_many {

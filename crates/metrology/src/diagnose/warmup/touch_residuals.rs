@@ -14,8 +14,8 @@ pub(super) const FALSE_SIGMAS: f64 = 5.0;
 pub(super) const MOST_ASIDE: f64 = 0.15;
 /// A false touch is off those before and after it by more than this share of what it is off the fit: others only go as their neighbours do.
 const OFF_NEIGHBOURS: f64 = 0.5;
-/// And by so many standard deviations: by chance one of 900 is.
-const OFF_NEIGHBOURS_SIGMAS: f64 = 4.0;
+/// And by so many standard deviations: by chance one of 34 is.
+const OFF_NEIGHBOURS_SIGMAS: f64 = 3.0;
 
 /// One touch beside the fit.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,14 +79,27 @@ pub(super) fn touch_residuals(
     all
 }
 
-/// The lines to set aside next: those aside that are false still, and of the others those that are and are at least half as far off as the
-/// furthest: near ones may only seem so while far ones pull at the fit.
+/// The lines to set aside next of those that look false.
 pub(super) fn false_lines(all: &[TouchResidual], aside: &BTreeSet<u64>) -> BTreeSet<u64> {
-    let alone = alone(all);
-    let others = all.iter().filter(|touch| !aside.contains(&touch.line) && alone.contains(&touch.line));
-    let furthest_m = others.map(|touch| touch.after_m.norm()).fold(0.0, f64::max);
+    let look_false = all.iter().filter(|touch| touch.looks_false).map(|touch| touch.line).collect();
+    next_lines(all, aside, &look_false)
+}
+
+/// The lines to set aside next of those that look false and stand alone.
+pub(super) fn accident_lines(all: &[TouchResidual], aside: &BTreeSet<u64>) -> BTreeSet<u64> {
+    next_lines(all, aside, &alone(all))
+}
+
+/// Of the lines that are false those that are aside, and of the others those at least half as far off as the furthest: near ones may only
+/// seem so while far ones pull at the fit.
+fn next_lines(all: &[TouchResidual], aside: &BTreeSet<u64>, are_false: &BTreeSet<u64>) -> BTreeSet<u64> {
+    let others = all.iter().filter(|touch| !aside.contains(&touch.line));
+    let furthest_m = others
+        .filter(|touch| are_false.contains(&touch.line))
+        .map(|touch| touch.after_m.norm())
+        .fold(0.0, f64::max);
     let is_next = |touch: &&TouchResidual| {
-        alone.contains(&touch.line)
+        are_false.contains(&touch.line)
             && (aside.contains(&touch.line) || touch.after_m.norm() >= furthest_m / 2.0)
     };
     all.iter().filter(is_next).map(|touch| touch.line).collect()
@@ -103,31 +116,37 @@ fn alone(all: &[TouchResidual]) -> BTreeSet<u64> {
     let sigma_m = typical_sigma_m(&lengths_m);
     let of_point = |own: &Vec<&TouchResidual>| {
         let left_m: Vec<Vector3<f64>> = own.iter().map(|touch| touch.after_m).collect();
-        let is_alone = |k: &usize| own[*k].looks_false && is_off_neighbours(&left_m, *k, sigma_m);
+        let counts: Vec<bool> = own.iter().map(|touch| touch.counts).collect();
+        let is_alone = |k: &usize| own[*k].looks_false && is_off_neighbours(&left_m, &counts, *k, sigma_m);
         (0..own.len()).filter(is_alone).map(|k| own[k].line).collect::<Vec<u64>>()
     };
     by_point.values().flat_map(of_point).collect()
 }
 
-/// Whether what is left of one touch of a point is more than what is left of its neighbours lets expect.
-fn is_off_neighbours(left_m: &[Vector3<f64>], k: usize, sigma_m: f64) -> bool {
-    let (own_m, last) = (left_m[k], left_m.len() - 1);
-    if last < 2 {
-        return true;
-    }
+/// Whether what is left of one touch of a point is more than what is left of its neighbours lets expect. One neighbour that does not count is
+/// passed over on each side, no more: beside a step touches would be set aside one after the other.
+fn is_off_neighbours(left_m: &[Vector3<f64>], counts: &[bool], k: usize, sigma_m: f64) -> bool {
+    let own_m = left_m[k];
+    let before: Vec<usize> = (0..k).rev().take(3).filter(|&j| counts[j]).collect();
+    let after: Vec<usize> = (k + 1..left_m.len()).take(3).filter(|&j| counts[j]).collect();
     let least_m = OFF_NEIGHBOURS * own_m.norm();
     let is_off = |expected_m: Vector3<f64>, variances: f64| {
         let sigmas_m = OFF_NEIGHBOURS_SIGMAS * sigma_m * variances.sqrt();
         (own_m - expected_m).norm() > least_m.max(sigmas_m)
     };
-    // The first and last have neighbours on one side: neither as the next one nor further on as that goes.
-    let one_sided = |next_m: Vector3<f64>, second_m: Vector3<f64>| {
-        is_off(next_m, 2.0) && (own_m - (next_m * 2.0 - second_m)).norm() > least_m
+    // With neighbours on one side, as the first and last: neither as the next one nor further on as that goes.
+    let one_sided = |side: &[usize]| match *side {
+        [next, second, ..] => {
+            is_off(left_m[next], 2.0) && (own_m - (left_m[next] * 2.0 - left_m[second])).norm() > least_m
+        }
+        [next] => is_off(left_m[next], 2.0),
+        [] => true,
     };
-    match k {
-        0 => one_sided(left_m[1], left_m[2]),
-        _ if k == last => one_sided(left_m[last - 1], left_m[last - 2]),
-        _ => is_off((left_m[k - 1] + left_m[k + 1]) / 2.0, 1.5),
+    let nearest = |side: &[usize]| side.first().copied().filter(|j| j.abs_diff(k) <= 2);
+    match (nearest(&before), nearest(&after)) {
+        (Some(before), Some(after)) => is_off((left_m[before] + left_m[after]) / 2.0, 1.5),
+        (Some(_), None) => one_sided(&before),
+        (None, _) => one_sided(&after),
     }
 }
 
@@ -161,20 +180,43 @@ mod tests {
         assert!(false_ones(&[]).is_empty());
     }
 
-    /// Sigma is 1: what decays by a tenth a touch, as a second lag does, goes on; a single touch or two of it that are 20 off do not.
+    /// Sigma is 1: what decays by a tenth a touch, as a second lag does, goes on, and so does what stays 20 off; a single touch that is does not.
     #[test]
     fn a_touch_is_alone_where_its_neighbours_do_not_go_on_to_it() {
         let along_x =
             |lengths: &[f64]| lengths.iter().map(|x| Vector3::new(*x, 0.0, 0.0)).collect::<Vec<_>>();
+        let all = [true; 20];
         let decays = along_x(&(0..20).map(|k| 20.0 * 0.9_f64.powi(k)).collect::<Vec<_>>());
-        assert!((0..20).all(|k| !is_off_neighbours(&decays, k, 1.0)));
+        assert!((0..20).all(|k| !is_off_neighbours(&decays, &all, k, 1.0)));
         for at in [0, 1, 7, 19] {
             let mut single = vec![0.0; 20];
             single[at] = 20.0;
-            assert!(is_off_neighbours(&along_x(&single), at, 1.0), "{at}");
+            assert!(is_off_neighbours(&along_x(&single), &all, at, 1.0), "{at}");
         }
         let mut step = vec![0.0; 10];
         step.extend([20.0; 10]);
-        assert!((11..20).all(|k| !is_off_neighbours(&along_x(&step), k, 1.0)));
+        assert!((11..20).all(|k| !is_off_neighbours(&along_x(&step), &all, k, 1.0)));
+    }
+
+    /// Two that follow one another: the nearer one counts beside the further one, and does not once that is set aside. Of a step, 10 off before it
+    /// and 10 off behind, the touches from the third on count whatever is set aside beside it.
+    #[test]
+    fn a_touch_is_alone_beside_one_that_does_not_count() {
+        let along_x =
+            |lengths: &[f64]| lengths.iter().map(|x| Vector3::new(*x, 0.0, 0.0)).collect::<Vec<_>>();
+        let mut two = vec![0.0; 20];
+        (two[7], two[8]) = (18.0, 20.0);
+        let (two, mut counts) = (along_x(&two), [true; 20]);
+        assert!(!is_off_neighbours(&two, &counts, 7, 1.0) && is_off_neighbours(&two, &counts, 8, 1.0));
+        counts[8] = false;
+        assert!(is_off_neighbours(&two, &counts, 7, 1.0));
+        counts[7] = false;
+        assert!(is_off_neighbours(&two, &counts, 7, 1.0) && is_off_neighbours(&two, &counts, 8, 1.0));
+        let step = along_x(&[vec![-10.0; 10], vec![10.0; 10]].concat());
+        for aside in [vec![9], vec![10], vec![9, 10], vec![8, 9], vec![8, 9, 10, 11]] {
+            let counts: Vec<bool> = (0..20).map(|k| !aside.contains(&k)).collect();
+            let goes_along = |k: usize| !is_off_neighbours(&step, &counts, k, 1.0);
+            assert!((0..8).chain(12..20).all(goes_along), "{aside:?}");
+        }
     }
 }
