@@ -158,7 +158,7 @@ mod long {
     #[ignore = "long"]
     fn a_joint_that_wanders_is_structure_over_time_and_no_scatter() {
         let wander = |k: f64| {
-            let t = k / 300.0 * std::f64::consts::TAU;
+            let t = k / 300.0 * TAU;
             let waves = [(1.0, 3.0, 0.0), (0.7, 7.3, 1.0), (0.6, 11.7, 2.0), (0.5, 17.1, 0.0)];
             8e-5 * waves.iter().map(|(size, n, phase)| size * (n * t + phase).sin()).sum::<f64>()
         };
