@@ -131,24 +131,15 @@ fn elements_and_parts_of_expressions_that_were_touched_up_are_told() {
     }
 }
 
-/// Older modules have fingerprints of what a motion names by itself alone: 27 characters of six joints, 15 of `p20`.
+/// A module from before elements of arrays and what stands in `Offs` had fingerprints: 27 characters of six joints, 15 of `p20`.
 #[test]
 fn a_module_whose_fingerprints_are_of_named_points_alone_is_known_again() {
     let bench = Bench::default();
-    let source = format!(
-        "MODULE A\n  PERS num n:=1;\n  CONST robtarget p10:=[[400,0,350],{CONF};\n  CONST robtarget p20:=[[420,30,350],{CONF};
-  CONST robtarget pa{{2}}:=[[[420,30,350],{CONF},[[420,40,350],{CONF}];\n  PROC main()
-    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;\n    MoveL pa{{n}},v100,fine,tool0;
-    MoveL Offs(p10,0,0,5),v100,fine,tool0;\n    MoveL p20,v100,fine,tool0;\n  ENDPROC\nENDMODULE\n"
-    );
-    let (from, to) = (bench.file("a.mod", &source), bench.path("o.mod").display().to_string());
-    let made = driftpost(&["compensate", &from, "-o", &to, "--form", "ramp", "--diff", "none"]);
-    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
-    let text = bench.text("o.mod");
-    let points = text.lines().find_map(|line| line.trim().strip_prefix("! driftpost points: ")).unwrap();
-    assert_eq!(points.len(), 27 + 2 * 15 + 15 + 15);
-    let older = text.replacen(points, &format!("{}{}", &points[..27], &points[72..]), 1);
-    let (message, back) = restored(&bench, &older, 0);
+    let older = include_str!("../../../fixtures/emit/points_by_themselves.mod");
+    let source = include_str!("../../../fixtures/emit/Older.mod");
+    let points = older.lines().find_map(|line| line.trim().strip_prefix("! driftpost points: ")).unwrap();
+    assert_eq!(points.len(), 27 + 15);
+    let (message, back) = restored(&bench, older, 0);
     assert!(back == source && !message.contains("warning"), "{message}");
     // By 3 and 4 mm.
     let touched = older.replacen("p20:=[[420,30,", "p20:=[[423,34,", 1);
