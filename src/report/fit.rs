@@ -108,10 +108,10 @@ fn false_touches(out: &mut String, w: &WarmUp) {
         let (verb, word) = if lines.len() == 1 { ("looks", "line") } else { ("look", "lines") };
         let what = match (counts, lines.len()) {
             (true, 1) => {
-                "it counts, as it goes with those before and after it: does the arm drift as this law says, is the tip's place right?"
+                "it counts, as it is no accident of a single touch: does the arm drift as this law says, is the tip's place right?"
             }
             (true, _) => {
-                "all count, as they are no accidents of single touches: does the arm drift as this law says, is the tip's place right?"
+                "they count, as they are no accidents of single touches: does the arm drift as this law says, is the tip's place right?"
             }
             (false, 1) => "it is set aside",
             (false, _) => "they are set aside",

@@ -320,7 +320,7 @@ impl OwnPositions {
         self.data.is_empty() && self.routines.is_empty()
     }
 
-    /// The reading that a function gives that is called so.
+    /// The reading that a call of a function gives.
     fn reading(&self, index: &Index<'_>, ctx: Ctx, (name, args): (TextRange, &[Arg])) -> Option<Span> {
         let own = index.name_at(ctx.file, name).map(|name| index.routine(name, ctx));
         match own {
@@ -348,19 +348,21 @@ impl OwnPositions {
     }
 }
 
-/// Whether what is read is an axis of a mechanical unit beside the robot, a positioner or a track, by a name that the controller's configuration
-/// gives it: `ReadMotor(\MecUnit:=STN_1,1)`. Robots are `ROB_1` and so on.
+/// Beginnings of the names that ABB gives positioners, tracks, motors and conveyors.
+const BESIDE_THE_ROBOT: [&str; 7] = ["stn", "irbp", "irbt", "track", "interch", "m7dm", "cnv"];
+
+/// Whether what is read is an axis of a mechanical unit beside the robot, by a name that the controller's configuration gives it:
+/// `ReadMotor(\MecUnit:=STN_1,1)`. Any other name may be a robot's.
 fn is_of_other_unit(index: &Index<'_>, ctx: Ctx, args: &[Arg]) -> bool {
     args.iter().any(|arg| match &arg.kind {
         ArgKind::Named { name, value: Some(unit) } => {
             let option = lower_case(index.text(ctx.file, *name));
             let unit_name = lower_case(index.text(ctx.file, unit.range));
-            let is_robot = unit_name.starts_with("rob")
-                || unit_name.starts_with("irb") && !unit_name.starts_with("irbp");
+            let is_beside = BESIDE_THE_ROBOT.iter().any(|beside| unit_name.starts_with(beside));
             matches!(&*option, "mecunit" | "mechunit")
                 && unit.kind == ExprKind::Name
                 && matches!(index.datum(unit.range, ctx), Resolved::Nowhere)
-                && !is_robot
+                && is_beside
         }
         _ => false,
     })

@@ -39,20 +39,20 @@ impl TrackedData {
         Self::of(index, writes, wanted)
     }
 
-    /// What must be tracked for the targets of motions that have one, and for those of any that `found` names: they can
-    /// hold what a search has found.
+    /// What must be tracked for the targets of motions that have one, and for those of any that `is_position` names: they
+    /// can hold the arm's own position, as a search found it or as it was read.
     pub(super) fn of_targets(
         index: &Index<'_>,
         writes: &Writes,
         sites: &MotionSites<'_>,
-        found: &dyn Fn(DatumId) -> bool,
+        is_position: &dyn Fn(DatumId) -> bool,
     ) -> Self {
         let mut wanted = IdSet::default();
         for site in sites.naming(index) {
             let targets = site.args(index).targets;
             for target in &targets {
                 names_in(index, site.ctx(index), target, &mut |datum| {
-                    if targets.len() == 1 || found(datum) {
+                    if targets.len() == 1 || is_position(datum) {
                         wanted.insert(datum);
                     }
                 });

@@ -234,7 +234,7 @@ fn shifted(chain: &Chain, q_rad: [f64; 6], shift_m: [f64; 2]) -> Point3<f64> {
 }
 
 /// Joint 6 warms up in a file without temperatures: one target that creeps about its axis does the same, and one that creeps away from it does not.
-/// It has settled within a twentieth of the time.
+/// The second has settled within a twentieth of the time.
 #[test]
 fn a_slow_turn_of_the_last_joint_is_as_well_the_target() {
     let chain = chain();

@@ -4,7 +4,7 @@ use super::moving_points::{fitted, led_to, of_code, robot, sound};
 use driftpost::application::Fitted;
 use exam::rng::Rng;
 use measurements::{Touch, Touches};
-use nalgebra::Vector3;
+use nalgebra::{Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::{Chain, FrameOffsets};
@@ -17,12 +17,16 @@ fn knocked(touches: &Touches, goes: impl Fn(&str) -> bool, from_min: f64, turn_r
     moved
 }
 
-/// How far a point is from joint 1's axis, metres.
-fn radius_m(touches: &Touches, point: &str) -> f64 {
+/// Where a point is, metres.
+fn place_m(touches: &Touches, point: &str) -> Point3<f64> {
     let of_point = |touch: &&Touch| touches.points[touch.point] == point;
     let first = touches.touches.iter().find(of_point).unwrap();
-    let tip = Chain::nominal(&robot()).forward(&first.q_rad) * nalgebra::Point3::new(0.0, 0.0, 0.1);
-    tip.x.hypot(tip.y)
+    Chain::nominal(&robot()).forward(&first.q_rad) * Point3::new(0.0, 0.0, 0.1)
+}
+
+/// How far a point is from joint 1's axis, metres.
+fn radius_m(touches: &Touches, point: &str) -> f64 {
+    place_m(touches, point).xy().coords.norm()
 }
 
 /// Noise 0.02 mm, a knock of 0.3 mm early, in the middle and late, and of 1 mm while the robot stood: the chord of the turn is the step, and
@@ -50,6 +54,10 @@ fn a_point_that_was_knocked_is_named_with_its_moment_and_bends_no_time_constant(
         let [knocked] = &found.warm_up.knocked[..] else { panic!("{from_min}") };
         // Means of three touches at least before and after, and what is not known of the warmth between.
         assert!((knocked.step_m.norm() - step_m).abs() < 0.05e-3, "{from_min}: {knocked:?}");
+        // Joint 1 turned on: the way in which that takes the tip is the way in which the pin went.
+        let way = place_m(&touches, "P2");
+        let along_m = knocked.step_m.dot(&Vector3::new(-way.y, way.x, 0.0).normalize());
+        assert!(along_m > 0.9 * step_m, "{from_min}: {knocked:?}");
         assert!(found.warm_up.residuals.iter().all(|touch| touch.counts), "{from_min}");
         let sigma_min = still.warm_up.tau_sigma_min;
         assert!(
@@ -104,7 +112,7 @@ fn touches_of_an_arm_whose_joints_warm_at_different_rates_all_count() {
         [20.0, -5.0, 15.0, 60.0, 45.0, 0.0],
     ]
     .map(|q_deg: [f64; 6]| q_deg.map(f64::to_radians));
-    let pins_m = starts.map(|q| (Chain::nominal(&robot).forward(&q) * nalgebra::Point3::from(tool_m)).coords);
+    let pins_m = starts.map(|q| (Chain::nominal(&robot).forward(&q) * Point3::from(tool_m)).coords);
     let settled = Deformation::paper().settled();
     let taus_min = [90.0, 40.0, 15.0, 60.0, 25.0, 30.0, 30.0];
     let mut rng = Rng::new(8, 0);

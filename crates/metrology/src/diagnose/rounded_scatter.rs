@@ -14,6 +14,7 @@ const OFTEN: f64 = 0.2;
 const ROUNDING_SHARE: f64 = 0.9;
 /// Variances of noise that are tried beside it, as shares of what is seen.
 const NOISE_SHARES: [f64; 4] = [0.05, 0.15, 0.4, 0.7];
+/// The same where the values that come again and again take nearly all of what is seen.
 const SMALL_NOISE_SHARES: [f64; 4] = [0.001, 0.003, 0.008, 0.02];
 
 /// What rounding joints does to the measured points, and how likely residuals are with it and without.

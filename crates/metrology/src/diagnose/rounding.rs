@@ -101,10 +101,12 @@ fn on_grid(
         model.noise.known.is_some_and(|known| best_m2 > (MORE_SCATTER * known.sigma_m).powi(2));
     let clear_nats = if as_large && contradicted { clear_nats.min(BY_SIZE_NATS) } else { clear_nats };
     let plain_m2 = scatter.mean_square(&bare);
+    if plain_m2 < 0.3 * expected_m2 {
+        return None;
+    }
     let without_causes = gain_nats > clear_nats
         && gain_nats > fitted.log_odds()
         && plain_m2 < MOST_SCATTER * (expected_m2 + known_m2.unwrap_or(0.0));
-    let among_postures = among_postures(&scatter, &points, clear_nats, fitted);
     // Many lines of a gear follow some dozens of rounded angles as closely as one likes: the size of the scatter, which nothing was fitted
     // to, speaks louder where one column alone has so few decimals.
     let one_column = prior == FaultPrior::FollowedHereAlone
@@ -113,10 +115,7 @@ fn on_grid(
         && (1.0 / SAME_SIZE..SAME_SIZE).contains(&(plain_m2 / (expected_m2 + known_m2.unwrap_or(0.0))));
     let beside_causes =
         best_m2 > 0.3 * expected_m2 && scatter.rounded(&best) > scatter.plain(&best) + clear_nats;
-    if plain_m2 < 0.3 * expected_m2 {
-        return None;
-    }
-    (without_causes || among_postures || one_column || beside_causes)
+    (without_causes || one_column || beside_causes || among_postures(&scatter, &points, clear_nats, fitted))
         .then(|| rounded_joints(grid, measured, [scatter.expected_with_shared_m2(), plain_m2]))
 }
 

@@ -34,10 +34,10 @@ pub fn leave_out_unreached(program: &mut Program, robot: &Robot) {
         let text = String::from_utf8_lossy(text.unwrap_or_default()).into_owned();
         if let Some(indices) = motion.targets[k].indices() {
             let listed = listed(indices, &unreached);
-            if named.insert((text.clone(), unreached.clone())) {
-                let text = format!("of {text} the arm does not reach {listed}: they stay as they are");
-                let help =
-                    "an element that is not in use does no harm; else check robot, tool and work object";
+            if named.insert((motion.file, text.clone(), unreached.clone())) {
+                let stays = if unreached.len() == 1 { "it stays as it is" } else { "they stay as they are" };
+                let text = format!("of {text} the arm does not reach {listed}: {stays}");
+                let help = "an element that is not in use does no harm; compensate anew when it comes into use, else check robot, tool and work object";
                 program
                     .diagnostics
                     .push(Diagnostic::warning("reach::element", text).at(span_of(motion)).help(help));
@@ -50,9 +50,10 @@ pub fn leave_out_unreached(program: &mut Program, robot: &Robot) {
 
 /// The positions of the elements that a target may be and the arm does not reach.
 fn unreached(motion: &Motion, target: &Target, (robot, closed): (&Robot, &ClosedForm)) -> BTreeSet<usize> {
-    let (Some(_), None, Ok(placement)) = (target.indices(), target.value(), Placement::of(motion)) else {
+    if target.indices().is_none() || target.value().is_some() {
         return BTreeSet::new();
-    };
+    }
+    let Ok(placement) = Placement::of(motion) else { return BTreeSet::new() };
     let is_reached = |value: &TargetValue| match value {
         TargetValue::Rob(pose) => {
             !closed.solutions(&placement.base_from_flange(&pose.object_from_tcp)).is_empty()

@@ -157,7 +157,7 @@ impl<'d, 't> Originals<'d, 't> {
             let text = value.of(declarations.bytes);
             text.first() == Some(&b'[') && is_plain(text)
         };
-        if text.first() == Some(&b'[') && is_plain(text) {
+        if is_target(argument) {
             return each(Original { value: argument, declared: None, element: None });
         }
         let within = self.named == Named::Within;

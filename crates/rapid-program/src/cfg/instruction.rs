@@ -148,7 +148,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         self.given_pose(call).is_some_and(|given| self.can_be_set(given))
     }
 
-    /// The pose that is given to PDispSet: of a name that the statement just before sets what that sets it to.
+    /// The pose given to PDispSet; of a name that the statement just above assigns, the value that it assigns.
     fn given_pose(&self, call: &'a CallStmt) -> Option<&'a Expr> {
         let Some(ArgKind::Positional(given)) = call.args.first().map(|arg| &arg.kind) else { return None };
         let index = self.index();

@@ -10,12 +10,12 @@ use crate::names::Sym;
 pub(crate) struct HeldParts(u32);
 
 impl HeldParts {
-    /// None of them.
+    /// No component holds any of it.
     pub(super) const NONE: Self = Self(0);
     /// All of them, or of a datum without components the whole.
     pub(super) const ALL: Self = Self(u32::MAX);
 
-    /// Those of either.
+    /// The components that hold it on either of two ways.
     #[must_use]
     pub(super) fn or(self, other: Self) -> Self {
         Self(self.0 | other.0)

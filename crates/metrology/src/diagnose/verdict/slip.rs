@@ -23,10 +23,10 @@ pub(super) fn share_slip(
     if turn.variant.joint != last {
         return;
     }
-    let (of_target, odds) = match turn.kind {
+    let (of_target, open_to_both) = match turn.kind {
         EffectKind::JointStep => (EffectKind::ToolStep, first.probability),
         EffectKind::ThermalJointDrift if workspace.library.dataset.has_one_point() => {
-            (EffectKind::ToolDrift, odds_over_time(candidates, ranking, turn).min(first.probability))
+            (EffectKind::ToolDrift, probability_over_time(candidates, ranking, turn).min(first.probability))
         }
         _ => return,
     };
@@ -35,29 +35,38 @@ pub(super) fn share_slip(
     let of_kind = |c: &Candidate| c.kind == of_target;
     let slip = match turn.kind {
         EffectKind::JointStep => candidates.iter().position(same_growth),
-        _ => known.map(|at| cause_groups[at].best).or_else(|| candidates.iter().position(of_kind)),
+        _ => known
+            .map(|at| cause_groups[at].best)
+            .or_else(|| candidates.iter().position(same_growth))
+            .or_else(|| candidates.iter().position(of_kind)),
     };
     let Some(slip) = slip else { return };
-    let slipped = known.map(|at| cause_groups.remove(at).probability).unwrap_or_default();
+    let slipped = known.map_or(0.0, |at| cause_groups[at].probability);
+    if slipped.max(open_to_both) <= 0.0 {
+        return;
+    }
+    if let Some(at) = known {
+        cause_groups.remove(at);
+    }
     let first = &mut cause_groups[0];
     let CauseGroup { probability, gain_nats, size_ratio, .. } = *first;
-    let [turns, slips] = shared(probability, slipped, odds);
+    let [turns, slips] = shared(probability, slipped, open_to_both);
     first.probability = turns;
     let slipped = CauseGroup { best: slip, probability: slips, gain_nats, size_ratio, lines: Vec::new() };
     cause_groups.push(slipped);
     cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
 }
 
-/// The probabilities of a joint's turn and of the same motion of the target, which come to what `turned` and `slipped` are together; `odds`:
+/// The probabilities of a joint's turn and of the same motion of the target, which come to what `turned` and `slipped` are together; `open_to_both`:
 /// of the turn in those courses that the target may take as well, no more than `turned`.
-fn shared(turned: f64, slipped: f64, odds: f64) -> [f64; 2] {
-    let slips = slipped.max(odds);
-    let per_odds = (turned + slipped) / (turned + slips);
-    [turned * per_odds, slips * per_odds]
+fn shared(turned: f64, slipped: f64, open_to_both: f64) -> [f64; 2] {
+    let slips = slipped.max(open_to_both);
+    let scale = (turned + slipped) / (turned + slips);
+    [turned * scale, slips * scale]
 }
 
 /// The probability of those drifts of the joint that `turn` is a variant of which grow by laws of time alone, as a target does that creeps.
-fn odds_over_time(candidates: &[Candidate], ranking: &HypothesisRanking, turn: &Candidate) -> f64 {
+fn probability_over_time(candidates: &[Candidate], ranking: &HypothesisRanking, turn: &Candidate) -> f64 {
     let is_law = |c: usize| {
         let Candidate { variant, .. } = &candidates[c];
         candidates[c].cause_key() == turn.cause_key() && matches!(variant.growth, Growth::Law(_))

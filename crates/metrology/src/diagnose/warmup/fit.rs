@@ -180,7 +180,9 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     }
     let mut warm_up = found.warm_up;
     let found_in_touches = plausible::warnings(touches, robot, &warm_up, options.tool_m);
-    let as_fitted = |knock: &knocked::Knock| knock.as_fitted(&points[knock.index], &warm_up.residuals);
+    let is_touched = touches.touches.iter().all(|touch| touch.measured_m.is_none());
+    let as_fitted =
+        |knock: &knocked::Knock| knock.as_fitted(&points[knock.index], &warm_up.residuals, is_touched);
     warm_up.knocked = knocks.iter().filter_map(as_fitted).collect();
     let knocked = warm_up.knocked.iter().map(knocked::warning);
     warm_up.warnings = warning.into_iter().chain(found_in_touches).chain(knocked).collect();

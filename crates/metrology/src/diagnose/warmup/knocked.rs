@@ -63,15 +63,21 @@ pub(super) fn find(points: &[Point], stops: &[Standstill], rounding_m: f64) -> V
 }
 
 impl Knock {
-    /// The same as the fit has it.
-    pub(super) fn as_fitted(&self, point: &Point, residuals: &[TouchResidual]) -> Option<KnockedPoint> {
+    /// The same as the fit has it. Touched, a point that goes one way looks as if the arm went the other; measured, as it goes itself.
+    pub(super) fn as_fitted(
+        &self,
+        point: &Point,
+        residuals: &[TouchResidual],
+        is_touched: bool,
+    ) -> Option<KnockedPoint> {
         let place_m = |k: usize| {
             let touch = residuals.iter().find(|one| one.line == point.lines[k])?;
             Some((point.observed_m[k] - touch.before_m, touch.point.clone()))
         };
         let (before_m, name) = place_m(0)?;
         let (after_m, _) = place_m(point.lines.len() - 1)?;
-        Some(KnockedPoint { name, between_min: self.between_min, step_m: after_m - before_m })
+        let step_m = if is_touched { before_m - after_m } else { after_m - before_m };
+        Some(KnockedPoint { name, between_min: self.between_min, step_m })
     }
 }
 
@@ -136,8 +142,10 @@ fn likeliest_step(point: &Point, stops: &[Standstill], rounding_m: f64) -> Optio
         && with.step_m > ROUNDINGS * rounding_m
         && !goes_on(&kept_m);
     let minute = |k: usize| point.t_min[k.min(touches - 1)];
+    // A touch that looks false tells nothing of when it was.
+    let before = with.kept.iter().rev().find(|&&k| k < first).map_or(first - 1, |&k| k);
     Some(Step {
-        between_min: [minute(first - 1), minute(first)],
+        between_min: [minute(before), minute(first)],
         about_min: [minute(first.saturating_sub(2)), minute(first + 1)],
         sure: freedom as f64 * ratio.ln(),
         is_clean,

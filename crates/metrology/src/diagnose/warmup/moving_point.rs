@@ -1,4 +1,4 @@
-//! A fixed point that moves itself: a pin that creeps or was knocked shows beside the others, which the arm's warmth moves together.
+//! A fixed point that moves itself: a pin that creeps, or was knocked in a way that [`super::knocked`] does not tell, shows beside the others, which the arm's warmth moves together.
 //! Of a single point nothing tells its own motion from the arm's.
 
 use super::course::{PointCourse, SURE, goes_on, histories, noise_m2, sum_of_squares, wander_m2};
