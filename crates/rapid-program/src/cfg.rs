@@ -148,6 +148,12 @@ impl<'a> CfgBuilder<'_, 'a> {
                     self.assign(decl.name, Vec::new(), value, at, out);
                 }
             }
+            StmtKind::Assign(assign) if skipped => {
+                // TRYNEXT goes on behind it with what was there before.
+                let mut set = Vec::new();
+                self.assignment(&assign.target, &assign.value, at, &mut set);
+                branch(vec![set], true, out);
+            }
             StmtKind::Assign(assign) => self.assignment(&assign.target, &assign.value, at, out),
             StmtKind::Call(call) => self.call(stmt, call, at, out),
             StmtKind::If(tested) => {

@@ -4,14 +4,13 @@
 
 use super::ids::{DatumId, IdSet};
 use super::index::{Ctx, DatumKind, Index};
+use super::loop_bounds::loop_bounds;
 use super::names::ByNumber;
 use super::parameter_flow::ParameterFlow;
-use super::statements::{bodies, every_statement};
 use super::tracked::{names_in, names_in_where, sources};
 use super::value_flow::ValueFlow;
 use super::writes::Writes;
-use rapid_syntax::diagnostic::{FileId, TextRange};
-use rapid_syntax::tree::{DataKind, Expr, StmtKind};
+use rapid_syntax::tree::{DataKind, Expr};
 
 /// For each datum the PERS of whose value in the file it is made.
 #[derive(Debug, Default)]
@@ -96,30 +95,13 @@ pub(super) fn every_pers(
 /// What goes into data by their declarations, and into the variables of FOR loops by the bounds of these.
 fn of_declarations(index: &Index<'_>) -> Vec<ValueFlow> {
     let mut flows = Vec::new();
-    let mut loop_variables: ByNumber<(FileId, TextRange), DatumId> = ByNumber::default();
     for (to, datum) in index.data.numbered() {
         if let Some(init) = datum.init {
             names_in(index, datum.ctx, init, &mut |from| flows.push(ValueFlow { to, from }));
         }
-        if datum.kind == DatumKind::LoopVariable {
-            loop_variables.insert((datum.ctx.file, datum.name_range), to);
-        }
     }
-    for routine in &index.routines {
-        let ctx: Ctx = routine.ctx;
-        for body in bodies(routine.tree) {
-            every_statement(body, &mut |stmt| {
-                if let StmtKind::For(looped) = &stmt.kind
-                    && let Some(&to) = loop_variables.get(&(ctx.file, looped.var))
-                {
-                    for bound in
-                        [Some(&looped.from), Some(&looped.to), looped.step.as_ref()].into_iter().flatten()
-                    {
-                        names_in(index, ctx, bound, &mut |from| flows.push(ValueFlow { to, from }));
-                    }
-                }
-            });
-        }
+    for (ctx, to, bound) in loop_bounds(index) {
+        names_in(index, ctx, bound, &mut |from| flows.push(ValueFlow { to, from }));
     }
     flows
 }

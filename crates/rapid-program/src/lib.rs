@@ -30,6 +30,7 @@ mod interrupting;
 
 mod late_bound;
 pub mod loads;
+mod loop_bounds;
 mod made_for;
 mod mod_ref;
 mod motion_site;

@@ -8,6 +8,7 @@ use super::expressions::{every_call, every_call_where, expressions_of, root_of, 
 use super::ids::{DatumId, IdSet, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved, RoutineEntry};
 use super::late_bound::reached;
+use super::loop_bounds::loop_bounds;
 use super::names::{ByNumber, lower_case};
 use super::parameter_flow::ParameterFlow;
 use super::repeated_moves::every_naming_statement;
@@ -29,7 +30,18 @@ const PLACES: [&str; 7] = ["robtarget", "jointtarget", "robjoint", "pos", "pose"
 /// Whether what an instruction or function of the controller's own writes is made of its other arguments; others ask the operator, a signal or
 /// a file, whatever they are told beside.
 fn hands_on(name: &str) -> bool {
-    matches!(name, "add" | "copyrawbytes" | "packrawbytes" | "strtoval" | "unpackrawbytes")
+    matches!(
+        name,
+        "add"
+            | "copyrawbytes"
+            | "fitcircle"
+            | "matrixsolve"
+            | "matrixsolveqr"
+            | "matrixsvd"
+            | "packrawbytes"
+            | "strtoval"
+            | "unpackrawbytes"
+    )
 }
 
 /// Data and functions of a program whose values come from where the robot stands.
@@ -111,7 +123,7 @@ impl OwnPositions {
         let late = ParameterFlow::new(index);
         let sources = sources_where(index, &|ctx, expr| tells_the_pose(index, ctx, expr)).with(late.into);
         let handed_back = handed_back(index);
-        let worked_out = worked_out_arguments(index);
+        let worked_out = [worked_out_arguments(index), loop_bounds(index)].concat();
         // What statements set to such a value: a parameter that only is handed one gives no other argument of its calls any.
         let mut set: IdSet<DatumId> = found.data.keys().copied().collect();
         loop {
@@ -196,7 +208,8 @@ impl OwnPositions {
         }
     }
 
-    /// What SetDataVal and GetDataVal hand on by a datum's name: of that name, and where it is worked out, of any.
+    /// What SetDataVal, SetAllDataVal and GetDataVal hand on by a datum's name: of that name, and where it is worked out or only a type is
+    /// named, of any.
     fn exchanged_by_name(
         &self,
         index: &Index<'_>,
@@ -207,7 +220,10 @@ impl OwnPositions {
         let mut values =
             args.iter().filter(|arg| matches!(arg.kind, ArgKind::Positional(_))).filter_map(value_of);
         let (Some(name), Some(value)) = (values.next(), values.next()) else { return };
-        let written = (name.kind == ExprKind::String).then(|| string(index.text(ctx.file, name.range)));
+        let instruction = lower_case(index.text(ctx.file, instruction));
+        let by_type = instruction == "setalldataval";
+        let written =
+            (name.kind == ExprKind::String && !by_type).then(|| string(index.text(ctx.file, name.range)));
         let is_meant = |datum: DatumId| {
             let meant = written
                 .as_ref()
@@ -215,8 +231,8 @@ impl OwnPositions {
             meant && index.data[datum].ctx.routine.is_none()
         };
         let set_to = type_of_value(index, ctx, value);
-        match &*lower_case(index.text(ctx.file, instruction)) {
-            "setdataval" => {
+        match &*instruction {
+            "setdataval" | "setalldataval" => {
                 let Some(at) = self.read_at(index, ctx, value) else { return };
                 // Whatever stands somewhere may be set by a name that is worked out.
                 let is_place = |datum: DatumId| {
@@ -259,11 +275,13 @@ impl OwnPositions {
         let mut foreign = false;
         in_all(index, routine, &mut |stmt| {
             if let StmtKind::Call(call) = &stmt.kind {
-                // Of the controller's own a search alone gives such a value.
+                // Of the controller's own few give such a value: a search, an axis' angle, a datum by its name.
                 calls |= match call.callee {
                     Callee::Name(name) => {
+                        let written = lower_case(index.text(ctx.file, name));
                         index.declares_routine(name, ctx)
-                            || is_search(&lower_case(index.text(ctx.file, name)))
+                            || is_search(&written)
+                            || matches!(&*written, "getjointdata" | "getdataval")
                     }
                     Callee::Late(_) => true,
                 };

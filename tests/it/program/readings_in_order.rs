@@ -110,3 +110,36 @@ fn what_other_routines_read_counts() {
         assert_eq!(of_main(statements), expected, "{statements}");
     }
 }
+
+/// An assignment that fails is passed over by TRYNEXT: what was there before is still there.
+#[test]
+fn what_an_assignment_that_fails_leaves_counts() {
+    for (statements, code) in [
+        ("pc:=CRobT();\npc:=row{n};\nMoveL pc,v100,fine,tool0;\nERROR\nTRYNEXT;", OWN),
+        ("z:=ReadMotor(1);\nz:=1/n;\nMoveL Offs(p10,0,0,z),v100,fine,tool0;\nERROR\nTRYNEXT;", OWN),
+        ("pc:=CRobT();\npc:=p10;\nMoveL pc,v100,fine,tool0;\nERROR\nTRYNEXT;", "-"),
+        ("pc:=CRobT();\npc:=row{n};\npc:=p10;\nMoveL pc,v100,fine,tool0;\nERROR\nTRYNEXT;", "-"),
+    ] {
+        assert_eq!(of_main(statements), [code], "{statements}");
+    }
+}
+
+/// A reading comes by ways that no assignment shows: a loop's bounds, a datum's name, an axis' angle within a function, a fit.
+#[test]
+fn a_reading_that_comes_by_other_ways_is_one() {
+    for statements in [
+        "FOR h FROM CRobT().trans.z TO 20 DO\nMoveL Offs(p10,0,0,h),v100,fine,tool0;\nENDFOR",
+        "FOR h FROM 1 TO 20 STEP ReadMotor(1) DO\nz:=h;\nMoveL Offs(p10,0,0,z),v100,fine,tool0;\nENDFOR",
+        "other:=CRobT();\npc:=recall(\"other\");\nMoveL pc,v100,fine,tool0;\nENDPROC\nFUNC robtarget recall(string name)
+VAR robtarget r;\nGetDataVal name,r;\nRETURN r;\nENDFUNC\nPROC unused()",
+        "MoveAbsJ here(home),v100,fine,tool0;\nENDPROC\nFUNC jointtarget here(jointtarget q)\nVAR num a;
+GetJointData 1\\Position:=a;\nq.robax.rax_1:=a;\nRETURN q;\nENDFUNC\nPROC unused()",
+        "pc:=p20;\nother:=CRobT();\nSetAllDataVal \"robtarget\"\\Object:=\"pc\",other;\nMoveL pc,v100,fine,tool0;",
+        "VAR pos pts{3};\nVAR pos middle;\nVAR num radius;\nVAR pos normal;\npts{1}:=CPos();
+FitCircle pts,middle,radius,normal;\npc:=p10;\npc.trans:=middle;\nMoveL pc,v100,fine,tool0;",
+    ] {
+        assert_eq!(of_main(statements), [OWN], "{statements}");
+    }
+    let counted = "FOR h FROM 1 TO 20 DO\nMoveL Offs(p10,0,0,h),v100,fine,tool0;\nENDFOR";
+    assert_ne!(of_main(counted), [OWN]);
+}
