@@ -17,7 +17,7 @@ use super::names::Sym;
 use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::{Span, TextRange};
-use rapid_syntax::tree::{DataKind, Expr, ExprKind, Stmt, StmtKind};
+use rapid_syntax::tree::{AssignStmt, DataKind, Expr, ExprKind, Stmt, StmtKind};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -148,13 +148,8 @@ impl<'a> CfgBuilder<'_, 'a> {
                     self.assign(decl.name, Vec::new(), value, at, out);
                 }
             }
-            StmtKind::Assign(assign) if skipped => {
-                // TRYNEXT goes on behind it with what was there before.
-                let mut set = Vec::new();
-                self.assignment(&assign.target, &assign.value, at, &mut set);
-                branch(vec![set], true, out);
-            }
-            StmtKind::Assign(assign) => self.assignment(&assign.target, &assign.value, at, out),
+            StmtKind::Assign(assign) if skipped => branch(vec![self.assignment(assign, at)], true, out),
+            StmtKind::Assign(assign) => out.extend(self.assignment(assign, at)),
             StmtKind::Call(call) => self.call(stmt, call, at, out),
             StmtKind::If(tested) => {
                 let arms: Vec<&[Stmt]> = self.arms_that_run(&tested.arms);
@@ -252,13 +247,15 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
     }
 
-    fn assignment(&mut self, target: &'a Expr, value: &'a Expr, at: Span, out: &mut Vec<Node<'a>>) {
-        let mut path = Vec::new();
+    /// What an assignment sets; where it fails TRYNEXT goes on behind it with what was there before.
+    fn assignment(&mut self, AssignStmt { target, value }: &'a AssignStmt, at: Span) -> Vec<Node<'a>> {
+        let (mut path, mut out) = (Vec::new(), Vec::new());
         if let Some(root) = self.path(target, &mut path) {
-            self.assign(root, path, value, at, out);
+            self.assign(root, path, value, at, &mut out);
         } else if let Some((root, _)) = root_of(target) {
-            self.invalidate(root, "an element of it is changed", at, out);
+            self.invalidate(root, "an element of it is changed", at, &mut out);
         }
+        out
     }
 
     /// The root of `a.b.c` and the names behind it; `None` where an index stands on the way.
