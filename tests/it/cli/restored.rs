@@ -135,7 +135,7 @@ fn elements_and_parts_of_expressions_that_were_touched_up_are_told() {
 #[test]
 fn a_module_whose_fingerprints_are_of_named_points_alone_is_known_again() {
     let bench = Bench::default();
-    let older = include_str!("../../../fixtures/emit/points_by_themselves.mod");
+    let older = include_str!("../../../fixtures/emit/expected/Older.mod");
     let source = include_str!("../../../fixtures/emit/Older.mod");
     let points = older.lines().find_map(|line| line.trim().strip_prefix("! driftpost points: ")).unwrap();
     assert_eq!(points.len(), 27 + 15);

@@ -123,7 +123,7 @@ mod long {
         let hand = |q_rad, k| turned(&chain, q_rad, 1, 2e-4 * warm(k));
         let (_, text, found) = answer(anywhere_deg, hand, &[]);
         assert_eq!(found["verdict"], "unexplained_structure", "{text} {found:#}");
-        assert_eq!(found["location"]["joint"], 2, "{text}");
-        assert_eq!(found["location"]["time"], "drift", "{text}");
+        assert_eq!(found["where"]["joint"], 2, "{text}");
+        assert_eq!(found["where"]["time"], "drift", "{text}");
     }
 }
