@@ -2,7 +2,6 @@
 
 use nalgebra::{Isometry3, Matrix3, Rotation3, Translation3, UnitQuaternion};
 use rapid_syntax::diagnostic::Diagnostic;
-use rayon::prelude::*;
 use robot_model::deform::{Deformation, DeformedArm};
 use robot_model::kinematics::{Chain, ClosedForm};
 use robot_model::robot::Robot;
@@ -16,6 +15,8 @@ pub const POSE: usize = 16;
 pub const JACOBIAN: usize = 36;
 /// Numbers in all branches of a pose, see [`JOINTS`].
 pub const BRANCHES: usize = 48;
+/// Rows that one core takes at a time.
+const ROWS_AT_ONCE: usize = 256;
 /// A rotation whose columns are further from orthonormal than this is none.
 const ORTHONORMAL: f64 = 1e-6;
 
@@ -52,7 +53,7 @@ impl Arm {
     /// `array::*`, naming row and column.
     pub fn forward(&self, q_deg: &[f64]) -> Result<Vec<f64>, Diagnostic> {
         check("q", q_deg, JOINTS)?;
-        Ok(each(q_deg, JOINTS, POSE, |row, out| write_pose(&self.nominal.forward(&radians(row)), out)))
+        Ok(each(q_deg, JOINTS, POSE, |_, row, out| write_pose(&self.nominal.forward(&radians(row)), out)))
     }
 
     /// As [`forward`](Self::forward), of the arm as it has deformed at a warm-up minute: one for all rows, or one for each.
@@ -75,16 +76,10 @@ impl Arm {
         match t_min {
             [all] => {
                 let arm = at(*all);
-                Ok(each(q_deg, JOINTS, POSE, |row, out| arm_of(&arm, row, out)))
+                Ok(each(q_deg, JOINTS, POSE, |_, row, out| arm_of(&arm, row, out)))
             }
             _ if t_min.len() == n => {
-                let mut poses = vec![0.0; n * POSE];
-                poses
-                    .par_chunks_mut(POSE)
-                    .zip(q_deg.par_chunks(JOINTS))
-                    .zip(t_min)
-                    .for_each(|((out, row), t_min)| arm_of(&at(*t_min), row, out));
-                Ok(poses)
+                Ok(each(q_deg, JOINTS, POSE, |k, row, out| arm_of(&at(t_min[k]), row, out)))
             }
             _ => Err(shape(format!(
                 "t_min has {} values, q {n} rows: give one, or one for each row",
@@ -100,7 +95,7 @@ impl Arm {
     /// As [`forward`](Self::forward).
     pub fn jacobian(&self, q_deg: &[f64]) -> Result<Vec<f64>, Diagnostic> {
         check("q", q_deg, JOINTS)?;
-        Ok(each(q_deg, JOINTS, JACOBIAN, |row, out| {
+        Ok(each(q_deg, JOINTS, JACOBIAN, |_, row, out| {
             let (_, jacobian) = self.nominal.forward_and_jacobian(&radians(row));
             for (i, (out, row)) in out.chunks_mut(JOINTS).zip(jacobian).enumerate() {
                 let in_mm = |value: f64| if i < 3 { mm_from_m(value) } else { value };
@@ -117,15 +112,13 @@ impl Arm {
     pub fn branches(&self, poses: &[f64]) -> Result<Vec<f64>, Diagnostic> {
         let closed = self.closed_form()?;
         let poses = read_poses(poses)?;
-        let mut all = vec![f64::NAN; poses.len() * BRANCHES];
-        all.par_chunks_mut(BRANCHES).zip(&poses).for_each(|(out, pose)| {
-            for (out, q_rad) in out.chunks_mut(JOINTS).zip(closed.branches(pose)) {
+        Ok(each(&poses, 1, BRANCHES, |_, pose, out| {
+            for (out, q_rad) in out.chunks_mut(JOINTS).zip(closed.branches(&pose[0])) {
                 if let Some(q_rad) = q_rad {
                     out.copy_from_slice(&q_rad.map(deg_from_rad));
                 }
             }
-        });
-        Ok(all)
+        }))
     }
 
     /// The joints (n x 6, degrees) within the joints' ranges that reach poses (n x 16) nearest to other joints (n x 6, degrees);
@@ -141,15 +134,11 @@ impl Arm {
             let text = format!("near has {} rows, pose {}", near_deg.len() / JOINTS, poses.len());
             return Err(shape(text));
         }
-        let mut all = vec![f64::NAN; near_deg.len()];
-        all.par_chunks_mut(JOINTS).zip(&poses).zip(near_deg.par_chunks(JOINTS)).for_each(
-            |((out, pose), near)| {
-                if let Some(found) = closed.nearest(pose, &radians(near)) {
-                    out.copy_from_slice(&found.q_rad.map(deg_from_rad));
-                }
-            },
-        );
-        Ok(all)
+        Ok(each(near_deg, JOINTS, JOINTS, |k, near, out| {
+            if let Some(found) = closed.nearest(&poses[k], &radians(near)) {
+                out.copy_from_slice(&found.q_rad.map(deg_from_rad));
+            }
+        }))
     }
 
     fn closed_form(&self) -> Result<ClosedForm, Diagnostic> {
@@ -159,10 +148,19 @@ impl Arm {
     }
 }
 
-/// Each row of `width` numbers to one of `to` numbers.
-fn each(rows: &[f64], width: usize, to: usize, work: impl Fn(&[f64], &mut [f64]) + Sync) -> Vec<f64> {
-    let mut out = vec![0.0; rows.len() / width * to];
-    out.par_chunks_mut(to).zip(rows.par_chunks(width)).for_each(|(out, row)| work(row, out));
+/// Each row of `width` items to one of `to` numbers, which are NaN until `work`, told the row's position, writes them.
+fn each<I: Sync>(
+    rows: &[I],
+    width: usize,
+    to: usize,
+    work: impl Fn(usize, &[I], &mut [f64]) + Sync,
+) -> Vec<f64> {
+    let mut out = vec![f64::NAN; rows.len() / width * to];
+    parallel::for_each_chunk_mut(&mut out, ROWS_AT_ONCE * to, &|first, some| {
+        for (k, out) in (first / to..).zip(some.chunks_mut(to)) {
+            work(k, &rows[k * width..(k + 1) * width], out);
+        }
+    });
     out
 }
 

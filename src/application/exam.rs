@@ -10,7 +10,6 @@ use measurements::Measurements;
 use metrology::diagnose::DiagnosisOptions;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::{Diagnostic, counted};
-use rayon::prelude::*;
 use robot_model::robot::SerialArm;
 use robot_model::units::m_from_mm;
 use std::fmt::Write as _;
@@ -86,8 +85,9 @@ impl Exam {
             let unanswered = |cause| ExamError { set: truth.name.clone(), cause };
             Ok(AnsweredSet { truth: truth.clone(), answer: question.answer().map_err(unanswered)? })
         };
-        let answered: Vec<AnsweredSet> =
-            self.sets.par_iter().map(answer).collect::<Result<_, ExamError>>()?;
+        let answered: Vec<AnsweredSet> = parallel::map(self.sets.len(), &|at| answer(&self.sets[at]))
+            .into_iter()
+            .collect::<Result<_, _>>()?;
         Ok(Scored { measures: score(&answered), answered })
     }
 }

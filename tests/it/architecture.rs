@@ -262,6 +262,19 @@ fn members_depend_only_on_what_stands_before_them() {
     }
 }
 
+/// Work is shared among cores in one place, so that results stand in one order: see `crates/parallel`.
+#[test]
+fn one_member_alone_depends_on_what_shares_work_among_cores() {
+    let folders = CRATES.iter().map(|(name, _)| root().join("crates").join(name));
+    let manifests = folders.chain([root().to_owned()]).map(|folder| folder.join("Cargo.toml"));
+    let asks = |path: &PathBuf| {
+        let manifest: toml::Table = fs::read_to_string(path).unwrap().parse().unwrap();
+        manifest["dependencies"].get("rayon").is_some()
+    };
+    let asking: Vec<PathBuf> = manifests.filter(asks).collect();
+    assert_eq!(asking, [root().join("crates/parallel/Cargo.toml")]);
+}
+
 /// What is taken from elsewhere is listed with what it is for.
 #[test]
 fn every_dependency_has_its_reason_in_the_documentation() {

@@ -1,7 +1,7 @@
 //! Work on all cores: pieces of it are taken by whichever thread is free, and what they give stands in their order, so that it
 //! is the same for any number of threads. Knows nothing of what the work is.
 //!
-//! The one place of compensation and diagnosis that asks `rayon`: what depends on the kind of a result is a few lines here, and thousands of the compiler's in
+//! The one place that asks `rayon`: what depends on the kind of a result is a few lines here, and thousands of the compiler's in
 //! its iterators.
 
 use rayon::prelude::*;

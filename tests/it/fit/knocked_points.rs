@@ -1,6 +1,6 @@
 //! Pins that are knocked at one moment, and arms that do not warm as one law says.
 
-use super::moving_points::{fitted, led_to, of_code, robot, sound};
+use super::moving_points::{fitted, led_to, of_code, robot, sound, starts_rad};
 use driftpost::application::Fitted;
 use exam::rng::Rng;
 use measurements::{Touch, Touches};
@@ -104,14 +104,7 @@ fn what_is_no_single_knocked_point_is_not_called_one() {
 #[test]
 fn touches_of_an_arm_whose_joints_warm_at_different_rates_all_count() {
     let (robot, tool_m) = (robot(), Vector3::new(0.0, 0.0, 0.1));
-    let starts = [
-        [-30.0, 20.0, -10.0, 20.0, 50.0, 10.0],
-        [10.0, 40.0, -30.0, -40.0, 60.0, 50.0],
-        [35.0, 10.0, 5.0, 30.0, 40.0, -60.0],
-        [0.0, 30.0, -20.0, -10.0, 70.0, 90.0],
-        [20.0, -5.0, 15.0, 60.0, 45.0, 0.0],
-    ]
-    .map(|q_deg: [f64; 6]| q_deg.map(f64::to_radians));
+    let starts = starts_rad();
     let pins_m = starts.map(|q| (Chain::nominal(&robot).forward(&q) * Point3::from(tool_m)).coords);
     let settled = Deformation::paper().settled();
     let taus_min = [90.0, 40.0, 15.0, 60.0, 25.0, 30.0, 30.0];

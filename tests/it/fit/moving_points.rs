@@ -115,17 +115,23 @@ pub(super) fn led_to(
     q
 }
 
-/// Four points touched every six minutes over two hours with a tip 100 mm out, the wrist turned by up to 0.55 degrees either way each
-/// time; one lag of 40 minutes takes up the paper's table.
-fn turned_about(turn_rad: f64) -> Touches {
-    let (robot, tool_m) = (robot(), Vector3::new(0.0, 0.0, 0.1));
-    let starts = [
+/// Joints at which five pins are touched first, radians.
+pub(super) fn starts_rad() -> [[f64; 6]; 5] {
+    [
         [-30.0, 20.0, -10.0, 20.0, 50.0, 10.0],
         [10.0, 40.0, -30.0, -40.0, 60.0, 50.0],
         [35.0, 10.0, 5.0, 30.0, 40.0, -60.0],
         [0.0, 30.0, -20.0, -10.0, 70.0, 90.0],
+        [20.0, -5.0, 15.0, 60.0, 45.0, 0.0],
     ]
-    .map(|q_deg: [f64; 6]| q_deg.map(f64::to_radians));
+    .map(|q_deg: [f64; 6]| q_deg.map(f64::to_radians))
+}
+
+/// Four points touched every six minutes over two hours with a tip 100 mm out, the wrist turned by up to 0.55 degrees either way each
+/// time; one lag of 40 minutes takes up the paper's table.
+fn turned_about(turn_rad: f64) -> Touches {
+    let (robot, tool_m) = (robot(), Vector3::new(0.0, 0.0, 0.1));
+    let [starts @ .., _] = starts_rad();
     let pins_m = starts.map(|q| (Chain::nominal(&robot).forward(&q) * nalgebra::Point3::from(tool_m)).coords);
     let settled = Deformation::paper().settled();
     let mut rng = Rng::new(8, 0);

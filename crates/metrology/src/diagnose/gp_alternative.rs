@@ -161,6 +161,7 @@ pub(super) fn gp_alternatives(joints: usize) -> Vec<WeightedAlternative> {
 /// need more than the arm: a cause, or where the instrument stands.
 #[must_use]
 pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &Dataset) -> DMatrix<f64> {
+    let progress = |observation: &Observation| vec![dataset.progress(observation)];
     match gp_alternative {
         GpAlternative::Joint(j) => {
             joint_columns(design, dataset, &[Turning { by: j, turned: j }], JOINT_RAD[0])
@@ -180,76 +181,32 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
             let at = |observation: &Observation| {
                 (0..observation.joints()).map(|j| observation.as_angle(j)).collect::<Vec<f64>>()
             };
-            let centres = farthest_points(dataset, at, 48);
-            let features = |observation: &Observation| bumps(&at(observation), &centres, JOINTS_RAD);
-            compress(&design.stack(dataset, centres.len(), |_, observation, out| {
-                out.extend(
-                    features(observation)
-                        .into_iter()
-                        .map(|f| scaled(observation.jacobian_column(j.index()), f)),
-                );
-            }))
+            turned_columns(design, dataset, j, at, &farthest_points(dataset, at, 48), JOINTS_RAD)
         }
         GpAlternative::Workspace => shift_columns(design, dataset, position, 40, WORKSPACE_M[0]),
         GpAlternative::WorkspaceFine => shift_columns(design, dataset, position, 60, WORKSPACE_M[1]),
-        GpAlternative::WorkspaceBroad => {
-            let length_m = BROAD_SHARE * spread_m(dataset);
-            if length_m < 1.5 * WORKSPACE_M[0] {
-                return DMatrix::zeros(0, 0);
-            }
-            shift_columns(design, dataset, position, 40, length_m)
-        }
-        GpAlternative::LocalBump(which, radius) => {
-            match farthest_points(dataset, position, BUMP_CENTRES).get(which) {
-                Some(centre) => {
-                    let centre = std::slice::from_ref(centre);
-                    compress(&shifts(design, dataset, &position, &base, centre, BUMP_RADII_M[radius]))
-                }
-                None => DMatrix::zeros(0, 0),
-            }
-        }
+        GpAlternative::WorkspaceBroad => broad_columns(design, dataset),
+        GpAlternative::LocalBump(which, radius) => bump_columns(design, dataset, which, BUMP_RADII_M[radius]),
         GpAlternative::WristCable => wrist_columns(design, dataset, WRIST_RAD[0]),
         GpAlternative::WristCableFine => wrist_columns(design, dataset, WRIST_RAD[1]),
-        GpAlternative::WristFlip(body) => compress(&design.stack(dataset, 3, |_, observation, out| {
-            let middle = observation.joints().saturating_sub(2);
-            let side = observation.as_angle(middle).signum();
-            let frame = if body == 2 { observation.flange } else { observation.parents[middle + body] };
-            let axes = frame.column_iter();
-            out.extend(axes.map(|a| Twist([side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0])));
-        })),
+        GpAlternative::WristFlip(body) => flip_columns(design, dataset, body),
         GpAlternative::Pair(a, b, j) => {
             let at = |observation: &Observation| {
                 vec![observation.as_angle(a.index()), observation.as_angle(b.index())]
             };
             let centres = farthest_points(dataset, at, 25);
-            let features = compress(&design.stack(dataset, centres.len(), |_, observation, out| {
-                let features = bumps(&at(observation), &centres, PAIR_RAD);
-                let turn = observation.jacobian_column(j.index());
-                out.extend(features.into_iter().map(|f| scaled(turn, f)));
-            }));
+            let features = turned_columns(design, dataset, j, at, &centres, PAIR_RAD);
             let most = features.ncols().min(MOST_OF_PAIR);
             features.resize_horizontally(most, 0.0)
         }
-        GpAlternative::Time => {
-            shift_columns(design, dataset, |s| vec![dataset.progress(s)], 10, TIME_SHARE[0])
-        }
-        GpAlternative::TimeFine => {
-            shift_columns(design, dataset, |s| vec![dataset.progress(s)], 30, TIME_SHARE[1])
-        }
+        GpAlternative::Time => shift_columns(design, dataset, progress, 10, TIME_SHARE[0]),
+        GpAlternative::TimeFine => shift_columns(design, dataset, progress, 30, TIME_SHARE[1]),
         GpAlternative::ToolTime => {
-            let centres: Vec<Vec<f64>> = (0..9).map(|k| vec![f64::from(k) / 8.0]).collect();
-            let at = |observation: &Observation| vec![dataset.progress(observation)];
-            compress(&shifts(
-                design,
-                dataset,
-                &at,
-                &|observation| observation.flange,
-                &centres,
-                0.5 * TIME_SHARE[0],
-            ))
+            let flange = |observation: &Observation| observation.flange;
+            compress(&shifts(design, dataset, &progress, &flange, &evenly(9), 0.5 * TIME_SHARE[0]))
         }
-        GpAlternative::JointTime(j) => turning_columns(design, dataset, j, TIME_SHARE[0]),
-        GpAlternative::JointTimeFine(j) => turning_columns(design, dataset, j, WORK_SHARE),
+        GpAlternative::JointTime(j) => turned_over_time(design, dataset, j, TIME_SHARE[0]),
+        GpAlternative::JointTimeFine(j) => turned_over_time(design, dataset, j, WORK_SHARE),
         GpAlternative::HiddenLoad => hidden_load_columns(design, dataset, TIME_SHARE[1]),
         GpAlternative::Cycle(half_cycles) => cycle_columns(design, dataset, half_cycles),
         GpAlternative::Periodic(j, n) => periodic_columns(design, dataset, j, n, 1),
@@ -262,13 +219,55 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
 }
 
 /// A joint that turns by a function of time of this length, a share of the measurement.
-fn turning_columns(design: &Design, dataset: &Dataset, axis: Axis, length: f64) -> DMatrix<f64> {
-    let count = (1.25 / length).ceil() as usize + 1;
-    let centres: Vec<Vec<f64>> = (0..count).map(|k| vec![k as f64 / (count - 1) as f64]).collect();
-    compress(&design.stack(dataset, count, |_, observation, out| {
-        let features = bumps(&[dataset.progress(observation)], &centres, length);
+fn turned_over_time(design: &Design, dataset: &Dataset, axis: Axis, length: f64) -> DMatrix<f64> {
+    let at = |observation: &Observation| vec![dataset.progress(observation)];
+    turned_columns(design, dataset, axis, at, &evenly((1.25 / length).ceil() as usize + 1), length)
+}
+
+/// A joint that turns by a function of `at`, bumps of this length about centres.
+fn turned_columns(
+    design: &Design,
+    dataset: &Dataset,
+    axis: Axis,
+    at: impl Fn(&Observation) -> Vec<f64>,
+    centres: &[Vec<f64>],
+    length: f64,
+) -> DMatrix<f64> {
+    compress(&design.stack(dataset, centres.len(), |_, observation, out| {
         let turn = observation.jacobian_column(axis.index());
-        out.extend(features.into_iter().map(|f| scaled(turn, f)));
+        out.extend(bumps(&at(observation), centres, length).into_iter().map(|f| scaled(turn, f)));
+    }))
+}
+
+/// So many centres from 0 to 1.
+fn evenly(count: usize) -> Vec<Vec<f64>> {
+    (0..count).map(|k| vec![k as f64 / (count - 1) as f64]).collect()
+}
+
+/// A shift over all of the place that was measured; none where that is hardly larger than what [`GpAlternative::Workspace`] reaches over.
+fn broad_columns(design: &Design, dataset: &Dataset) -> DMatrix<f64> {
+    let length_m = BROAD_SHARE * spread_m(dataset);
+    if length_m < 1.5 * WORKSPACE_M[0] {
+        return DMatrix::zeros(0, 0);
+    }
+    shift_columns(design, dataset, position, 40, length_m)
+}
+
+/// A shift near one of the places that lie far from each other; none where there are not as many.
+fn bump_columns(design: &Design, dataset: &Dataset, which: usize, radius_m: f64) -> DMatrix<f64> {
+    let centres = farthest_points(dataset, position, BUMP_CENTRES);
+    let Some(centre) = centres.get(which) else { return DMatrix::zeros(0, 0) };
+    compress(&shifts(design, dataset, &position, &base, std::slice::from_ref(centre), radius_m))
+}
+
+/// A shift along the axes of the forearm, the wrist's middle link or the hand, by the side to which the wrist's middle joint is bent.
+fn flip_columns(design: &Design, dataset: &Dataset, body: usize) -> DMatrix<f64> {
+    compress(&design.stack(dataset, 3, |_, observation, out| {
+        let middle = observation.joints().saturating_sub(2);
+        let side = observation.as_angle(middle).signum();
+        let frame = if body == 2 { observation.flange } else { observation.parents[middle + body] };
+        let axes = frame.column_iter();
+        out.extend(axes.map(|a| Twist([side * a[0], side * a[1], side * a[2], 0.0, 0.0, 0.0])));
     }))
 }
 

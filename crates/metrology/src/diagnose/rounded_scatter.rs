@@ -161,8 +161,8 @@ impl RoundedScatter {
             .sum()
     }
 
-    /// The same with what moves all points along `common_m` by standard normal numbers integrated over (Woodbury; Rasmussen and Williams 2006,
-    /// A.9 and A.10).
+    /// The same, integrated over standard normal numbers by which all points move along `common_m` (Rasmussen and Williams 2006, equations
+    /// A.9 and A.10, Woodbury's).
     fn log_likelihood_beside(
         &self,
         common_m: &DMatrix<f64>,

@@ -5,7 +5,9 @@
 //! is, run time tells, and what is none of these stays as it is.
 
 use super::held_parts::HeldParts;
-use super::{ControlFlow, FollowedPositions, MOST_STEPS, State, StateAnalysis, TrackedData, View, Watched};
+use super::{
+    ControlFlow, FollowedPositions, MOST_STEPS, SlotState, State, StateAnalysis, TrackedData, View, Watched,
+};
 use crate::const_eval::ConstEvaluator;
 use crate::file_values::FileValues;
 use crate::finite_set::{FiniteSet, MOST_VALUES};
@@ -130,12 +132,25 @@ impl StateAnalysis<'_, '_> {
     /// Whether an expression can hold what was read from where the robot stands; data that are not tracked can hold it anywhere.
     fn reads_position(&self, expr: &Expr, ctx: Ctx, state: &State) -> bool {
         let index = self.evaluator.index;
+        let tells = |slot: &SlotState, datum| slot.read.tell_the_pose(index, datum);
+        self.holds_any(self.read.as_ref(), (expr, ctx), state, &tells)
+    }
+
+    /// Whether an expression can hold one of `positions`, where of the data that are tracked those do of which `holds` says so, and of all
+    /// others any can.
+    fn holds_any(
+        &self,
+        positions: Option<&FollowedPositions<'_, '_>>,
+        (expr, ctx): (&Expr, Ctx),
+        state: &State,
+        holds: &dyn Fn(&SlotState, DatumId) -> bool,
+    ) -> bool {
         let holds = |datum: DatumId| {
             let slot = self.tracked.slot(datum).and_then(|slot| state.slots.get(slot));
-            slot.is_none_or(|slot| slot.read.tell_the_pose(index, datum))
+            slot.is_none_or(|slot| holds(slot, datum))
         };
-        let read = self.read.as_ref();
-        read.is_some_and(|read| read.positions.read_where(index, ctx, expr, &holds).is_some())
+        let index = self.evaluator.index;
+        positions.is_some_and(|of| of.positions.read_where(index, ctx, expr, &holds).is_some())
     }
 
     /// The components of what an expression is worth that can hold such a reading.
@@ -157,14 +172,7 @@ impl StateAnalysis<'_, '_> {
 
     /// Whether an expression can read what a search has found; data that are not tracked can be it anywhere.
     pub(super) fn reads_found(&self, expr: &Expr, ctx: Ctx, state: &State) -> bool {
-        let holds = |datum: DatumId| {
-            let slot = self.tracked.slot(datum).and_then(|slot| state.slots.get(slot));
-            slot.is_none_or(|slot| slot.found)
-        };
-        let found = self.found.as_ref();
-        found.is_some_and(|found| {
-            found.positions.read_where(self.evaluator.index, ctx, expr, &holds).is_some()
-        })
+        self.holds_any(self.found.as_ref(), (expr, ctx), state, &|slot, _| slot.found)
     }
 
     /// Notes what the target of a motion that is watched is on one more visit.

@@ -17,15 +17,15 @@ const LAGS_MIN: [f64; 4] = [10.0, 22.0, 48.0, 105.0];
 const COOLINGS: [f64; 6] = [0.6, 0.8, 1.0, 1.3, 1.7, 2.2];
 /// A step is told by so many touches before and after it.
 const FEWEST_BESIDE: usize = 3;
-/// Touches of a point that are asked for a step.
-const FEWEST_TOUCHES: usize = 12;
+/// A point with fewer touches is not asked for a step.
+const FEWEST_FOR_STEP: usize = 12;
 /// A step of which the smooth course leaves a smaller part than this, as a sum of squares in touches, cannot be told from it.
 const LEAST_OF_STEP: f64 = 0.05;
 /// A step is sure where twice the logarithm of its likelihood ratio is beyond this: by chance one of three coordinates at any of 36 moments
 /// of five points is in two files of a million (chi-square).
-const SURE: f64 = 40.0;
+const SURE_STEP: f64 = 40.0;
 /// Where another point makes a step at the same moment by this, it was no point that was knocked: the tip was, or the arm stood.
-const SHARED: f64 = 20.0;
+const SHARED_STEP: f64 = 20.0;
 /// Steps below so many standard deviations of rounding are one or two of the last digit's.
 const ROUNDINGS: f64 = 12.0;
 /// Fits without what looked false in the one before, at most.
@@ -48,18 +48,20 @@ pub(super) fn find(points: &[Point], stops: &[Standstill], rounding_m: f64) -> V
     let steps = parallel::map(points.len(), &|at| likeliest_step(&points[at], stops, rounding_m));
     let is_alone = |index: usize, step: &Step| {
         let shares = |other: &Step| {
-            other.sure > SHARED
+            other.likelihood_ratio > SHARED_STEP
                 && other.about_min[0] < step.about_min[1]
                 && step.about_min[0] < other.about_min[1]
         };
         let others = steps.iter().enumerate().filter(|(k, _)| *k != index);
         !others.filter_map(|(_, other)| other.as_ref()).any(shares)
     };
-    let sure = |(index, step): (usize, &Option<Step>)| {
-        let step = step.as_ref().filter(|step| step.sure > SURE && step.is_clean && is_alone(index, step))?;
+    let knock = |(index, step): (usize, &Option<Step>)| {
+        let step = step
+            .as_ref()
+            .filter(|step| step.likelihood_ratio > SURE_STEP && step.is_clean && is_alone(index, step))?;
         Some(Knock { index, between_min: step.between_min })
     };
-    steps.iter().enumerate().filter_map(sure).collect()
+    steps.iter().enumerate().filter_map(knock).collect()
 }
 
 impl Knock {
@@ -101,14 +103,14 @@ struct Step {
     between_min: [f64; 2],
     /// With a touch more to each side.
     about_min: [f64; 2],
-    /// Twice the logarithm of its likelihood ratio.
-    sure: f64,
+    /// Twice the logarithm of its likelihood over that of no step.
+    likelihood_ratio: f64,
     /// What it leaves is noise, and it is larger than the last digit.
     is_clean: bool,
 }
 
 /// The touches of a point and the smooth courses that could be theirs.
-struct Asked {
+struct StepSearch {
     /// One for each time constant of cooling: a column of ones and one of each lag.
     courses: Vec<DMatrix<f64>>,
     moved_m: DMatrix<f64>,
@@ -116,7 +118,7 @@ struct Asked {
 }
 
 /// What a course, with a step or without, leaves of the touches.
-struct Explained {
+struct CourseFit {
     /// First touch after the step.
     step: Option<usize>,
     step_m: f64,
@@ -127,13 +129,13 @@ struct Explained {
 
 fn likeliest_step(point: &Point, stops: &[Standstill], rounding_m: f64) -> Option<Step> {
     let touches = point.t_min.len();
-    if touches < FEWEST_TOUCHES || !point.t_min.is_sorted() {
+    if touches < FEWEST_FOR_STEP || !point.t_min.is_sorted() {
         return None;
     }
-    let asked = Asked::new(point, stops, rounding_m);
-    let with = asked.best(true, None)?;
+    let search = StepSearch::new(point, stops, rounding_m);
+    let with = search.best(true, None)?;
     let (first, cut_m) = (with.step?, FALSE_SIGMAS * with.sigma_m);
-    let without = asked.best(false, Some(cut_m))?;
+    let without = search.best(false, Some(cut_m))?;
     let freedom = 3 * (touches - LAGS_MIN.len() - 2);
     let floor_m2 = 3.0 * touches as f64 * rounding_m * rounding_m;
     let ratio = (without.cost_m2(cut_m) + floor_m2) / (with.cost_m2(cut_m) + floor_m2);
@@ -147,12 +149,12 @@ fn likeliest_step(point: &Point, stops: &[Standstill], rounding_m: f64) -> Optio
     Some(Step {
         between_min: [minute(before), minute(first)],
         about_min: [minute(first.saturating_sub(2)), minute(first + 1)],
-        sure: freedom as f64 * ratio.ln(),
+        likelihood_ratio: freedom as f64 * ratio.ln(),
         is_clean,
     })
 }
 
-impl Asked {
+impl StepSearch {
     fn new(point: &Point, stops: &[Standstill], rounding_m: f64) -> Self {
         let course = |cooling: f64| {
             let mut columns = vec![vec![1.0; point.t_min.len()]];
@@ -172,14 +174,14 @@ impl Asked {
     }
 
     /// The course that leaves least, each by its own measure of what is false or by `cut_m`.
-    fn best(&self, has_step: bool, cut_m: Option<f64>) -> Option<Explained> {
-        let all = self.courses.iter().filter_map(|course| self.explained(course, has_step));
-        let cost_m2 = |one: &Explained| one.cost_m2(cut_m.unwrap_or(FALSE_SIGMAS * one.sigma_m));
+    fn best(&self, has_step: bool, cut_m: Option<f64>) -> Option<CourseFit> {
+        let all = self.courses.iter().filter_map(|course| self.fitted(course, has_step));
+        let cost_m2 = |one: &CourseFit| one.cost_m2(cut_m.unwrap_or(FALSE_SIGMAS * one.sigma_m));
         all.min_by(|a, b| cost_m2(a).total_cmp(&cost_m2(b)))
     }
 
     /// What one course leaves, fitted to the touches that do not look false beside it.
-    fn explained(&self, course: &DMatrix<f64>, has_step: bool) -> Option<Explained> {
+    fn fitted(&self, course: &DMatrix<f64>, has_step: bool) -> Option<CourseFit> {
         let touches = course.nrows();
         let numbers = course.ncols() + usize::from(has_step);
         let mut kept: Vec<usize> = (0..touches).collect();
@@ -188,12 +190,12 @@ impl Asked {
             let step = if has_step { Some(self.best_step(course, &kept)?) } else { None };
             let (left_m, step_m) = self.left_m(course, step, &kept)?;
             let lengths_m: Vec<f64> = left_m.iter().map(Vector3::norm).collect();
-            let fitted = (touches as f64 / (touches - numbers) as f64).sqrt();
-            let sigma_m = (fitted * typical_sigma_m(&lengths_m)).max(self.rounding_m);
+            let per_freedom = (touches as f64 / (touches - numbers) as f64).sqrt();
+            let sigma_m = (per_freedom * typical_sigma_m(&lengths_m)).max(self.rounding_m);
             let next: Vec<usize> = (0..touches).filter(|&k| lengths_m[k] <= FALSE_SIGMAS * sigma_m).collect();
             let is_last = next == kept;
             kept.clone_from(&next);
-            found = Some(Explained { step, step_m, left_m, sigma_m, kept: next });
+            found = Some(CourseFit { step, step_m, left_m, sigma_m, kept: next });
             if is_last {
                 break;
             }
@@ -249,7 +251,7 @@ impl Asked {
     }
 }
 
-impl Explained {
+impl CourseFit {
     /// Sum of squares, none larger than that of `cut_m`.
     fn cost_m2(&self, cut_m: f64) -> f64 {
         self.left_m.iter().map(|left_m| left_m.norm_squared().min(cut_m * cut_m)).sum()

@@ -4,6 +4,7 @@ use super::arrays::{Array, NamedArray};
 use super::findings::{ModifiedIn, ModifiedTarget, RestoreError};
 use super::removal::Remover;
 use crate::emit::aggregate::with_commas;
+use crate::emit::elements::elements;
 use crate::emit::point::Declarations;
 use rapid_program::motion::indices_of;
 use rapid_syntax::diagnostic::TextRange;
@@ -83,7 +84,7 @@ impl<'w> Remover<'w> {
         });
         named
             .and_then(|data| data.init.as_ref())
-            .map(|init| self.elements(init, array.dims.len()))
+            .map(|init| elements(self.bytes, init, array.dims.len()))
             .unwrap_or_default()
     }
 }

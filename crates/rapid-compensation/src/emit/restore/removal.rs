@@ -123,13 +123,13 @@ impl<'w> Remover<'w> {
                 if now.are(own) {
                     return Ok((Rows::AsMade(first), own));
                 }
-                let ranges = vec![self.elements(init, 1)];
+                let ranges = vec![elements(self.bytes, init, 1)];
                 return Ok((Rows::All { ranges, checksums: now.checksums() }, own));
             }
             now.begin();
         }
-        let rows = self.elements(init, dims.saturating_sub(1)).len();
-        let elements = self.elements(init, dims);
+        let rows = elements(self.bytes, init, dims.saturating_sub(1)).len();
+        let elements = elements(self.bytes, init, dims);
         let columns = elements
             .len()
             .checked_div(rows)
@@ -139,11 +139,6 @@ impl<'w> Remover<'w> {
         elements.iter().for_each(|element| now.add(element.of(self.bytes)));
         let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
         Ok((Rows::All { ranges, checksums: now.checksums() }, made(elements.len())))
-    }
-
-    /// The elements of an array of so many dimensions, the last one fastest.
-    pub(super) fn elements(&self, init: &Expr, dims: usize) -> Vec<TextRange> {
-        elements(self.bytes, init, dims)
     }
 
     /// The module's own routines, and what takes out those behind them.
