@@ -127,6 +127,11 @@ impl Dataset {
         Self { observations, visits, ..self.clone() }
     }
 
+    /// The observations in which the arm has a pose. A nest on the base has none: all its frames are joint 1's, and its joints may be missing.
+    pub(super) fn of_arm(&self) -> impl Iterator<Item = &Observation> + Clone {
+        self.observations.iter().filter(|observation| observation.kind != ObservationKind::Nest)
+    }
+
     /// The data point of one of its observations, or of one that could be added to it.
     #[must_use]
     pub(super) fn at<'a>(&'a self, observation: &'a Observation) -> DataPoint<'a> {

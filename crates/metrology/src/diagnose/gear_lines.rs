@@ -24,7 +24,7 @@ fn is_one_bend_over(span_rad: f64, n: u32, m: u32) -> bool {
 
 /// Largest less smallest angle measured.
 fn span_rad(dataset: &Dataset, axis: Axis) -> f64 {
-    let angles = || dataset.observations.iter().map(|o| o.q_rad[axis.index()]);
+    let angles = || dataset.of_arm().map(|o| o.q_rad[axis.index()]);
     angles().fold(f64::NEG_INFINITY, f64::max) - angles().fold(f64::INFINITY, f64::min)
 }
 

@@ -157,7 +157,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
         }
         EffectKind::PayloadMass => payload_mass(dataset, payload_scaling, &values)?,
         EffectKind::LinkGeometry if variant.refined => {
-            let along = along_link(dataset.observations.first()?, variant.joint?.index())?;
+            let along = along_link(dataset.of_arm().next()?, variant.joint?.index())?;
             let length = values.first().copied()?;
             let part = |k: usize| Estimate {
                 value: length.value * along[k],

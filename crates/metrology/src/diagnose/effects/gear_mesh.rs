@@ -32,7 +32,7 @@ impl Effect for GearMesh {
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();
         for j in dataset.turning() {
-            let values = dataset.observations.iter().map(|s| s.q_rad[j]);
+            let values = dataset.of_arm().map(|s| s.q_rad[j]);
             let low = values.clone().fold(f64::INFINITY, f64::min);
             let high = values.fold(f64::NEG_INFINITY, f64::max);
             // Less than 0.6 periods over the joint's range is a bend, not a line of its own.

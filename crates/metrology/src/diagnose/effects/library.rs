@@ -115,8 +115,13 @@ pub(crate) fn testable_effects(dataset: &Dataset) -> TestableEffects {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::evenly_spread;
-    use std::collections::BTreeMap;
+    use crate::diagnose::dataset::{Observation, evenly_spread};
+    use measurements::{Reading, Registration, Station};
+    use nalgebra::{Isometry3, Vector3};
+    use robot_model::deform::EffectKind;
+    use robot_model::kinematics::SerialChain;
+    use robot_model::robot::{Joints, SerialArm};
+    use std::collections::{BTreeMap, BTreeSet};
     use std::time::{Duration, Instant};
 
     /// Observations that the signatures are written at: alike in both data sets, the same number.
@@ -151,6 +156,31 @@ mod tests {
             }
         }
         times
+    }
+
+    /// A nest on the base that was read first, as one is before the poses: it has no links, but the arm of the other rows has.
+    #[test]
+    fn a_nest_in_the_first_row_takes_no_effect_away() {
+        // Steps lie between the rows, of which a nest is one more.
+        let all = |dataset: &Dataset| {
+            let candidates = testable_effects(dataset).candidates.into_iter();
+            candidates
+                .map(|c| (c.kind, c.variant.joint, c.variant.n, c.variant.refined))
+                .collect::<BTreeSet<_>>()
+        };
+        let mut dataset = evenly_spread(60);
+        let without = all(&dataset);
+        assert!(without.iter().any(|(kind, ..)| *kind == EffectKind::LinkBending));
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let registration =
+            Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], vec![Vector3::zeros()]);
+        let nest = Reading::Nest { fixed_point: 0, position_m: Vector3::zeros(), with_joints: false };
+        let station = Station { t_min: Some(0.0), ..Station::bare(60, Joints::all(6, 0.0), nest) };
+        let nest = Observation::new(&robot, &SerialChain::nominal(&robot), &registration, &station);
+        dataset.observations.insert(0, nest);
+        let with = all(&dataset);
+        let other: Vec<_> = with.symmetric_difference(&without).collect();
+        assert!(other.is_empty(), "{other:?}");
     }
 
     /// A file of many rows takes time in proportion: what one row shows of a cause looks at no other rows.

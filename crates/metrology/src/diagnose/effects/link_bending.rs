@@ -29,10 +29,7 @@ const ALONG_RAD: f64 = 0.05;
 
 /// Whether joint `i` (from 0) and the next stand apart.
 fn is_beam(dataset: &Dataset, i: usize) -> bool {
-    dataset
-        .observations
-        .first()
-        .is_some_and(|o| (o.origins_m[i + 1] - o.origins_m[i]).norm() > SHORTEST_LINK_M)
+    dataset.of_arm().next().is_some_and(|o| (o.origins_m[i + 1] - o.origins_m[i]).norm() > SHORTEST_LINK_M)
 }
 
 /// The link before `link`, where the joint between them turns along `link`: both are one beam then, for where along its own axis a joint
@@ -40,7 +37,7 @@ fn is_beam(dataset: &Dataset, i: usize) -> bool {
 #[must_use]
 pub(in crate::diagnose) fn one_beam_with(dataset: &Dataset, link: Axis) -> Option<Axis> {
     let i = link.index();
-    let observation = dataset.observations.first()?;
+    let observation = dataset.of_arm().next()?;
     let before = i.checked_sub(1)?;
     let along_m = observation.origins_m[i + 1] - observation.origins_m[i];
     let turns_along = observation.axes[i].cross(&along_m).norm() <= ALONG_RAD.sin() * along_m.norm();

@@ -39,7 +39,7 @@ impl Effect for LinkGeometry {
         // Where a joint slides along the link its zero is the same.
         let slides = |i: usize| dataset.slides[i] || dataset.slides.get(i + 1).is_some_and(|slides| *slides);
         let has_length =
-            |i: usize| !slides(i) && dataset.observations.first().is_some_and(|o| along_link(o, i).is_some());
+            |i: usize| !slides(i) && dataset.of_arm().next().is_some_and(|o| along_link(o, i).is_some());
         let whole = |i: usize| Candidate {
             n_reported: 3,
             display_scale: mm_from_m(1.0),

@@ -2,7 +2,7 @@
 
 use super::effect::{Candidate, Effect, EffectVariant};
 use super::rigid::LEVER_M;
-use crate::diagnose::dataset::{DataPoint, Dataset, Observation, ObservationKind, Twist, scaled};
+use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist, scaled};
 use crate::diagnose::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::PayloadScaling;
@@ -65,8 +65,7 @@ impl Effect for PayloadMass {
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         // Wrong by as much whenever something hangs there; always, as a tool's mass is; or by a factor.
-        let mut loads =
-            dataset.observations.iter().filter(|s| s.kind != ObservationKind::Nest).map(|s| s.payload_kg);
+        let mut loads = dataset.of_arm().map(|s| s.payload_kg);
         let first = loads.next();
         let alike = loads.all(|load| Some(load) == first);
         let sizes = [0.6].into_iter().chain(soft(dataset.joints()).map(|_| 0.3)).chain([0.6 * LEVER_M; 3]);

@@ -28,7 +28,7 @@ const SAME_ANGLE_RAD: f64 = 2e-3;
 fn angles(dataset: &Dataset) -> Joints<usize> {
     Joints::from_fn(dataset.joints(), |j| {
         let cell = |q_rad: f64| (q_rad / SAME_ANGLE_RAD).round() as i64;
-        dataset.observations.iter().map(|s| cell(s.q_rad[j])).collect::<BTreeSet<i64>>().len()
+        dataset.of_arm().map(|s| cell(s.q_rad[j])).collect::<BTreeSet<i64>>().len()
     })
 }
 
