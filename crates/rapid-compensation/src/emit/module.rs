@@ -38,6 +38,7 @@ pub(super) fn write(
         targets: added.declarations.len(),
         data: declared(&data),
         routines: heads(&routines).count(),
+        on_purpose: context.names.named_on_purpose(&file.bytes),
         renamed: context.names.renamed().clone(),
         was: added.was,
         points: added.points,

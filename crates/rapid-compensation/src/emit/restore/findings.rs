@@ -140,6 +140,17 @@ pub enum Altered {
         /// The array's first line, from 1.
         line: u32,
     },
+    /// What the program calls or shows of the clock is named by hand, where the source did not name it.
+    #[error(
+        "{name}, which was added, is named there and was not in the source: the original names what it does not declare, and a \
+         controller that has no {name} does not load it"
+    )]
+    Named {
+        /// The name as it stands there.
+        name: String,
+        /// Its line, from 1.
+        line: u32,
+    },
     /// What the model is asked for is not what the motion goes with.
     #[error("the model is asked with another tool or work object than the motion goes with")]
     Arguments {
@@ -157,6 +168,7 @@ impl Altered {
             | Self::Code { line, .. }
             | Self::Original { line, .. }
             | Self::Gone { line, .. }
+            | Self::Named { line, .. }
             | Self::Arguments { line } => *line,
         }
     }
@@ -169,6 +181,7 @@ impl Altered {
             Self::Code { .. } => "restore::code",
             Self::Original { .. } => "restore::original",
             Self::Gone { .. } => "restore::gone",
+            Self::Named { .. } => "restore::named",
             Self::Arguments { .. } => "restore::arguments",
         }
     }
