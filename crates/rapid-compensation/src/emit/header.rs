@@ -8,7 +8,7 @@ use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 11] = [
+const KEYS: [&[u8]; 12] = [
     b"core",
     b"source",
     b"with",
@@ -18,6 +18,7 @@ const KEYS: [&[u8]; 11] = [
     b"was",
     b"shares",
     b"points",
+    b"originals",
     b"targets",
     b"code",
 ];
@@ -51,6 +52,8 @@ pub(super) struct Record {
     /// For each bucket how much of the drift it corrects, in any unit.
     pub shares: Vec<f64>,
     /// Fingerprints of the originals that stay in place, each once, in the order of the motions.
+    pub originals: Vec<u8>,
+    /// The same of an older module, which do not say whose they are.
     pub points: Vec<u8>,
     /// Checksums of each array or correction, in their order.
     pub checksums: Vec<u8>,
@@ -111,7 +114,7 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
         add("renamed", format!("{name} {by}"));
     }
     for (key, checksums) in
-        [("points", &record.points), ("targets", &record.checksums), ("code", &record.code)]
+        [("originals", &record.originals), ("targets", &record.checksums), ("code", &record.code)]
     {
         if !checksums.is_empty() {
             add(key, String::from_utf8_lossy(checksums).into_owned());
@@ -309,6 +312,7 @@ impl Record {
                 self.was.insert(name.to_ascii_lowercase(), unescape(was.as_bytes())?);
             }
             b"points" => self.points = text,
+            b"originals" => self.originals = text,
             b"targets" => self.checksums = text,
             b"code" => self.code = text,
             _ => {}
@@ -376,7 +380,8 @@ mod tests {
             renamed: [("tcK".to_owned(), "tcK_2".to_owned())].into(),
             was,
             shares: vec![0.125, 1.0],
-            points: b"ABCabc".repeat(90),
+            originals: b"ABCabc".repeat(90),
+            points: Vec::new(),
             checksums: b"-+01".repeat(90),
             code: b"xyz".to_vec(),
             is_whole: true,

@@ -202,6 +202,17 @@ fn begins_with_tc(word: &[u8]) -> bool {
     matches!(word, [b't' | b'T', b'c' | b'C', ..])
 }
 
+/// Whether it is a name, and no expression.
+pub(super) fn is_name(text: &[u8]) -> bool {
+    text.iter().all(|&b| PARTS[usize::from(b)])
+}
+
+/// How many bytes the word has that `text` begins with; none where it begins with something else.
+pub(super) fn word_length(text: &[u8]) -> usize {
+    let is_begun = text.first().is_some_and(|first| !first.is_ascii_digit());
+    if is_begun { text.iter().position(|b| !PARTS[usize::from(*b)]).unwrap_or(text.len()) } else { 0 }
+}
+
 /// Calls `each` with every word of `text`: letters, digits, `_` and bytes above ASCII, not begun by a digit.
 pub(super) fn words<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
     let part = |b: &u8| PARTS[usize::from(*b)];

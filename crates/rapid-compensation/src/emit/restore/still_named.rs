@@ -21,8 +21,10 @@ impl AddedNames {
         let in_use = |name: &str| record.core(name).as_bytes().to_ascii_lowercase();
         let public: Vec<Vec<u8>> = PUBLIC.map(in_use).into();
         self.ours.extend(own.filter(|name| !public.contains(name)).chain(ASKED.map(in_use)));
+        // An older module does not say which of them its source had.
         let on_purpose = |name: &Vec<u8>| {
-            record.on_purpose.iter().any(|known| known.as_bytes().eq_ignore_ascii_case(name))
+            !record.points.is_empty()
+                || record.on_purpose.iter().any(|known| known.as_bytes().eq_ignore_ascii_case(name))
         };
         self.public.extend(public.into_iter().filter(|name| !on_purpose(name)));
         self.ours.sort_unstable();
