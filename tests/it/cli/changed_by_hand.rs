@@ -224,3 +224,31 @@ fn the_clocks_names_that_were_put_in_by_hand_are_told() {
         assert!(!message.contains("restore::named"), "{form}: {message}");
     }
 }
+
+/// Where several modules share a clock, the one that has it is known when it is given with them.
+#[test]
+fn names_of_the_common_module_that_were_put_in_by_hand_are_told() {
+    let bench = Bench::default();
+    let source = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;");
+    std::fs::create_dir(bench.path("cell")).unwrap();
+    bench.file("cell/a.mod", &source);
+    let (from, to) = (bench.path("cell").display().to_string(), bench.path("cell_tc").display().to_string());
+    let separate = ["--form", "ramp", "--core", "separate", "--diff", "none"];
+    let made = driftpost(&[&["compensate", &from, "-o", &to][..], &separate].concat());
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    let emitted = bench.text("cell_tc/a.mod");
+    for (line, code, told) in [
+        ("", 0, "byte for byte"),
+        ("IF tcState{1}=0 Stop;", 2, "tcState is still named there"),
+        ("IF tcMinute>30 Stop;", 1, "warning[restore::named]"),
+    ] {
+        bench.file(
+            "cell_tc/a.mod",
+            emitted.replacen("ENDPROC", &format!("{line}\nENDPROC"), 1).replace("\n\nENDPROC", "\nENDPROC"),
+        );
+        let back = bench.path(&format!("back{code}")).display().to_string();
+        let output = driftpost(&["restore", &to, "-o", &back]);
+        assert_eq!(output.status.code(), Some(code), "{}", err(&output));
+        assert!(err(&output).contains(told), "{}", err(&output));
+    }
+}

@@ -46,5 +46,8 @@ pub use identity::{Difference, WithoutAdded};
 pub use mode::HeldMode;
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use record_text::{write_orient, write_pos};
-pub use restore::{Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, restore};
+pub use restore::{
+    Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, core_names, restore,
+    restore_beside,
+};
 pub use touch::{MAX_AMOUNT, Touch, TouchBy, TouchFrames};

@@ -17,7 +17,7 @@ mod rounded;
 mod still_named;
 mod undo;
 
-pub use altered::altered_core;
+pub use altered::{altered_core, core_names};
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 
 use super::checksum::hex;
@@ -58,12 +58,22 @@ pub struct Restored {
 /// # Errors
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
 pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
-    let TakenApart { edits, added, source_sha256, source_name, touched, mut altered } = take_apart(bytes)?;
+    restore_beside(bytes, &[])
+}
+
+/// The same of a module that asks a common one whose [`core_names`] these are: it must not name them elsewhere either.
+///
+/// # Errors
+/// As of [`restore`].
+pub fn restore_beside(bytes: &[u8], core: &[Vec<u8>]) -> Result<Restored, RestoreError> {
+    let TakenApart { edits, mut added, source_sha256, source_name, touched, mut altered } =
+        take_apart(bytes)?;
     let edits: Vec<Edit<&[u8]>> = edits.of(bytes).collect();
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
     let exact = hex(&Sha256::digest(&restored)) == source_sha256;
     if !exact {
+        added.add_core(core);
         let line = |at: u32| LineIndex::new(bytes).line(place_before(&edits, at));
         let named = added.named_in(&restored).map_err(|(at, name)| RestoreError::Damaged {
             line: line(at),

@@ -10,6 +10,8 @@ pub(super) struct AddedNames {
     ours: Vec<Vec<u8>>,
     /// Those that a source may name on purpose, and did not.
     public: Vec<Vec<u8>>,
+    /// Names that the source has itself, so that what was added has others.
+    of_source: Vec<Vec<u8>>,
 }
 
 /// A name, and where it is named.
@@ -27,8 +29,20 @@ impl AddedNames {
                 || record.on_purpose.iter().any(|known| known.as_bytes().eq_ignore_ascii_case(name))
         };
         self.public.extend(public.into_iter().filter(|name| !on_purpose(name)));
+        self.of_source.extend(record.renamed.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
         self.ours.sort_unstable();
         self.public.sort_unstable();
+    }
+
+    /// Takes in the names of the common module, in lower case.
+    pub(super) fn add_core(&mut self, core: &[Vec<u8>]) {
+        let is_ours = |name: &&Vec<u8>| {
+            let is_public = PUBLIC.iter().any(|public| public.as_bytes().eq_ignore_ascii_case(name));
+            !is_public && !self.of_source.contains(name)
+        };
+        let core: Vec<Vec<u8>> = core.iter().filter(is_ours).cloned().collect();
+        self.ours.extend(core);
+        self.ours.sort_unstable();
     }
 
     /// Where the public ones are named in what is left. Strings and comments, where a motion was switched off, say, name nothing.
