@@ -2,7 +2,7 @@
 
 use super::program_files::ProgramFiles;
 use crate::report::restored as report;
-use rapid_compensation::emit::{Altered, RestoreError, Restored, altered_core, restore};
+use rapid_compensation::emit::{Altered, RestoreError, Restored, altered_core, core_names, restore_beside};
 use rapid_program::pgf_without_module;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::Path;
@@ -49,7 +49,8 @@ impl Restoration {
     /// [`RestorationError`]
     pub fn run(&self) -> Result<RestoredFiles, RestorationError> {
         let alone = self.program.is_none() && self.files.iter().count() == 1;
-        let one = |(path, bytes): (&str, &[u8])| match restore(bytes) {
+        let core: Vec<Vec<u8>> = self.files.iter().flat_map(|(_, bytes)| core_names(bytes)).collect();
+        let one = |(path, bytes): (&str, &[u8])| match restore_beside(bytes, &core) {
             Ok(restored) => Ok(RestoredFile::Original(restored)),
             Err(RestoreError::IsCore) if !alone => Ok(RestoredFile::Core(altered_core(bytes))),
             Err(RestoreError::NotEmitted) if self.program.is_some() => Ok(RestoredFile::Other),

@@ -1,6 +1,7 @@
 //! The command line as scripts rely on it: exit codes, what is written where, and every refusal.
 
 mod bad_input;
+mod changed_by_hand;
 mod compensate;
 mod diff;
 mod elements;

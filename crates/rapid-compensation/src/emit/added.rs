@@ -8,13 +8,14 @@ use argument::TargetKey;
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::checksum::Elements;
+use super::checksum::{Chained, Elements};
 use super::choice::ChoiceData;
 use super::context::EmitContext;
 use super::correction::CorrectionData;
 use super::insertion::{self, LayoutStyle};
 use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
+use super::originals::{TargetText, corrected_by};
 use super::point;
 use super::row_hash::RowHash;
 use super::target::{MAX_LINE, TargetArray};
@@ -75,13 +76,24 @@ pub(super) struct Added<'p> {
     /// What stood in the motion in place of an array, where the array does not say so itself.
     pub was: BTreeMap<String, Vec<u8>>,
     /// Originals that stay where they are, to be known again.
-    pub points: Vec<u8>,
+    pub originals: Vec<u8>,
     /// For each bucket how much of the largest correction it holds.
     pub shares: Vec<f64>,
+    /// The targets whose originals those are, in their order.
+    asking: Vec<AskingTarget>,
     names: Names,
     known: HashMap<TargetKey, Vec<usize>>,
     /// For each function of time the last correction of a target without a name: its neighbours may share it.
     last_unnamed: Vec<Option<usize>>,
+}
+
+/// A target whose original stays in the module.
+struct AskingTarget {
+    range: TextRange,
+    /// What it is corrected by.
+    by: Chained,
+    /// It stands in the motion as before; else an array does.
+    is_there: bool,
 }
 
 impl<'p> Added<'p> {
@@ -99,13 +111,13 @@ impl<'p> Added<'p> {
             declarations: Vec::new(),
             edits: Vec::new(),
             was: BTreeMap::new(),
-            points: Vec::new(),
+            originals: Vec::new(),
             shares: Vec::new(),
+            asking: Vec::new(),
             names: context.names.clone(),
             known: HashMap::new(),
             last_unnamed: Vec::new(),
         };
-        let mut wrapped = Vec::new();
         for &id in motions {
             let (Some(motion), Some(planned)) =
                 (context.program.motion(id), context.plan.motions.get(id.index()))
@@ -114,17 +126,18 @@ impl<'p> Added<'p> {
             };
             match planned.form {
                 Form::Schedule => added.schedule(context, file, (motion, planned))?,
-                Form::Ramp => {
-                    added.ramp(context, file, (motion, planned), style)?;
-                    wrapped.push(motion);
-                }
-                Form::Live => {
-                    added.live(context, file, motion, style)?;
-                    wrapped.push(motion);
-                }
+                Form::Ramp => added.ramp(context, file, (motion, planned), style)?,
+                Form::Live => added.live(context, file, motion, style)?,
             }
         }
-        added.points = point::of_motions((&file.bytes, module), &wrapped);
+        let targets = std::mem::take(&mut added.asking).into_iter();
+        let targets = targets.map(|AskingTarget { range, by, is_there }| TargetText {
+            text: range.of(&file.bytes),
+            range,
+            is_there,
+            by,
+        });
+        added.originals = point::of_targets((&file.bytes, module), targets);
         Ok(added)
     }
 
@@ -151,6 +164,7 @@ impl<'p> Added<'p> {
                 _ => "tcLiveSame",
             };
             self.wrap(context, file, (function, target.range, &arguments), style);
+            self.asking.push(AskingTarget { range: target.range, by: corrected_by(b""), is_there: true });
         }
         Ok(())
     }

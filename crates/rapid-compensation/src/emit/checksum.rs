@@ -4,7 +4,7 @@
 //! FNV-1a (Fowler, Noll, Vo), folded to as many characters as are asked for. No seal against malice: whoever edits a
 //! module may edit its comments.
 
-use super::aggregate::Singles;
+use super::aggregate::{Singles, singles};
 use super::insertion::white;
 
 /// What every line of a comment block begins with that is read back.
@@ -14,7 +14,7 @@ const SIX_BITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwx
 
 const PRIME: u64 = 0x0000_0100_0000_01b3;
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Fnv(u64);
 
 impl Default for Fnv {
@@ -71,35 +71,41 @@ pub(super) fn number_of(text: &[u8]) -> Option<u64> {
 /// A checksum of three characters for an aggregate's numbers, however they are spelled.
 #[must_use]
 pub(super) fn of_numbers(text: &[u8]) -> [u8; 3] {
-    of_numbers_with(text, &mut Singles::default(), |_| ()).unwrap_or_else(of_no_numbers)
-}
-
-/// The same, each number being shown to `visit`; `None` where one cannot be read.
-pub(super) fn of_numbers_with(
-    text: &[u8],
-    reader: &mut Singles,
-    mut visit: impl FnMut(f32),
-) -> Option<[u8; 3]> {
-    let mut hash = Fnv::new();
-    reader.of(text)?.for_each(|value| {
-        hash.add_single(value);
-        visit(value);
-    });
-    Some(hash.checksum())
+    let numbers = singles(text).unwrap_or_default();
+    of_singles(&numbers)
 }
 
 /// The checksum of three characters for numbers that were read already.
 #[must_use]
 pub(super) fn of_singles(numbers: &[f32]) -> [u8; 3] {
-    let mut hash = Fnv::new();
-    numbers.iter().for_each(|number| hash.add_single(*number));
-    hash.checksum()
+    numbers.iter().fold(Chained::default(), |chained, number| chained.and_number(*number)).checksum()
 }
 
-/// The checksum of an aggregate that cannot be read.
-#[must_use]
-pub(super) fn of_no_numbers() -> [u8; 3] {
-    Fnv::new().checksum()
+/// A checksum of words and numbers one after another: whose value it is, and the value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Chained(Fnv);
+
+impl Chained {
+    /// With a word behind it, in capitals or not.
+    #[must_use]
+    pub(super) fn and_word(mut self, word: &[u8]) -> Self {
+        word.iter().for_each(|letter| self.0.add(&[letter.to_ascii_lowercase()]));
+        self.0.add(b" ");
+        self
+    }
+
+    /// With a number behind it, in single precision.
+    #[must_use]
+    pub(super) fn and_number(mut self, value: f32) -> Self {
+        self.0.add_single(value);
+        self
+    }
+
+    /// Three characters for all of it.
+    #[must_use]
+    pub(super) fn checksum(&self) -> [u8; 3] {
+        self.0.checksum()
+    }
 }
 
 /// Checksums of arrays' elements, of one array after another: three characters for all, then two for each.

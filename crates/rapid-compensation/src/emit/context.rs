@@ -70,7 +70,7 @@ impl<'e> EmitContext<'e> {
         let text = core_text((program, plan), options, law, (&totals, changes))?;
         let unnamed = Names::default();
         let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
-        let names = Names::new(Names::taken(program), [lines.as_str(), "tcCore"].into_iter());
+        let names = Names::new(program, [lines.as_str(), "tcCore"].into_iter());
         let header = header_text((&names, core, &text), options, plan, &totals);
         Ok(Self { program, plan, names, core, text, header, settings: options.made_with() })
     }

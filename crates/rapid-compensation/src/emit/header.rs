@@ -8,8 +8,20 @@ use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 10] =
-    [b"core", b"source", b"with", b"added", b"renamed", b"was", b"shares", b"points", b"targets", b"code"];
+const KEYS: [&[u8]; 12] = [
+    b"core",
+    b"source",
+    b"with",
+    b"added",
+    b"named",
+    b"renamed",
+    b"was",
+    b"shares",
+    b"points",
+    b"originals",
+    b"targets",
+    b"code",
+];
 
 /// Longest line; RAPID takes 255.
 const WIDTH: usize = 160;
@@ -31,6 +43,8 @@ pub(super) struct Record {
     pub data: usize,
     /// How many routines were added.
     pub routines: usize,
+    /// Public names of the core that the source itself has.
+    pub on_purpose: Vec<String>,
     /// Names of the core that are in use under another one.
     pub renamed: BTreeMap<String, String>,
     /// What stood in the motion in place of an array, where the array does not say so itself; what is read has names in lower case.
@@ -38,6 +52,8 @@ pub(super) struct Record {
     /// For each bucket how much of the drift it corrects, in any unit.
     pub shares: Vec<f64>,
     /// Fingerprints of the originals that stay in place, each once, in the order of the motions.
+    pub originals: Vec<u8>,
+    /// The same of an older module, which do not say whose they are.
     pub points: Vec<u8>,
     /// Checksums of each array or correction, in their order.
     pub checksums: Vec<u8>,
@@ -57,57 +73,70 @@ pub(super) fn lines(about: &[String], record: &Record) -> Vec<String> {
     for text in about {
         wrap(&mut lines, "! ", "!   ", text);
     }
-    let mut entries: Vec<(String, String)> = Vec::new();
-    let mut add = |key: &str, text: &str| {
-        entries.push((key.to_owned(), text.to_owned()));
-        let first = format!("{MARK}{key}: ");
-        let mut rest = text;
-        let mut prefix = first.as_str();
-        let more = format!("{MARK}more: ");
-        loop {
-            let at = cut(rest, WIDTH - prefix.len());
-            lines.push(format!("{prefix}{}", &rest[..at]));
-            rest = &rest[at..];
-            prefix = &more;
-            if rest.is_empty() {
-                break;
-            }
-        }
-    };
-    if record.is_core {
-        add("core", "no source");
-    } else {
-        add("source", &format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
-        for (name, value) in &record.settings {
-            add("with", &format!("{name} {}", one_line(value)));
-        }
-        let Record { targets, data, routines, .. } = record;
-        add("added", &format!("{targets} targets, {data} data, {routines} routines"));
-        for (name, text) in &record.was {
-            add("was", &format!("{name} {}", escape(text)));
-        }
-        if !record.shares.is_empty() {
-            let largest = record.shares.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
-            let shares: Vec<String> =
-                record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
-            add("shares", &shares.join(" "));
-        }
-    }
-    for (name, by) in &record.renamed {
-        add("renamed", &format!("{name} {by}"));
-    }
-    for (key, checksums) in
-        [("points", &record.points), ("targets", &record.checksums), ("code", &record.code)]
-    {
-        if !checksums.is_empty() {
-            add(key, &String::from_utf8_lossy(checksums));
-        }
+    let entries = written_entries(record);
+    for (key, text) in &entries {
+        push_entry(&mut lines, key, text);
     }
     let sum = checksum::of_lines(entries.iter().map(|(key, text)| (key.as_bytes(), text.as_bytes())));
     lines.push(format!("{MARK}sum: {}", String::from_utf8_lossy(&sum)));
     lines.push(digest::line());
     lines.push(format!("{MARK}end"));
     lines
+}
+
+/// What is read back, in order: what stands before the colon, and what behind it.
+fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
+    let mut entries = Vec::new();
+    let mut add = |key: &'static str, text: String| entries.push((key, text));
+    if record.is_core {
+        add("core", "no source".to_owned());
+    } else {
+        add("source", format!("SHA-256 {} {}", record.source_sha256, plain(&record.source_name)));
+        for (name, value) in &record.settings {
+            add("with", format!("{name} {}", one_line(value)));
+        }
+        let Record { targets, data, routines, .. } = record;
+        add("added", format!("{targets} targets, {data} data, {routines} routines"));
+        for (name, text) in &record.was {
+            add("was", format!("{name} {}", escape(text)));
+        }
+        if !record.shares.is_empty() {
+            let largest = record.shares.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
+            let shares: Vec<String> =
+                record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
+            add("shares", shares.join(" "));
+        }
+    }
+    if !record.on_purpose.is_empty() {
+        add("named", record.on_purpose.join(" "));
+    }
+    for (name, by) in &record.renamed {
+        add("renamed", format!("{name} {by}"));
+    }
+    for (key, checksums) in
+        [("originals", &record.originals), ("targets", &record.checksums), ("code", &record.code)]
+    {
+        if !checksums.is_empty() {
+            add(key, String::from_utf8_lossy(checksums).into_owned());
+        }
+    }
+    entries
+}
+
+/// Appends the lines of an entry, each as long as it may be.
+fn push_entry(lines: &mut Vec<String>, key: &str, text: &str) {
+    let first = format!("{MARK}{key}: ");
+    let more = format!("{MARK}more: ");
+    let (mut rest, mut prefix) = (text, first.as_str());
+    loop {
+        let at = cut(rest, WIDTH - prefix.len());
+        lines.push(format!("{prefix}{}", &rest[..at]));
+        rest = &rest[at..];
+        prefix = &more;
+        if rest.is_empty() {
+            break;
+        }
+    }
 }
 
 /// Breaks `text` at blanks.
@@ -269,6 +298,7 @@ impl Record {
                 let mut next = || numbers.next().flatten();
                 (self.targets, self.data, self.routines) = (next()?, next()?, next()?);
             }
+            b"named" => self.on_purpose = utf8.split(' ').map(str::to_owned).collect(),
             b"renamed" => {
                 let (name, by) = utf8.split_once(' ')?;
                 self.renamed.insert(name.to_owned(), by.to_owned());
@@ -282,6 +312,7 @@ impl Record {
                 self.was.insert(name.to_ascii_lowercase(), unescape(was.as_bytes())?);
             }
             b"points" => self.points = text,
+            b"originals" => self.originals = text,
             b"targets" => self.checksums = text,
             b"code" => self.code = text,
             _ => {}
@@ -345,10 +376,12 @@ mod tests {
             targets: 46,
             data: 12,
             routines: 11,
+            on_purpose: vec!["tcColdStart".to_owned(), "tcMinute".to_owned()],
             renamed: [("tcK".to_owned(), "tcK_2".to_owned())].into(),
             was,
             shares: vec![0.125, 1.0],
-            points: b"ABCabc".repeat(90),
+            originals: b"ABCabc".repeat(90),
+            points: Vec::new(),
             checksums: b"-+01".repeat(90),
             code: b"xyz".to_vec(),
             is_whole: true,

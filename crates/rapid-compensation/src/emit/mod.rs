@@ -15,6 +15,7 @@ mod clock;
 mod context;
 mod core_module;
 mod correction;
+mod declarations;
 mod digest;
 mod elements;
 mod emission;
@@ -28,11 +29,13 @@ mod mode;
 mod module;
 mod names;
 mod options;
+mod originals;
 mod point;
 mod record_text;
 mod restore;
 mod row_hash;
 mod scale;
+mod six_digits;
 mod target;
 mod touch;
 
@@ -43,5 +46,8 @@ pub use identity::{Difference, WithoutAdded};
 pub use mode::HeldMode;
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use record_text::{write_orient, write_pos};
-pub use restore::{Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, restore};
+pub use restore::{
+    Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, core_names, restore,
+    restore_beside,
+};
 pub use touch::{MAX_AMOUNT, Touch, TouchBy, TouchFrames};

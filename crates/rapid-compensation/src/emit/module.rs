@@ -38,9 +38,11 @@ pub(super) fn write(
         targets: added.declarations.len(),
         data: declared(&data),
         routines: heads(&routines).count(),
+        on_purpose: context.names.named_on_purpose(&file.bytes),
         renamed: context.names.renamed().clone(),
         was: added.was,
-        points: added.points,
+        points: Vec::new(),
+        originals: added.originals,
         shares: added.shares,
         // What they are is known when the declarations are written, behind the comment block.
         checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],

@@ -10,7 +10,7 @@ use rapid_syntax::tree::{FileItem, ModuleItem, Routine, StmtKind};
 
 /// Names that a given file may use on purpose: it calls the start routines, or shows the bucket. Only where
 /// a file declares one itself it is taken.
-const PUBLIC: [&str; 19] = [
+pub(super) const PUBLIC: [&str; 19] = [
     "tcColdStart",
     "tcWarmStart",
     "tcStartAt",
@@ -46,33 +46,17 @@ pub(super) const MAX_NAME: usize = 32;
 pub(super) struct Names {
     taken: BTreeSet<String>,
     renamed: BTreeMap<String, String>,
+    /// Those of [`PUBLIC`] that given files name and none of them declares.
+    on_purpose: Vec<&'static str>,
     /// For each name that was wished for, in lower case, the number that is tried next: 1 is the name itself.
     next: BTreeMap<String, u32>,
 }
 
 impl Names {
-    /// The names that the files of `program` take, in lower case.
+    /// Names that collide with none of the files of `program`; `core` is the core's RAPID text.
     #[must_use]
-    pub(super) fn taken(program: &Program) -> BTreeSet<String> {
-        let mut taken = BTreeSet::new();
-        for file in &program.files {
-            words(&file.bytes, |word| {
-                if begins_with_tc(word) {
-                    taken.insert(String::from_utf8_lossy(word).to_ascii_lowercase());
-                }
-            });
-        }
-        for name in PUBLIC.map(str::to_ascii_lowercase) {
-            if taken.contains(&name) && !program.files.iter().any(|file| declares(file, &name)) {
-                taken.remove(&name);
-            }
-        }
-        taken
-    }
-
-    /// Names that collide with none of `taken`; `core` is the core's RAPID text.
-    #[must_use]
-    pub(super) fn new<'a>(taken: BTreeSet<String>, core: impl Iterator<Item = &'a str>) -> Self {
+    pub(super) fn new<'a>(program: &Program, core: impl Iterator<Item = &'a str>) -> Self {
+        let mut names = Self::taken(program);
         let mut ours: BTreeSet<String> = ASKED.map(str::to_owned).into();
         for text in core {
             words(text.as_bytes(), |word| {
@@ -81,7 +65,6 @@ impl Names {
                 }
             });
         }
-        let mut names = Self { taken, ..Self::default() };
         let collide: Vec<String> =
             ours.iter().filter(|n| names.taken.contains(&n.to_ascii_lowercase())).cloned().collect();
         names.taken.extend(ours.iter().map(|n| n.to_ascii_lowercase()));
@@ -90,6 +73,47 @@ impl Names {
             names.renamed.insert(name, free);
         }
         names
+    }
+
+    /// What the files of `program` take, in lower case.
+    fn taken(program: &Program) -> Self {
+        let mut names = Self::default();
+        for file in &program.files {
+            words(&file.bytes, |word| {
+                if begins_with_tc(word) {
+                    names.taken.insert(String::from_utf8_lossy(word).to_ascii_lowercase());
+                }
+            });
+        }
+        for public in PUBLIC {
+            let name = public.to_ascii_lowercase();
+            if names.taken.contains(&name) && !program.files.iter().any(|file| declares(file, &name)) {
+                names.taken.remove(&name);
+                names.on_purpose.push(public);
+            }
+        }
+        names
+    }
+
+    /// Those of [`PUBLIC`] that the code of a file in `bytes` names, in their order.
+    #[must_use]
+    pub(super) fn named_on_purpose(&self, bytes: &[u8]) -> Vec<String> {
+        let mut named = vec![false; self.on_purpose.len()];
+        if !named.is_empty() {
+            let mut note = |word: &[u8]| {
+                let is = |public: &&str| public.as_bytes().eq_ignore_ascii_case(word);
+                if let Some(at) = self.on_purpose.iter().position(is) {
+                    named[at] = true;
+                }
+            };
+            code_parts(bytes, |part| words(part, &mut note));
+        }
+        self.on_purpose
+            .iter()
+            .zip(named)
+            .filter(|(_, named)| *named)
+            .map(|(name, _)| (*name).to_owned())
+            .collect()
     }
 
     /// The name in use for one of the core's.
@@ -178,6 +202,17 @@ fn begins_with_tc(word: &[u8]) -> bool {
     matches!(word, [b't' | b'T', b'c' | b'C', ..])
 }
 
+/// Whether it is a name, and no expression.
+pub(super) fn is_name(text: &[u8]) -> bool {
+    text.iter().all(|&b| PARTS[usize::from(b)])
+}
+
+/// How many bytes the word has that `text` begins with; none where it begins with something else.
+pub(super) fn word_length(text: &[u8]) -> usize {
+    let is_begun = text.first().is_some_and(|first| !first.is_ascii_digit());
+    if is_begun { text.iter().position(|b| !PARTS[usize::from(*b)]).unwrap_or(text.len()) } else { 0 }
+}
+
 /// Calls `each` with every word of `text`: letters, digits, `_` and bytes above ASCII, not begun by a digit.
 pub(super) fn words<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
     let part = |b: &u8| PARTS[usize::from(*b)];
@@ -189,6 +224,29 @@ pub(super) fn words<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
             each(word);
         }
         rest = after;
+    }
+}
+
+/// Calls `each` with every part of a text that is neither a comment nor in a string: names stand there alone.
+pub(super) fn code_parts<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
+    for line in text.split(|b| matches!(b, b'\n' | b'\r')) {
+        let (mut from, mut in_string) = (0, false);
+        let mut ends = line.len();
+        for at in memchr::memchr2_iter(b'"', b'!', line) {
+            match (line[at], in_string) {
+                (b'"', false) => each(&line[from..at]),
+                (b'"', true) => from = at + 1,
+                (_, true) => continue,
+                (_, false) => {
+                    ends = at;
+                    break;
+                }
+            }
+            in_string = !in_string;
+        }
+        if !in_string {
+            each(&line[from..ends]);
+        }
     }
 }
 

@@ -14,15 +14,15 @@ mod lines;
 mod originals;
 mod removal;
 mod rounded;
+mod still_named;
 mod undo;
 
-pub use altered::altered_core;
+pub use altered::{altered_core, core_names};
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 
 use super::checksum::hex;
 use super::header;
 use super::insertion;
-use super::names::{ASKED, words};
 use altered::altered_code;
 use comment_block::{comment_block, header_of};
 use lines::Lines;
@@ -31,6 +31,7 @@ use rapid_syntax::tree::FileItem;
 use rapid_syntax::{Edit, apply, gives, parse};
 use removal::Remover;
 use sha2::{Digest, Sha256};
+use still_named::AddedNames;
 use undo::UndoEdits;
 
 /// An original, got back.
@@ -57,15 +58,30 @@ pub struct Restored {
 /// # Errors
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
 pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
-    let TakenApart { edits, added, source_sha256, source_name, touched, altered } = take_apart(bytes)?;
+    restore_beside(bytes, &[])
+}
+
+/// The same of a module that asks a common one whose [`core_names`] these are: it must not name them elsewhere either.
+///
+/// # Errors
+/// As of [`restore`].
+pub fn restore_beside(bytes: &[u8], core: &[Vec<u8>]) -> Result<Restored, RestoreError> {
+    let TakenApart { edits, mut added, source_sha256, source_name, touched, mut altered } =
+        take_apart(bytes)?;
     let edits: Vec<Edit<&[u8]>> = edits.of(bytes).collect();
     let restored =
         apply(bytes, &edits).map_err(|error| RestoreError::Damaged { line: 1, what: format!("{error}") })?;
-    check_nothing_is_left(&restored, &added).map_err(|(at, name)| {
-        let line = LineIndex::new(bytes).line(place_before(&edits, at));
-        RestoreError::Damaged { line, what: format!("{name} is still named there when all is taken out") }
-    })?;
     let exact = hex(&Sha256::digest(&restored)) == source_sha256;
+    if !exact {
+        added.add_core(core);
+        let line = |at: u32| LineIndex::new(bytes).line(place_before(&edits, at));
+        let named = added.named_in(&restored).map_err(|(at, name)| RestoreError::Damaged {
+            line: line(at),
+            what: format!("{name} is still named there when all is taken out"),
+        })?;
+        altered.extend(named.into_iter().map(|(at, name)| Altered::Named { name, line: line(at) }));
+        altered.sort_by_key(Altered::line);
+    }
     Ok(Restored { bytes: restored, source_name, touched, altered, exact })
 }
 
@@ -74,7 +90,7 @@ pub(super) fn gives_back(bytes: &[u8], (original, sha256): (&[u8], &str)) -> boo
     take_apart(bytes).is_ok_and(|TakenApart { edits, added, source_sha256, .. }| {
         source_sha256 == sha256
             && gives(bytes, edits.of(bytes), original) == Ok(true)
-            && check_nothing_is_left(original, &added).is_ok()
+            && added.named_in(original).is_ok_and(|named| named.is_empty())
     })
 }
 
@@ -82,8 +98,8 @@ pub(super) fn gives_back(bytes: &[u8], (original, sha256): (&[u8], &str)) -> boo
 struct TakenApart {
     /// In the order of their places.
     edits: UndoEdits,
-    /// Names that were added, in lower case, in their order.
-    added: Vec<Vec<u8>>,
+    /// What was added, by name.
+    added: AddedNames,
     /// As the comment block says.
     source_sha256: String,
     source_name: String,
@@ -98,7 +114,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
     let mut touched = Vec::new();
     let mut altered = Vec::new();
     let mut source = None;
-    let mut added: Vec<Vec<u8>> = Vec::new();
+    let mut added = AddedNames::default();
     for item in &tree.items {
         let FileItem::Module(module) = item else { continue };
         let Some(comment) = header_of(bytes, module) else { continue };
@@ -131,14 +147,13 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         } else {
             altered.push(Altered::Header { line: lines.line(comment.start) });
         }
-        added.append(&mut remover.corrections);
-        added.extend(arrays.into_iter().map(|array| array.name.into_bytes()));
-        added.extend(ASKED.map(|name| record.core(name).as_bytes().to_ascii_lowercase()));
+        let clock = remover.code.iter().map(|(name, _)| name.of(bytes).to_ascii_lowercase());
+        let arrays = arrays.into_iter().map(|array| array.name.into_bytes());
+        added.add(&record, clock.chain(std::mem::take(&mut remover.corrections)).chain(arrays));
         source = Some((record.source_sha256, record.source_name));
     }
     let (source_sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
     edits.sort();
-    added.sort_unstable();
     altered.sort_by_key(Altered::line);
     Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
 }
@@ -158,42 +173,4 @@ fn place_before(edits: &[Edit<&[u8]>], at: u32) -> u32 {
         put += edit.text.len() as u32;
     }
     at + taken - put
-}
-
-/// Calls `each` with every part of a text that is no comment; what begins in a string is none.
-fn outside_comments<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
-    for line in text.split(|b| matches!(b, b'\n' | b'\r')) {
-        let mut in_string = false;
-        let begins = line.iter().position(|b| {
-            in_string ^= *b == b'"';
-            *b == b'!' && !in_string
-        });
-        each(begins.map_or(line, |at| line.split_at(at).0));
-    }
-}
-
-/// Whether what was added is named nowhere in what is left but in comments, where a motion was switched off, say; else where it is,
-/// and the name. `added`: names in lower case, in their order.
-fn check_nothing_is_left(restored: &[u8], added: &[Vec<u8>]) -> Result<(), (u32, String)> {
-    let mut left = None;
-    // What the first two letters of a name can be.
-    let mut begins = [[false; 256]; 2];
-    for name in added {
-        begins.iter_mut().zip(name).for_each(|(begins, &letter)| begins[usize::from(letter)] = true);
-    }
-    let mut look = |word: &[u8]| {
-        let may_be = word.len() > 2
-            && begins
-                .iter()
-                .zip(word)
-                .all(|(begins, letter)| begins[usize::from(letter.to_ascii_lowercase())]);
-        if left.is_none() && may_be && added.binary_search(&word.to_ascii_lowercase()).is_ok() {
-            left = Some((word.as_ptr() as usize - restored.as_ptr() as usize, word.to_vec()));
-        }
-    };
-    outside_comments(restored, |part| words(part, &mut look));
-    match left {
-        None => Ok(()),
-        Some((at, name)) => Err((at as u32, String::from_utf8_lossy(&name).into_owned())),
-    }
 }

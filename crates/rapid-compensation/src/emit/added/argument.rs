@@ -55,4 +55,9 @@ impl<'t> Argument<'t> {
         let key = Some(TargetKey { declaration: None, text });
         Ok(Self { base, index: Some(file.text(indices.range)), dims: indices.dims.to_vec(), key })
     }
+
+    /// What is put back in place of an array: of an expression that an index chooses in, all of it; of an array's element the array.
+    pub(super) fn was(&self, file: &'t SourceFile, target: &Target) -> &'t [u8] {
+        if self.base.is_empty() { file.text(target.range) } else { self.base }
+    }
 }

@@ -4,13 +4,14 @@
 //! Knows nothing of how corrections were found.
 
 use super::argument::{Argument, TargetKey};
-use super::{Added, Declaration, mismatch};
+use super::{Added, AskingTarget, Declaration, mismatch};
 use crate::compensate::plan::{Correction, Corrections, PlannedMotion, PlannedTarget};
 use crate::emit::choice::ChoiceData;
 use crate::emit::context::EmitContext;
 use crate::emit::correction::CorrectionData;
 use crate::emit::insertion::LayoutStyle;
 use crate::emit::options::EmitError;
+use crate::emit::originals::corrected_by;
 use rapid_program::motion::{Motion, Origin, Path, Target, TargetValue};
 use rapid_syntax::SourceFile;
 
@@ -36,10 +37,13 @@ impl<'p> Added<'p> {
             if target.is_one_of() {
                 let [rows, hash] = self.choice(file, (motion, target), &rows)?;
                 let arguments = format!(",{rows},{hash}");
+                self.asks(target, rows.as_bytes());
                 self.wrap(context, file, ("tcAtOne", target.range, arguments.as_bytes()), style);
                 continue;
             }
             let arguments = self.corrections(file, (motion, target), &rows, count)?;
+            let mut names = arguments.split([',', '{']).skip(1);
+            self.asks(target, names.next().unwrap_or_default().as_bytes());
             let function = match (joint, k) {
                 (true, _) => "tcAtJ",
                 (false, 0) => "tcAt",
@@ -48,6 +52,11 @@ impl<'p> Added<'p> {
             self.wrap(context, file, (function, target.range, arguments.as_bytes()), style);
         }
         Ok(())
+    }
+
+    /// A target stays in its motion, corrected by what has the name.
+    fn asks(&mut self, Target { range, .. }: &Target, name: &[u8]) {
+        self.asking.push(AskingTarget { range: *range, by: corrected_by(name), is_there: true });
     }
 
     /// The names of a target's corrections as arguments, one for each of `count` functions of time; `rows`: those of each value.

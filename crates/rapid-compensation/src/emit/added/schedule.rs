@@ -3,10 +3,11 @@
 //! Knows nothing of how buckets were chosen.
 
 use super::argument::Argument;
-use super::{Added, Declaration, mismatch, parting};
+use super::{Added, AskingTarget, Declaration, mismatch, parting};
 use crate::compensate::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget};
 use crate::emit::context::EmitContext;
 use crate::emit::options::EmitError;
+use crate::emit::originals::{corrected_by, is_expression};
 use crate::emit::target::{ArrayRow, TargetArray, as_it_is, distance, first_element};
 use rapid_program::motion::{Motion, Origin, Target, TargetValue};
 use rapid_syntax::{Edit, EditText, SourceFile};
@@ -25,8 +26,13 @@ impl<'p> Added<'p> {
             let rows = self.rows(context, file, target, &mut of_values)?;
             let argument = Argument::of(file, target)?;
             let index = argument.index;
+            let was = argument.was(file, target);
             let array = self.array(file, (motion, target), argument, rows)?;
             let Some(Declaration::Array(array)) = self.declarations.get(array) else { continue };
+            if is_expression(was) {
+                let by = corrected_by(array.name.as_bytes());
+                self.asking.push(AskingTarget { range: target.range, by, is_there: false });
+            }
             let parting = parting(file, target.range.start);
             let text = element(context, (&array.name, index, k), parting);
             self.edits.push(Edit { range: target.range, text });
@@ -67,9 +73,11 @@ impl<'p> Added<'p> {
         &mut self,
         file: &SourceFile,
         (motion, target): (&Motion, &Target),
-        Argument { base, index, dims, key }: Argument<'_>,
+        argument: Argument<'_>,
         rows: Vec<ArrayRow<'p>>,
     ) -> Result<usize, EmitError> {
+        let was = argument.was(file, target);
+        let Argument { base, index, dims, key } = argument;
         let is_same = |declaration: &Declaration| match declaration {
             Declaration::Array(array) => array.is_of(&dims, &rows),
             Declaration::Correction(_) | Declaration::Choice(_) | Declaration::RowHash(..) => false,
@@ -85,8 +93,6 @@ impl<'p> Added<'p> {
             Origin::Expression => index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base),
         };
         if !tells_itself {
-            // Of an expression that an index chooses in, all of it; of an array's element the array.
-            let was = if base.is_empty() { argument } else { base };
             self.was.insert(name.clone(), was.to_vec());
         }
         Ok(self.declare(key, Declaration::Array(TargetArray { name, dims, rows })))

@@ -6,7 +6,7 @@ use super::lines::Lines;
 use crate::emit::{checksum, header};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::parse;
-use rapid_syntax::tree::{FileItem, ModuleItem};
+use rapid_syntax::tree::{FileItem, Module, ModuleItem};
 
 /// What was changed in the common module of a compensated program; nothing where `bytes` is none.
 #[must_use]
@@ -24,16 +24,34 @@ pub fn altered_core(bytes: &[u8]) -> Vec<Altered> {
             continue;
         };
         if record.is_core {
-            let data = module.items.iter().filter_map(|item| match item {
-                ModuleItem::Data(data) => Some((data.name, data.range)),
-                _ => None,
-            });
-            let routines = module.routines().map(|routine| (routine.name, routine.range));
-            let code: Vec<_> = data.chain(routines).collect();
-            altered.extend(altered_code(bytes, &lines, &code, &record.code, module.name));
+            altered.extend(altered_code(bytes, &lines, &all_code(module), &record.code, module.name));
         }
     }
     altered
+}
+
+/// The names of the data and routines of the common module of a compensated program, in lower case; none of another file.
+#[must_use]
+pub fn core_names(bytes: &[u8]) -> Vec<Vec<u8>> {
+    let mark = [checksum::MARK.as_bytes(), b"core: "].concat();
+    if memchr::memmem::find(bytes, &mark).is_none() {
+        return Vec::new();
+    }
+    let (tree, _) = parse(bytes);
+    let modules = tree.items.iter().filter_map(|item| match item {
+        FileItem::Module(module) if header_of(bytes, module).is_some() => Some(module),
+        _ => None,
+    });
+    modules.flat_map(all_code).map(|(name, _)| name.of(bytes).to_ascii_lowercase()).collect()
+}
+
+/// Name and range of a module's data and routines.
+fn all_code(module: &Module) -> Vec<(TextRange, TextRange)> {
+    let data = module.items.iter().filter_map(|item| match item {
+        ModuleItem::Data(data) => Some((data.name, data.range)),
+        _ => None,
+    });
+    data.chain(module.routines().map(|routine| (routine.name, routine.range))).collect()
 }
 
 /// What of added data and routines (name, range) has another checksum than `checksums` hold, three characters each.

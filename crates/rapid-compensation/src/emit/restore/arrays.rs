@@ -3,6 +3,7 @@
 use super::undo::UndoText;
 use crate::emit::aggregate::{is_plain, singles};
 use crate::emit::record_text::write_orient;
+use crate::emit::six_digits::six_digits;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Expr, Routine};
@@ -162,7 +163,11 @@ enum TargetPose {
 
 impl TargetPose {
     fn of(text: &[u8]) -> Option<Self> {
-        let n: Vec<f64> = singles(text)?.into_iter().map(f64::from).collect();
+        Self::of_numbers(singles(text)?.into_iter())
+    }
+
+    fn of_numbers(numbers: impl Iterator<Item = f32>) -> Option<Self> {
+        let n: Vec<f64> = numbers.map(f64::from).collect();
         if n.len() == ROBTARGET {
             let q = UnitQuaternion::from_quaternion(Quaternion::new(n[3], n[4], n[5], n[6]));
             return Some(Self::Pose(Vector3::new(n[0], n[1], n[2]), q));
@@ -244,8 +249,9 @@ impl<'b> Array<'b> {
 
     /// How far the declared value of a row's target, as text, has been moved away from element 1; `None` where it is the same.
     pub(super) fn declared_apart(&self, row: usize, declared: &[u8]) -> Option<(f64, &'static str)> {
-        let first = TargetPose::of(self.rows.first(row)?.of(self.bytes))?;
-        let (moved, unit) = TargetPose::of(declared)?.moved_from(&first);
+        let saved = |text: &[u8]| TargetPose::of_numbers(singles(text)?.into_iter().map(six_digits));
+        let first = saved(self.rows.first(row)?.of(self.bytes))?;
+        let (moved, unit) = saved(declared)?.moved_from(&first);
         (moved > SAME).then_some((moved, unit))
     }
 

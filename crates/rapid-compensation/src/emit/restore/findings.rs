@@ -125,6 +125,17 @@ pub enum Altered {
         /// The line of its value, from 1.
         line: u32,
     },
+    /// What a motion's target says beside the values that it names, a number in it or a constant, is another than it was.
+    #[error(
+        "{target} is not as it was made: a number in it, or a constant that it names, was changed by hand; it stays as it is, and the \
+         correction was made for what it was"
+    )]
+    Expression {
+        /// What stands in the motion.
+        target: String,
+        /// The motion's line, from 1.
+        line: u32,
+    },
     /// An array was touched up, and no motion goes by it any more, so that the new value has no place in the original.
     #[error(
         "{target} was touched up on the controller ({array}) and means {meant} now, but the motion that went by it is not there any \
@@ -138,6 +149,17 @@ pub enum Altered {
         /// The original that the array means.
         meant: String,
         /// The array's first line, from 1.
+        line: u32,
+    },
+    /// What the program calls or shows of the clock is named by hand, where the source did not name it.
+    #[error(
+        "{name}, which was added, is named there and was not in the source: the original names what it does not declare, and a \
+         controller that has no {name} does not load it"
+    )]
+    Named {
+        /// The name as it stands there.
+        name: String,
+        /// Its line, from 1.
         line: u32,
     },
     /// What the model is asked for is not what the motion goes with.
@@ -156,7 +178,9 @@ impl Altered {
             Self::Header { line }
             | Self::Code { line, .. }
             | Self::Original { line, .. }
+            | Self::Expression { line, .. }
             | Self::Gone { line, .. }
+            | Self::Named { line, .. }
             | Self::Arguments { line } => *line,
         }
     }
@@ -168,7 +192,9 @@ impl Altered {
             Self::Header { .. } => "restore::header",
             Self::Code { .. } => "restore::code",
             Self::Original { .. } => "restore::original",
+            Self::Expression { .. } => "restore::expression",
             Self::Gone { .. } => "restore::gone",
+            Self::Named { .. } => "restore::named",
             Self::Arguments { .. } => "restore::arguments",
         }
     }

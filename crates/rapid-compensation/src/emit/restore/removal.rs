@@ -6,10 +6,11 @@ use super::lines::Lines;
 use super::undo::{UndoEdits, UndoText};
 use crate::emit::array_reader::ArrayReader;
 use crate::emit::checksum::{self, Elements};
+use crate::emit::declarations::Declarations;
 use crate::emit::elements::elements;
 use crate::emit::header::Record;
 use crate::emit::insertion;
-use crate::emit::point::Declarations;
+use crate::emit::names::{is_name, word_length};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Arg, ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
@@ -17,6 +18,35 @@ use rapid_syntax::tree::{Arg, ArgKind, DataDecl, Expr, ExprKind, Module, ModuleI
 const BY_POSE: [&str; 4] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ"];
 /// Functions that stand round a target and ask the model, with the motion's tool and work object.
 const BY_MODEL: [&str; 3] = ["tcLive", "tcLiveSame", "tcLiveJ"];
+
+/// What a function of ours stands round.
+pub(super) struct Inside<'e> {
+    /// The target that it corrects.
+    pub(super) target: TextRange,
+    /// The tool and work object that a model is asked with.
+    asked_with: &'e [Arg],
+    /// What corrects it where no model is asked.
+    corrections: &'e [Arg],
+}
+
+impl Inside<'_> {
+    /// The name of the first correction; empty where a model is asked.
+    pub(super) fn corrected_by<'b>(&self, bytes: &'b [u8]) -> &'b [u8] {
+        let first = match self.corrections.first().map(|arg| &arg.kind) {
+            Some(ArgKind::Positional(expr)) => expr.range.of(bytes),
+            _ => b"",
+        };
+        first.split_at(word_length(first)).0
+    }
+}
+
+/// The module's own routines, whose motions ask, and the arrays that some of them go by, in the order in which they are looked for.
+#[derive(Clone, Copy)]
+pub(super) struct Asking<'a, 'w> {
+    pub(super) routines: &'a [&'w Routine],
+    pub(super) arrays: &'a [NamedArray<'w>],
+    pub(super) declarations: &'a Declarations<'w>,
+}
 
 /// Takes a module apart.
 pub(super) struct Remover<'w> {
@@ -180,7 +210,7 @@ impl<'w> Remover<'w> {
                         let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
                         arrays[at].uses.push(Use { expr, index, routine });
                         next = at + 1;
-                    } else if let Some((inner, asked_with)) = self.inside(expr) {
+                    } else if let Some(Inside { target: inner, asked_with, .. }) = self.inside(expr) {
                         if !self.goes_with(&call.args, asked_with) {
                             self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
                         }
@@ -189,9 +219,14 @@ impl<'w> Remover<'w> {
                 }
             }
         }
-        let mut touched = self.touched_originals(routines, &declarations);
+        let asking = Asking { routines, arrays, declarations: &declarations };
+        let mut touched = self.touched_originals(asking);
         touched.extend(self.put_back(arrays, &declarations)?);
         touched.sort_by_key(|t| t.line);
+        // A target of schedule that is named by itself and within an expression.
+        touched.dedup_by(|next, kept| {
+            (next.line, &next.target, &next.value) == (kept.line, &kept.target, &kept.value)
+        });
         Ok(touched)
     }
 
@@ -328,7 +363,7 @@ impl<'w> Remover<'w> {
     }
 
     /// Name and own index of `name{tcK()}`, `name{tcI}` and `name{index,tcK()}`.
-    fn element(&self, expr: &Expr) -> Option<(TextRange, Option<TextRange>)> {
+    pub(super) fn element(&self, expr: &Expr) -> Option<(TextRange, Option<TextRange>)> {
         let ExprKind::Index(element) = &expr.kind else { return None };
         let base = &element.base;
         if !matches!(base.kind, ExprKind::Name) {
@@ -347,18 +382,18 @@ impl<'w> Remover<'w> {
         asks.then_some((base.range, own))
     }
 
-    /// The target that a function of ours stands round, and the tool and work object that a model is asked with.
-    pub(super) fn inside<'e>(&self, expr: &'e Expr) -> Option<(TextRange, &'e [Arg])> {
+    /// What a function of ours stands round.
+    pub(super) fn inside<'e>(&self, expr: &'e Expr) -> Option<Inside<'e>> {
         let ExprKind::Call(call) = &expr.kind else { return None };
         let is_any = |functions: &[&str]| functions.iter().any(|function| self.is_core(call.name, function));
         let (target, rest) = call.args.split_first()?;
-        let asked_with = match (is_any(&BY_MODEL), is_any(&BY_POSE)) {
-            (true, _) => rest,
-            (false, true) => &[],
+        let (asked_with, corrections): (&[Arg], &[Arg]) = match (is_any(&BY_MODEL), is_any(&BY_POSE)) {
+            (true, _) => (rest, &[]),
+            (false, true) => (&[], rest),
             (false, false) => return None,
         };
         match &target.kind {
-            ArgKind::Positional(inner) => Some((inner.range, asked_with)),
+            ArgKind::Positional(inner) => Some(Inside { target: inner.range, asked_with, corrections }),
             _ => None,
         }
     }
@@ -381,11 +416,6 @@ impl<'w> Remover<'w> {
         motion.iter().filter_map(tool).any(|own| own == asked)
             && motion.iter().find_map(wobj) == asked_with.iter().find_map(wobj)
     }
-}
-
-/// Whether it is a name, and no expression.
-fn is_name(text: &[u8]) -> bool {
-    text.iter().all(|&b| b.is_ascii_alphanumeric() || b == b'_' || !b.is_ascii())
 }
 
 fn begins_with_tc(name: &[u8]) -> bool {

@@ -1,4 +1,4 @@
-//! Originals whose numbers a controller has written anew, with as many digits as it writes: they are as they were made.
+//! Originals of older modules whose numbers a controller has written anew, with as many digits as it writes: they are as they were made.
 
 use crate::emit::aggregate::singles;
 use crate::emit::checksum;
@@ -10,14 +10,13 @@ const DIGITS: usize = 6;
 const MOST_COMBINATIONS: usize = 1024;
 /// Characters of a checksum, behind which a fingerprint has the coordinates.
 const CHECKSUM: usize = 3;
-/// Numbers of a robtarget, and how many of them are its position.
-const ROBTARGET: usize = 17;
+/// How many numbers of a target are its position.
 const POSITION: usize = 3;
 
-/// Whether an original, as text, is the robtarget of a fingerprint, its position being the same, with numbers behind the position
-/// that were rounded.
+/// Whether an original, as text, is the robtarget of a fingerprint, or a record that begins with one, its position being the same, with
+/// numbers behind the position that were rounded.
 pub(super) fn is_rounded(text: &[u8], fingerprint: &[u8]) -> bool {
-    let Some(numbers) = singles(text).filter(|numbers| numbers.len() == ROBTARGET) else { return false };
+    let Some(numbers) = singles(text) else { return false };
     let mut combinations = vec![numbers];
     for (at, written) in written_numbers(text).into_iter().enumerate().skip(POSITION) {
         let Some(meant) = meant_by(written) else { continue };
