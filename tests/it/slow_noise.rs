@@ -89,6 +89,25 @@ fn a_large_cause_hides_no_slow_noise() {
     assert_eq!((&causes[0]["effect"], &causes[0]["n"]), (&Value::from("gear_mesh"), &Value::from(115)));
 }
 
+/// Noise as white as stated, and as much again that goes from row to row as noise does: more of it than stated, and no veto against a cause.
+/// Alone it is no structure either.
+#[test]
+fn slow_noise_on_top_of_what_is_stated_hides_no_cause() {
+    let robot =
+        |name: &str| format!("{}/fixtures/measuring/slow_and_warm/{name}", env!("CARGO_MANIFEST_DIR"));
+    let on_top = |file: &str, robot_name: &str, known: [&str; 4]| {
+        diagnose(&foreign(file), &[&["--robot", &robot(robot_name)], &known[..]].concat())
+    };
+    let known = ["--tool", "171.863,111.113,251.696", "--sigma-mm", "0.0519"];
+    let found = on_top("cause_in_slow_noise_on_top.csv", "long.toml", known);
+    let causes = found["causes"].as_array().unwrap();
+    assert_eq!(found["verdict"], "explained", "{} {causes:?}", found["reason"]);
+    assert_eq!((&causes[0]["effect"], &causes[0]["joint"]), (&"gear_second_harmonic".into(), &4.into()));
+    let known = ["--tool", "8.269,108.545,142.55", "--sigma-mm", "0.0193"];
+    let found = on_top("slow_noise_on_top.csv", "mid.toml", known);
+    assert_eq!(found["verdict"], "nothing_above_noise", "{}", found["reason"]);
+}
+
 /// Errors of all frames that make seven eighths of the gap are no noise because noise is slow beside them.
 #[test]
 fn geometry_beside_slow_noise_is_geometry() {

@@ -23,7 +23,7 @@ pub(super) fn centre_at(candidate: &Candidate, joints: usize) -> Option<Range<us
     let before = match candidate.kind {
         EffectKind::JointCompliance => 1 + joints - joint?.index() + if refined { 2 } else { 0 },
         EffectKind::LinkBending => 1 + joints - joint?.index(),
-        EffectKind::BaseTilt => 2 + joints,
+        EffectKind::BaseTilt => 2 + joints + if refined { 2 } else { 0 },
         EffectKind::PayloadMass => n - 3,
         _ => return None,
     };

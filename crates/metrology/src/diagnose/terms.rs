@@ -8,7 +8,7 @@ use super::payload_centre::centre_at;
 use super::search::ChosenCause;
 use nalgebra::DVector;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{Estimate, PayloadScaling, Term, compliance_of_link};
+use robot_model::deform::identified::{Estimate, PayloadScaling, TILT_SHIFT, Term, compliance_of_link};
 use robot_model::robot::Axis;
 
 /// What was solved for as terms: causes, the lines that were `named`, geometry, and the rest of the spectra.
@@ -104,6 +104,14 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Estimate]) -
     Some(out)
 }
 
+/// Values of a base that tilts about something else than joint 1's origin in the model's order: both turns, of seven links, both shifts.
+fn base_tilt(joints: usize, mut values: Vec<Estimate>) -> Vec<Estimate> {
+    let shifts = values.split_off((2 + joints).min(values.len()));
+    values.resize(TILT_SHIFT[0], Estimate::default());
+    values.extend(shifts);
+    values
+}
+
 /// Values of a payload that is wrong in the model's order: kilograms, and how each joint gives under them.
 fn payload_mass(dataset: &Dataset, scaling: PayloadScaling, values: &[Estimate]) -> Option<Vec<Estimate>> {
     let share = if scaling == PayloadScaling::PerKilogram { 1.0 / dataset.largest_payload_kg } else { 1.0 };
@@ -155,6 +163,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
             }
             all
         }
+        EffectKind::BaseTilt if variant.refined => base_tilt(dataset.joints(), values),
         EffectKind::PayloadMass => payload_mass(dataset, payload_scaling, &values)?,
         EffectKind::LinkGeometry if variant.refined => {
             let along = along_link(dataset.of_arm().next()?, variant.joint?.index())?;

@@ -239,7 +239,7 @@ impl ArmKinematics for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Estimate, Growth};
+    use crate::deform::identified::{Estimate, Growth, TILT_SHIFT};
     use crate::deform::{EffectKind, GrowthLaw};
     use crate::kinematics::solve;
     use crate::robot::Axis;
@@ -305,6 +305,24 @@ mod tests {
             - Chain::nominal(&Robot::built_in("irb140").unwrap()).forward(&[0.0; 6]).translation.vector;
         let expected = 0.36e-4 * (1.0 - (-1.0_f64).exp());
         assert!((delta - Vector3::new(0.0, 0.0, expected)).norm() < 1e-12, "{delta}");
+    }
+
+    /// A stand that gives at its foot, half a metre below joint 1: what the flange does is a turn about that foot, to the square of the turn.
+    #[test]
+    fn a_tilt_with_its_shifts_turns_about_what_lies_below() {
+        let (give, below_m) = (1e-6, 0.5);
+        let mut values = [0.0; 11];
+        values[..2].fill(give);
+        values[TILT_SHIFT[0]..].fill(below_m * give);
+        let tilted = arm(vec![term(EffectKind::BaseTilt, None, &values)], 0.0);
+        let there = tilted.under(&Conditions::default()).forward(&Q_RAD);
+        let nominal = Chain::nominal(&Robot::built_in("irb140").unwrap()).forward(&Q_RAD);
+        let turn_rad = (there.rotation * nominal.rotation.inverse()).scaled_axis();
+        let foot_m = Vector3::new(0.0, 0.0, -below_m);
+        let about_foot_m = turn_rad.cross(&(nominal.translation.vector - foot_m));
+        let moved_m = there.translation.vector - nominal.translation.vector;
+        assert!(turn_rad.norm() > 1e-5, "{turn_rad}");
+        assert!((moved_m - about_foot_m).norm() < 2.0 * turn_rad.norm_squared(), "{moved_m} {about_foot_m}");
     }
 
     #[test]

@@ -8,11 +8,19 @@ use crate::diagnose::size_unit::SizeUnit;
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 
-/// Turn of the base about x and y, each by its own compliance times its moment; each link's share may be wrong.
+/// Turn of the base about x and y through joint 1's origin, each by its own compliance times its moment; each link's share may be wrong.
+/// Refined it turns about what lies below that origin or above it: the mounting face, a pedestal's foot.
 pub(super) struct BaseTilt;
 
 /// How far a foundation usually turns under the largest moment of the measurement, radians.
 const TILT_RAD: f64 = 1.5e-4;
+
+/// How far what the base turns about usually lies below joint 1's origin or above it, metres: where on its axis a robot file puts joint 1
+/// is free, its mounting face is 0.1 to 0.8 m below its shoulder, and pedestals are as high.
+const PIVOT_M: f64 = 0.3;
+
+/// Share of the bases that turn about something else than joint 1's origin.
+const ELSEWHERE: f64 = 0.3;
 
 impl Effect for BaseTilt {
     fn kind(&self) -> EffectKind {
@@ -37,16 +45,25 @@ impl Effect for BaseTilt {
         let usual = sag_per_load(TILT_RAD, largest_n_m);
         let mut sizes = vec![usual; 2];
         sizes.extend(std::iter::repeat_n(MASS_ERROR * usual, dataset.joints()));
-        if dataset.largest_payload_kg > 0.0 {
-            sizes.extend([LEVER_M * usual; 3]);
-        }
-        vec![Candidate {
-            sign_constrained: true,
-            n_reported: 2,
-            ..Candidate::new(EffectKind::BaseTilt, EffectVariant::PLAIN, sizes)
-        }]
+        let levers = if dataset.largest_payload_kg > 0.0 { 3 } else { 0 };
+        let of = |refined: bool, weight: f64| {
+            let shifts = std::iter::repeat_n(PIVOT_M * usual, if refined { 2 } else { 0 });
+            let levers = std::iter::repeat_n(LEVER_M * usual, levers);
+            let sizes = sizes.iter().copied().chain(shifts).chain(levers).collect();
+            Candidate {
+                sign_constrained: true,
+                n_reported: 2,
+                weight,
+                ..Candidate::new(
+                    EffectKind::BaseTilt,
+                    EffectVariant { refined, ..EffectVariant::PLAIN },
+                    sizes,
+                )
+            }
+        };
+        vec![of(false, 1.0 - ELSEWHERE), of(true, ELSEWHERE)]
     }
-    fn signature(&self, _variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
+    fn signature(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         let observation = at.observation;
         let about = |moment: &Vector3<f64>| {
             [
@@ -60,6 +77,13 @@ impl Effect for BaseTilt {
             Twist(std::array::from_fn(|i| x[i] + y[i]))
         };
         out.extend(observation.loads.link_base_moment_n_m[..observation.joints()].iter().map(both));
+        if variant.refined {
+            let moment = &observation.loads.base_moment_n_m;
+            out.extend([
+                scaled(observation.frame_offset(0, 0), moment.y),
+                scaled(observation.frame_offset(0, 1), -moment.x),
+            ]);
+        }
         if at.dataset.largest_payload_kg > 0.0 {
             let payload_kg = observation.payload_kg.unwrap_or(0.0);
             out.extend(observation.loads.unit_lever_moment_n.map(|moment_n| both(&(moment_n * payload_kg))));

@@ -229,13 +229,14 @@ pub(super) fn slow_noise(fitted: &FittedModel<'_>, gp_alternative: usize) -> boo
 
 /// Whether what is slow beside `chosen` comes on top of the noise that was stated, where all together are `total` times the statement's
 /// variance. A statement may be 1.4 times off, and then all noise is; but where noise that is not slow alone is as large as stated, the
-/// statement holds, and what is slow is none of it. What is clearly one process from row to row is all noise, and more of it than stated.
+/// statement holds, and what is slow is none of it. What goes from row to row as noise does rather than as a function of time is all noise,
+/// and more of it than stated; causes beside it are not given up for less than a clear function of time.
 fn beyond_statement(fitted: &FittedModel<'_>, chosen: &[ChosenCause], total: f64) -> bool {
     let model = &fitted.model;
     let Some(stated) = model.noise.known.filter(|_| !model.noise.from_repeats) else { return false };
     model.slow.is_some()
         && comes_on_top((model.peak.sigma_m / stated.sigma_m).powi(2), total)
-        && smoothness_nats(fitted, chosen) > -SMOOTH_NATS
+        && smoothness_nats(fitted, chosen) > if chosen.is_empty() { 0.0 } else { SMOOTH_NATS }
 }
 
 /// ln of how much likelier what `chosen` leave is of a smooth function of time beside white noise than of noise that is slow itself.

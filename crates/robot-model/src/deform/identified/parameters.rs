@@ -73,6 +73,9 @@ const COMPLIANCE: Parameter = ("rad_per_n_m", Unit::Plain);
 const UNEVEN: Parameter = ("uneven_rad_per_n_m", Unit::Plain);
 const END_FORCE: Parameter = ("force_rad_per_n_m", Unit::Plain);
 const TILT: [Parameter; 2] = [("x_rad_per_n_m", Unit::Plain), ("y_rad_per_n_m", Unit::Plain)];
+/// Shift of joint 1's frame along x and y under the moment that turns it: over the turn's compliance the height of joint 1's origin above
+/// what the base turns about.
+const TILT_SHIFT: [Parameter; 2] = [("shift_x_m_per_n_m", Unit::Plain), ("shift_y_m_per_n_m", Unit::Plain)];
 const PER_LINK: [Parameter; 7] = joined([COMPLIANCE], LINKS, []);
 /// Beside the linear spring one in proportion to the torque's square, and one to its root, both with its sign.
 const PER_SPRING: [Parameter; 10] = {
@@ -102,7 +105,7 @@ const SLIDING_SPRING: [Parameter; 10] = [
     ("link7_m_per_n", Unit::Plain),
 ];
 const PER_BEND: [Parameter; 10] = joined([COMPLIANCE, UNEVEN, END_FORCE], LINKS, [LINK_7]);
-const PER_TILT: [Parameter; 9] = joined(TILT, LINKS, [LINK_7]);
+const PER_TILT: [Parameter; 11] = joined(TILT, LINKS, [LINK_7, TILT_SHIFT[0], TILT_SHIFT[1]]);
 const PER_JOINT: [Parameter; 8] =
     joined([("kg", Unit::Plain)], JOINTS, [("joint7_rad_per_n_m", Unit::Plain)]);
 const GEAR: [Parameter; 2] = [("sin_deg", Unit::Degree), ("cos_deg", Unit::Degree)];

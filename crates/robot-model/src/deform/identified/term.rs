@@ -166,6 +166,9 @@ pub(in crate::deform) struct PoseState<'a> {
     pub payload_kg: f64,
 }
 
+/// Where the values of a base that tilts have the shifts along x and y that go with its turns, behind the links' shares.
+pub const TILT_SHIFT: [usize; 2] = [9, 10];
+
 /// Which value of a joint's compliance is that of link `k` (from 0): those of links 1 to 6 follow the plain one, a seventh's stands
 /// behind the spring's own two.
 #[must_use]
@@ -311,6 +314,10 @@ impl Term {
                 }
                 to.offsets.0[0][3] += turn.x;
                 to.offsets.0[0][4] += turn.y;
+                // A turn about what lies below joint 1's origin carries that along: x under a turn about y, and -y about x.
+                let [x, y] = TILT_SHIFT;
+                to.offsets.0[0][0] += v(x) * loads.base_moment_n_m.y;
+                to.offsets.0[0][1] -= v(y) * loads.base_moment_n_m.x;
             }
             EffectKind::LinkBending => {
                 let link = joint.min(joints - 2);
