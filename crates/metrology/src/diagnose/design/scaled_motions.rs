@@ -10,7 +10,7 @@ use std::ops::Range;
 
 /// Columns of the design whose products with all members come at once: thousands of members with all of them take memory that is
 /// asked for anew each time.
-const COLUMNS_AT_ONCE: usize = 8;
+const COLUMNS_AT_ONCE: usize = 24;
 /// Observations whose factors are widened to full numbers at once, for the same reason.
 const OBSERVATIONS_AT_ONCE: usize = 64;
 
@@ -46,19 +46,40 @@ impl ScaledMotions {
             self.plain[(row, plain)] * f64::from(self.factors[(factor, row / rows_per_observation)]) * sigma
         })
     }
+
+    /// Products of each factor with itself, with the next, and so on as far as a member's factors lie apart, times `squares` of the plain
+    /// columns, summed over `observations`: for each distance factors x squares.
+    fn squares_of_factors(&self, observations: Range<usize>, squares: &[Vec<f64>]) -> Vec<DMatrix<f64>> {
+        let count = self.factors.nrows();
+        let apart = |member: &Vec<Parameter>| Some(member.last()?.factor - member.first()?.factor);
+        let farthest = self.parameters.iter().filter_map(apart).max().unwrap_or(0);
+        let mut sums = vec![DMatrix::zeros(count, squares.len()); farthest + 1];
+        for from in observations.clone().step_by(OBSERVATIONS_AT_ONCE) {
+            let some = OBSERVATIONS_AT_ONCE.min(observations.end - from);
+            let squares = DMatrix::from_fn(some, squares.len(), |r, c| squares[c][from + r]);
+            let factors = self.factors.columns(from, some).map(f64::from);
+            for (apart, sums) in sums.iter_mut().enumerate() {
+                let mut products = factors.clone();
+                for (to, of) in products.as_mut_slice().iter_mut().zip(&factors.as_slice()[apart..]) {
+                    *to *= of;
+                }
+                sums.gemm(1.0, &products, &squares, 1.0);
+            }
+        }
+        sums
+    }
 }
 
 impl Design {
-    /// The `candidates` that are `motion`, scaled.
+    /// Those of the `candidates` that are `motion`, scaled: `members`, by index.
     #[must_use]
     pub(crate) fn scaled_motions(
         &self,
         dataset: &Dataset,
         candidates: &[Candidate],
         motion: Motion,
+        members: Vec<usize>,
     ) -> ScaledMotions {
-        let is_motion = |c: &usize| candidates[*c].effect().motion(&candidates[*c].variant) == Some(motion);
-        let members: Vec<usize> = (0..candidates.len()).filter(is_motion).collect();
         let width = match motion {
             Motion::Joint(_) => 1,
             Motion::Body(_) => members.first().map_or(0, |&c| candidates[c].prior_sigma.len()),
@@ -82,12 +103,13 @@ impl Design {
             .collect();
         let mut factors = Vec::with_capacity(factors_before * self.order.len());
         let mut of_observation = Vec::with_capacity(factors_before);
+        let effects: Vec<_> =
+            members.iter().map(|&c| (candidates[c].effect(), &candidates[c].variant)).collect();
         for &i in &self.order {
             of_observation.clear();
-            for &c in &members {
-                let Candidate { variant, .. } = &candidates[c];
-                let at = dataset.at(&dataset.observations[i]);
-                candidates[c].effect().factors(variant, at, &mut of_observation);
+            let at = dataset.at(&dataset.observations[i]);
+            for (effect, variant) in &effects {
+                effect.factors(variant, at, &mut of_observation);
             }
             factors.extend(of_observation.iter().map(|factor| *factor as f32));
         }
@@ -104,34 +126,19 @@ impl Design {
                 by_observation(a.as_slice(), b.as_slice(), self.rows_per_observation)
             })
             .collect();
-        let pairs = |member: &[Parameter]| member.len() * member.len();
-        let count: usize = motions.parameters.iter().map(|member| pairs(member)).sum();
-        let of_groups: Vec<Vec<f64>> = parallel::map(self.groups.len(), &|group| {
-            let mut sums = vec![0.0; count];
-            for observation in self.observations(&self.groups[group]) {
-                let factors = motions.factors.column(observation).map(f64::from);
-                let mut sums = sums.iter_mut();
-                for member in &motions.parameters {
-                    for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
-                        let square = squares[a.plain * width + b.plain][observation];
-                        let sum = sums.next().expect("room for each pair");
-                        *sum += square * factors[a.factor] * factors[b.factor];
-                    }
-                }
-            }
-            sums
+        let of_groups: Vec<Vec<DMatrix<f64>>> = parallel::map(self.groups.len(), &|group| {
+            motions.squares_of_factors(self.observations(&self.groups[group]), &squares)
         });
-        let mut before = 0;
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
             let p = member.len();
             let mut own = Vec::with_capacity(self.groups.len() * p * p);
-            for sums in &of_groups {
-                let sums = &sums[before..before + p * p];
-                own.extend(
-                    sums.iter().enumerate().map(|(k, sum)| sum * member[k / p].sigma * member[k % p].sigma),
-                );
+            for squares in &of_groups {
+                for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
+                    let [low, high] = [a.factor.min(b.factor), a.factor.max(b.factor)];
+                    let sum = squares[high - low][(low, a.plain * width + b.plain)];
+                    own.push(sum * a.sigma * b.sigma);
+                }
             }
-            before += p * p;
             products[c] = Products::begun(p, own, self.groups.len());
         }
     }
@@ -174,11 +181,17 @@ impl Design {
         };
         let crossed: Vec<DMatrix<f64>> =
             parallel::map(self.groups.len(), &|group| of_group(&self.groups[group]));
+        let (count, groups) = (motions.factors.nrows(), self.groups.len());
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
             let to = &mut products[c].cross;
-            for column in 0..columns.len() {
-                for of in &crossed {
-                    to.extend(member.iter().map(|p| of[(p.factor, column * width + p.plain)] * p.sigma));
+            let (known, p) = (to.len(), member.len());
+            to.resize(known + columns.len() * groups * p, 0.0);
+            for (a, parameter) in member.iter().enumerate() {
+                let first = parameter.plain * count + parameter.factor;
+                for (group, of) in crossed.iter().enumerate() {
+                    let to = to[known + group * p + a..].iter_mut().step_by(groups * p);
+                    let of = of.as_slice()[first..].iter().step_by(width * count);
+                    to.zip(of).for_each(|(to, of)| *to = of * parameter.sigma);
                 }
             }
         }
@@ -216,7 +229,9 @@ mod tests {
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         for motion in joints.chain([RigidBody::Base, RigidBody::Tool].map(Motion::Body)) {
             let mut design = design.clone();
-            let motions = design.scaled_motions(&dataset, &all, motion);
+            let is_motion = |c: &usize| all[*c].effect().motion(&all[*c].variant) == Some(motion);
+            let members = (0..all.len()).filter(is_motion).collect();
+            let motions = design.scaled_motions(&dataset, &all, motion, members);
             assert!(motions.members.len() > 3, "{motion:?}: {}", motions.members.len());
             let mut products = vec![Products::none(); all.len()];
             design.begin_scaled(&motions, &mut products);

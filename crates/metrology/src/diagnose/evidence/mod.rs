@@ -20,6 +20,7 @@ mod screening;
 mod sum;
 #[cfg(test)]
 mod tests;
+mod tridiagonal;
 
 pub(super) use candidate::Projected;
 pub(super) use pair::{PairPeak, joined};

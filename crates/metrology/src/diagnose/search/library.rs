@@ -98,8 +98,13 @@ impl<'a> Library<'a> {
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
         let motions: Vec<Motion> = joints.chain(bodies).collect();
-        let scaled: Vec<ScaledMotions> =
-            parallel::map(motions.len(), &|at| design.scaled_motions(dataset, candidates, motions[at]));
+        let motion_of: Vec<Option<Motion>> =
+            candidates.iter().map(|c| c.effect().motion(&c.variant)).collect();
+        let scaled: Vec<ScaledMotions> = parallel::map(motions.len(), &|at| {
+            let is_member = |c: &usize| motion_of[*c] == Some(motions[at]);
+            let members = (0..candidates.len()).filter(is_member).collect();
+            design.scaled_motions(dataset, candidates, motions[at], members)
+        });
         let mut room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
         let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
         for (motion, scaled) in scaled.iter().enumerate() {

@@ -243,8 +243,14 @@ impl Library<'_> {
             scores.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
         };
         let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
-        let bounds = screened.iter().enumerate().map(|(i, s)| (i, s.upper_bound() + log_prior(i)));
-        let long = best(bounds.collect());
+        // Where all have room nobody asks for their bounds.
+        let long = if screened.len() > LONG_LIST {
+            let bound =
+                |i: usize| (i, nuisance.upper_bound(&screened[i], screening_grid) + log_prior(i));
+            best(parallel::map(screened.len(), &bound))
+        } else {
+            (0..screened.len()).collect()
+        };
         let first = |at: usize| (long[at], nuisance.screening_evidence(&screened[long[at]], screening_grid));
         let firsts: BTreeMap<usize, EvidencePeak> = parallel::map(long.len(), &first).into_iter().collect();
         let seen = best(firsts.iter().map(|(&i, first)| (i, first.log_evidence + log_prior(i))).collect());
