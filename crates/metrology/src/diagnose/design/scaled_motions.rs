@@ -4,8 +4,9 @@
 use super::matrix::{Design, by_observation};
 use super::products::Products;
 use crate::diagnose::dataset::Dataset;
-use crate::diagnose::effects::{Candidate, Motion};
+use crate::diagnose::effects::{Candidate, Motion, RigidBody};
 use nalgebra::DMatrix;
+use robot_model::robot::Axis;
 use std::ops::Range;
 
 /// Columns of the design whose products with all members come at once: thousands of members with all of them take memory that is
@@ -58,11 +59,10 @@ impl ScaledMotions {
             let some = OBSERVATIONS_AT_ONCE.min(observations.end - from);
             let squares = DMatrix::from_fn(some, squares.len(), |r, c| squares[c][from + r]);
             let factors = self.factors.columns(from, some).map(f64::from);
+            let mut products = DMatrix::zeros(count, some);
             for (apart, sums) in sums.iter_mut().enumerate() {
-                let mut products = factors.clone();
-                for (to, of) in products.as_mut_slice().iter_mut().zip(&factors.as_slice()[apart..]) {
-                    *to *= of;
-                }
+                let pairs = factors.as_slice().iter().zip(&factors.as_slice()[apart..]);
+                products.as_mut_slice().iter_mut().zip(pairs).for_each(|(to, (a, b))| *to = a * b);
                 sums.gemm(1.0, &products, &squares, 1.0);
             }
         }
@@ -71,9 +71,28 @@ impl ScaledMotions {
 }
 
 impl Design {
-    /// Those of the `candidates` that are `motion`, scaled: `members`, by index.
+    /// Those of the `candidates` that are asked for and are each one motion scaled: by joint and by body.
     #[must_use]
-    pub(crate) fn scaled_motions(
+    pub(crate) fn scaled_motions_of(
+        &self,
+        dataset: &Dataset,
+        candidates: &[Candidate],
+        is_asked: &dyn Fn(&Candidate) -> bool,
+    ) -> Vec<ScaledMotions> {
+        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
+        let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
+        let motions: Vec<Motion> = joints.chain(bodies).collect();
+        let motion_of = |c: &Candidate| is_asked(c).then(|| c.effect().motion(&c.variant)).flatten();
+        let motion_of: Vec<Option<Motion>> = candidates.iter().map(motion_of).collect();
+        parallel::map(motions.len(), &|at| {
+            let is_member = |c: &usize| motion_of[*c] == Some(motions[at]);
+            let members = (0..candidates.len()).filter(is_member).collect();
+            self.scaled_motions(dataset, candidates, motions[at], members)
+        })
+    }
+
+    /// Those of the `candidates` that are `motion`, scaled: `members`, by index.
+    fn scaled_motions(
         &self,
         dataset: &Dataset,
         candidates: &[Candidate],
@@ -208,8 +227,7 @@ mod tests {
     use super::*;
     use crate::diagnose::dataset::{Twist, evenly_spread};
     use crate::diagnose::design::Whitening;
-    use crate::diagnose::effects::{RigidBody, testable_effects};
-    use robot_model::robot::Axis;
+    use crate::diagnose::effects::testable_effects;
 
     /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
     fn problem() -> (Dataset, Design) {
@@ -226,12 +244,9 @@ mod tests {
     fn scaled_motions_have_the_products_of_their_columns() {
         let (dataset, design) = problem();
         let all = testable_effects(&dataset).candidates;
-        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
-        for motion in joints.chain([RigidBody::Base, RigidBody::Tool].map(Motion::Body)) {
+        for motions in design.scaled_motions_of(&dataset, &all, &|_| true) {
             let mut design = design.clone();
-            let is_motion = |c: &usize| all[*c].effect().motion(&all[*c].variant) == Some(motion);
-            let members = (0..all.len()).filter(is_motion).collect();
-            let motions = design.scaled_motions(&dataset, &all, motion, members);
+            let motion = all[motions.members[0]].effect().motion(&all[motions.members[0]].variant);
             assert!(motions.members.len() > 3, "{motion:?}: {}", motions.members.len());
             let mut products = vec![Products::none(); all.len()];
             design.begin_scaled(&motions, &mut products);

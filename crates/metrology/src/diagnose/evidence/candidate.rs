@@ -4,7 +4,7 @@ use super::accumulate::add_columns;
 use super::principal::PrincipalDirections;
 use super::tridiagonal::Tridiagonal;
 use super::{EvidencePeak, NuisanceModel};
-use crate::diagnose::design::Sums;
+use crate::diagnose::design::{Sums, side_by_side};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -37,11 +37,15 @@ impl NuisanceModel {
     #[must_use]
     pub(crate) fn project(&self, sums: &Sums) -> Projected {
         let p = sums.own.nrows();
-        let geometry = DMatrix::from_fn(self.geometry.len(), p, |g, a| sums.cross[(a, self.geometry[g])]);
+        let mut geometry = Vec::with_capacity(self.geometry.len() * p);
+        for a in 0..p {
+            let of_parameter = &sums.cross.as_slice()[a..];
+            geometry.extend(self.geometry.iter().map(|column| of_parameter[column * p]));
+        }
         let mut projected = Projected {
             own: sums.own.clone(),
             with_y: sums.cross.column(0).into_owned(),
-            geometry,
+            geometry: DMatrix::from_vec(self.geometry.len(), p, geometry),
             known: 0,
         };
         self.update(&mut projected, sums);
@@ -64,7 +68,10 @@ impl NuisanceModel {
     fn update_of(&self, candidate: &mut Projected, sums: &Sums, mut hat: impl AsMut<[f64]>) {
         let hat = hat.as_mut();
         let p = hat.len();
-        for direction in &self.directions[candidate.known..] {
+        let new = &self.directions[candidate.known..];
+        // What is taken out along each direction, parameter by parameter.
+        let mut taken = vec![0.0; p * new.len()];
+        for (k, direction) in new.iter().enumerate() {
             hat.fill(0.0);
             let Range { start, end } = direction.support;
             let columns = sums.cross.as_slice()[start * p..].chunks_exact(p);
@@ -75,17 +82,19 @@ impl NuisanceModel {
                 }
             }
             let own = candidate.own.as_mut_slice().chunks_exact_mut(p);
-            for ((own, with_y), along) in own.zip(candidate.with_y.as_mut_slice()).zip(&*hat) {
+            for (a, ((own, with_y), along)) in
+                own.zip(candidate.with_y.as_mut_slice()).zip(&*hat).enumerate()
+            {
                 *with_y -= along * direction.y;
                 for (to, other) in own.iter_mut().zip(&*hat) {
                     *to -= along * other;
                 }
+                taken[a * new.len() + k] = -along;
             }
-            let rows = direction.geometry.as_slice();
-            let geometry = candidate.geometry.as_mut_slice().chunks_exact_mut(rows.len().max(1));
-            for (column, along) in geometry.zip(&*hat) {
-                column.iter_mut().zip(rows).for_each(|(to, from)| *to -= along * from);
-            }
+        }
+        let geometry = candidate.geometry.as_mut_slice().chunks_exact_mut(self.geometry.len().max(1));
+        for (column, taken) in geometry.zip(taken.chunks_exact(new.len().max(1))) {
+            add_columns(column, taken, new.iter().map(|direction| direction.geometry.as_slice()));
         }
         candidate.known = self.directions.len();
     }
@@ -150,7 +159,25 @@ impl NuisanceModel {
 
     /// A candidate's products with geometry along geometry's own directions: (directions x parameters).
     pub(super) fn along_geometry(&self, candidate: &Projected) -> DMatrix<f64> {
-        let (from, width) = (&candidate.geometry, candidate.geometry.ncols());
+        self.turned(&candidate.geometry)
+    }
+
+    /// The same of many candidates.
+    pub(super) fn along_geometry_together(&self, candidates: &[&Projected]) -> Vec<DMatrix<f64>> {
+        let geometries: Vec<&DMatrix<f64>> = candidates.iter().map(|candidate| &candidate.geometry).collect();
+        let along = self.turned(&side_by_side(&geometries));
+        let mut at = 0;
+        let of_one = |geometry: &&DMatrix<f64>| {
+            let from = at;
+            at += geometry.ncols();
+            along.columns(from, geometry.ncols()).into_owned()
+        };
+        geometries.iter().map(of_one).collect()
+    }
+
+    /// Products with geometry, turned to geometry's own directions.
+    fn turned(&self, from: &DMatrix<f64>) -> DMatrix<f64> {
+        let width = from.ncols();
         if width > MOST_BY_COLUMNS {
             return &self.turn * from;
         }

@@ -66,12 +66,28 @@ impl NuisanceModel {
     /// A candidate prepared for a first look at `grid`.
     #[must_use]
     pub(crate) fn screened<'p>(&self, projected: &'p Projected, grid: &[ScreeningPoint]) -> Screened<'p> {
-        let with_geometry = self.along_geometry(projected);
+        let mut screened = self.screened_together(&[projected], grid);
+        screened.remove(0)
+    }
+
+    /// The same of many candidates.
+    #[must_use]
+    pub(crate) fn screened_together<'p>(
+        &self,
+        candidates: &[&'p Projected],
+        grid: &[ScreeningPoint],
+    ) -> Vec<Screened<'p>> {
         let at = |point: &ScreeningPoint| ScreenedPoint {
             ratio: point.geometry.ratio,
             directions: OnceLock::new(),
         };
-        Screened { projected, with_geometry, points: grid.iter().map(at).collect() }
+        let screened = candidates.iter().zip(self.along_geometry_together(candidates));
+        screened
+            .map(|(projected, with_geometry)| {
+                let points = grid.iter().map(at).collect();
+                Screened { projected, with_geometry, points }
+            })
+            .collect()
     }
 
     /// No evidence of the candidate at the ratios of `grid` is above this: its whole signal at no price.
