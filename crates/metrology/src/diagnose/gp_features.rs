@@ -93,9 +93,10 @@ fn eigen_by_parts(matrix: &DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
         while let Some(&row) = part.get(seen) {
             seen += 1;
             open.retain(|&column| column != row);
-            let bound = open.iter().filter(|&&column| matrix[(row, column)] != 0.0 && !part.contains(&column));
-            let bound: Vec<usize> = bound.copied().collect();
-            part.extend(bound);
+            let joined =
+                open.iter().filter(|&&column| matrix[(row, column)] != 0.0 && !part.contains(&column));
+            let joined: Vec<usize> = joined.copied().collect();
+            part.extend(joined);
         }
         part.sort_unstable();
         let of = DMatrix::from_fn(part.len(), part.len(), |r, c| matrix[(part[r], part[c])]);

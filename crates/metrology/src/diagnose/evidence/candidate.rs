@@ -69,8 +69,8 @@ impl NuisanceModel {
         let hat = hat.as_mut();
         let p = hat.len();
         let new = &self.directions[candidate.known..];
-        // What is taken out along each direction, parameter by parameter.
-        let mut taken = vec![0.0; p * new.len()];
+        // What is projected out along each direction, parameter by parameter.
+        let mut shares = vec![0.0; p * new.len()];
         for (k, direction) in new.iter().enumerate() {
             hat.fill(0.0);
             let Range { start, end } = direction.support;
@@ -82,19 +82,18 @@ impl NuisanceModel {
                 }
             }
             let own = candidate.own.as_mut_slice().chunks_exact_mut(p);
-            for (a, ((own, with_y), along)) in
-                own.zip(candidate.with_y.as_mut_slice()).zip(&*hat).enumerate()
+            for (a, ((own, with_y), along)) in own.zip(candidate.with_y.as_mut_slice()).zip(&*hat).enumerate()
             {
                 *with_y -= along * direction.y;
                 for (to, other) in own.iter_mut().zip(&*hat) {
                     *to -= along * other;
                 }
-                taken[a * new.len() + k] = -along;
+                shares[a * new.len() + k] = -along;
             }
         }
         let geometry = candidate.geometry.as_mut_slice().chunks_exact_mut(self.geometry.len().max(1));
-        for (column, taken) in geometry.zip(taken.chunks_exact(new.len().max(1))) {
-            add_columns(column, taken, new.iter().map(|direction| direction.geometry.as_slice()));
+        for (column, shares) in geometry.zip(shares.chunks_exact(new.len().max(1))) {
+            add_columns(column, shares, new.iter().map(|direction| direction.geometry.as_slice()));
         }
         candidate.known = self.directions.len();
     }
@@ -213,7 +212,10 @@ impl NuisanceModel {
                 if a > 0.0 && left > LEAST_PIVOT * d {
                     return u * u / a + rest * rest / left;
                 }
-                explained_by_directions(DMatrix::from_row_slice(2, 2, &[a, b, b, d]), &DVector::from_vec(vec![u, v]))
+                explained_by_directions(
+                    DMatrix::from_row_slice(2, 2, &[a, b, b, d]),
+                    &DVector::from_vec(vec![u, v]),
+                )
             }
             _ => {
                 let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
@@ -253,8 +255,7 @@ impl NuisanceModel {
         with_geometry: &DMatrix<f64>,
         ratio: f64,
     ) -> ([[f64; P]; P], [f64; P]) {
-        let mut own: [[f64; P]; P] =
-            std::array::from_fn(|a| std::array::from_fn(|b| candidate.own[(a, b)]));
+        let mut own: [[f64; P]; P] = std::array::from_fn(|a| std::array::from_fn(|b| candidate.own[(a, b)]));
         let mut with_y: [f64; P] = std::array::from_fn(|a| candidate.with_y[a]);
         if ratio > 0.0 {
             let r2 = ratio * ratio;

@@ -25,6 +25,13 @@ pub(super) struct Direction {
     pub support: Range<usize>,
 }
 
+/// Slow noise along its own principal directions, of no size yet.
+pub(super) struct SlowDirections {
+    columns: Range<usize>,
+    /// Each of length 1 in its columns, with the square that the flat columns leave of it.
+    along: Vec<(f64, Direction)>,
+}
+
 impl Direction {
     /// This direction `by` times as long.
     fn scaled(&self, by: f64) -> Self {
@@ -130,53 +137,70 @@ impl NuisanceModel {
         }
     }
 
-    /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
-    /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
-    /// the flat ones have.
-    pub(super) fn add_slow(&mut self, gram: &DMatrix<f64>, slow: SlowColumns) {
-        let SlowColumns { columns, size_ratio: ratio } = slow;
-        if columns.is_empty() || ratio <= 0.0 {
-            return;
+    /// The principal directions of slow noise in `columns`, beside the flat ones.
+    pub(super) fn slow_directions(&self, gram: &DMatrix<f64>, columns: Range<usize>) -> SlowDirections {
+        let mut found = SlowDirections { columns: columns.clone(), along: Vec::new() };
+        if columns.is_empty() {
+            return found;
         }
         let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, &d.weights)).collect();
         let left = |a: usize, b: usize| gram[(a, b)] - flat.iter().map(|seen| seen[a] * seen[b]).sum::<f64>();
         let n = columns.len();
         let eigen =
             DMatrix::from_fn(n, n, |r, c| left(columns.start + r, columns.start + c)).symmetric_eigen();
-        let from = self.directions.len();
-        for i in 0..n {
-            let square = eigen.eigenvalues[i];
-            if square <= RANK * eigen.eigenvalues.max() {
-                continue;
-            }
-            let r2 = ratio * ratio * square;
-            let scale = (r2 / (1.0 + r2) / square).sqrt();
-            let mut direction = vec![0.0; gram.ncols()];
+        let top = eigen.eigenvalues.max();
+        for i in (0..n).filter(|&i| eigen.eigenvalues[i] > RANK * top) {
+            let mut weights = vec![0.0; gram.ncols()];
             for (k, column) in columns.clone().enumerate() {
-                direction[column] = scale * eigen.eigenvectors[(k, i)];
+                weights[column] = eigen.eigenvectors[(k, i)];
             }
             let along: Vec<f64> = flat
                 .iter()
-                .map(|seen| columns.clone().map(|column| seen[column] * direction[column]).sum())
+                .map(|seen| columns.clone().map(|column| seen[column] * weights[column]).sum())
                 .collect();
-            for (known, along) in self.directions[..from].iter().zip(along) {
-                add_scaled(&mut direction, -along, &known.weights);
+            for (known, along) in self.directions.iter().zip(along) {
+                add_scaled(&mut weights, -along, &known.weights);
             }
-            self.slow_log_det += r2.ln_1p();
-            self.push(gram, direction);
+            found.along.push((eigen.eigenvalues[i], self.direction(gram, weights)));
         }
-        self.n_slow = self.directions.len() - from;
-        self.slow = SlowColumns { columns, size_ratio: ratio };
+        found
+    }
+
+    /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
+    /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
+    /// the flat ones have.
+    pub(super) fn add_slow(&mut self, slow: &SlowDirections, ratio: f64) {
+        if slow.columns.is_empty() || ratio <= 0.0 {
+            return;
+        }
+        for (square, direction) in &slow.along {
+            let r2 = ratio * ratio * square;
+            self.slow_log_det += r2.ln_1p();
+            self.project_out(direction.scaled((r2 / (1.0 + r2) / square).sqrt()));
+        }
+        self.n_slow = slow.along.len();
+        self.slow = SlowColumns { columns: slow.columns.clone(), size_ratio: ratio };
     }
 
     pub(super) fn push(&mut self, gram: &DMatrix<f64>, weights: Vec<f64>) {
+        self.project_out(self.direction(gram, weights));
+    }
+
+    /// The direction of these weights, with what the data and geometry have along it.
+    fn direction(&self, gram: &DMatrix<f64>, weights: Vec<f64>) -> Direction {
         let along = |column: usize| dot(gram.column(column).as_slice(), &weights);
         let y = along(0);
         let geometry = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along(g)));
+        Direction { weights, y, geometry, support: 0..0 }
+    }
+
+    /// Projects out a direction.
+    fn project_out(&mut self, direction: Direction) {
+        let Direction { y, geometry, .. } = &direction;
         self.yy -= y * y;
-        self.gg -= &geometry * geometry.transpose();
-        self.gy_raw -= &geometry * y;
-        self.directions.push(Direction { weights, y, geometry, support: 0..0 });
+        self.gg.ger(-1.0, geometry, geometry, 1.0);
+        self.gy_raw.axpy(-y, geometry, 1.0);
+        self.directions.push(direction);
     }
 }
 

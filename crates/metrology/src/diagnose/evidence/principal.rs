@@ -60,12 +60,12 @@ impl PrincipalDirections {
 
     /// What a candidate of size `ratio` takes off the squares: never less for a larger one.
     pub(super) fn explained(&self, ratio: f64) -> f64 {
-        self.taken(ratio * ratio, |_| ())
+        self.explained_of_variance(ratio * ratio, |_| ())
     }
 
     /// The same where its parameters have the variance `s2`; `pivot` is handed the factors of the determinant of their covariance
     /// beside the noise's.
-    fn taken(&self, s2: f64, mut pivot: impl FnMut(f64)) -> f64 {
+    fn explained_of_variance(&self, s2: f64, mut pivot: impl FnMut(f64)) -> f64 {
         match self {
             Self::Few(directions) => directions
                 .iter()
@@ -75,7 +75,7 @@ impl PrincipalDirections {
                     s2 / factor * with_y * with_y
                 })
                 .sum(),
-            Self::Many(chain) => chain.taken(s2, pivot),
+            Self::Many(chain) => chain.explained(s2, pivot),
         }
     }
 
@@ -89,7 +89,7 @@ impl PrincipalDirections {
     pub(super) fn size_term(&self, ratio: f64) -> SizeTerm {
         let mut log_det = 0.0;
         let mut det = 1.0_f64;
-        let explained = self.taken(ratio * ratio, |factor| {
+        let explained = self.explained_of_variance(ratio * ratio, |factor| {
             det *= factor;
             // One logarithm for many factors, short of overflow.
             if det > 1e100 {

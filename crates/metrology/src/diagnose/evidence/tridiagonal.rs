@@ -31,7 +31,7 @@ impl Tridiagonal {
 
     /// What a candidate whose parameters have the variance `s2` takes off the squares; `pivot` is handed the factors of the determinant
     /// of 1 + `s2` times the matrix, none of which is below 1 but by rounding.
-    pub(super) fn taken(&self, s2: f64, mut pivot: impl FnMut(f64)) -> f64 {
+    pub(super) fn explained(&self, s2: f64, mut pivot: impl FnMut(f64)) -> f64 {
         // The chain's own determinant over that of the rest of it: y' (1 / s2 + A)^-1 y is a continued fraction.
         let mut below = 0.0;
         for (own, square) in self.diagonal.iter().zip(&self.squares).rev() {
@@ -75,7 +75,7 @@ mod tests {
     /// Against dense inverses and determinants: matrices of three to nine parameters, one with a column that is the sum of two others, and
     /// data along nothing.
     #[test]
-    fn a_chain_takes_what_the_whole_matrix_does() {
+    fn a_chain_explains_what_the_whole_matrix_does() {
         for (p, singular, size) in [(3, false, 1.0), (6, false, 1.0), (9, true, 1.0), (4, false, 0.0)] {
             let mut columns =
                 DMatrix::from_fn(20, p, |r, c| ((r * 7 + c * 13 + r * c * c) % 11) as f64 / 4.0 - 1.2);
@@ -90,8 +90,11 @@ mod tests {
                 let ridge = DMatrix::identity(p, p) + &own * s2;
                 let explained = s2 * with_y.dot(&(ridge.clone().try_inverse().unwrap() * &with_y));
                 let mut log_det = 0.0;
-                let taken = chain.taken(s2, |factor| log_det += factor.ln());
-                assert!((taken - explained).abs() <= 1e-10 * explained.abs(), "{p} {s2}: {taken} {explained}");
+                let swept = chain.explained(s2, |factor| log_det += factor.ln());
+                assert!(
+                    (swept - explained).abs() <= 1e-10 * explained.abs(),
+                    "{p} {s2}: {swept} {explained}"
+                );
                 assert!((log_det - ridge.determinant().ln()).abs() < 1e-10, "{p} {s2}: {log_det}");
             }
         }

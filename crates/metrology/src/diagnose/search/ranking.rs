@@ -250,8 +250,7 @@ impl Library<'_> {
         let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
         // Where all have room nobody asks for their bounds.
         let long = if screened.len() > LONG_LIST {
-            let bound =
-                |i: usize| (i, nuisance.upper_bound(&screened[i], screening_grid) + log_prior(i));
+            let bound = |i: usize| (i, nuisance.upper_bound(&screened[i], screening_grid) + log_prior(i));
             best(parallel::map(screened.len(), &bound))
         } else {
             (0..screened.len()).collect()
