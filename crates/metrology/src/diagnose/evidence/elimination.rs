@@ -2,7 +2,7 @@
 
 use super::NuisanceModel;
 use crate::diagnose::design::{Design, SlowColumns, dot};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use std::ops::Range;
 
 /// Directions that the flat columns tell less than this share of the best are not told.
@@ -26,10 +26,12 @@ pub(super) struct Direction {
 }
 
 /// Slow noise along its own principal directions, of no size yet.
-pub(super) struct SlowDirections {
+pub(super) struct SlowSpectrum {
     columns: Range<usize>,
-    /// Each of length 1 in its columns, with the square that the flat columns leave of it.
-    along: Vec<(f64, Direction)>,
+    /// Products of each flat direction with all columns.
+    flat: Vec<Vec<f64>>,
+    /// Of what the flat directions leave of the columns.
+    eigen: SymmetricEigen<f64, Dyn>,
 }
 
 impl Direction {
@@ -137,70 +139,55 @@ impl NuisanceModel {
         }
     }
 
-    /// The principal directions of slow noise in `columns`, beside the flat ones.
-    pub(super) fn slow_directions(&self, gram: &DMatrix<f64>, columns: Range<usize>) -> SlowDirections {
-        let mut found = SlowDirections { columns: columns.clone(), along: Vec::new() };
-        if columns.is_empty() {
-            return found;
-        }
+    /// Slow noise in `columns` along their principal directions, beside the flat ones.
+    pub(super) fn slow_spectrum(&self, gram: &DMatrix<f64>, columns: Range<usize>) -> SlowSpectrum {
         let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, &d.weights)).collect();
         let left = |a: usize, b: usize| gram[(a, b)] - flat.iter().map(|seen| seen[a] * seen[b]).sum::<f64>();
         let n = columns.len();
         let eigen =
             DMatrix::from_fn(n, n, |r, c| left(columns.start + r, columns.start + c)).symmetric_eigen();
-        let top = eigen.eigenvalues.max();
-        for i in (0..n).filter(|&i| eigen.eigenvalues[i] > RANK * top) {
-            let mut weights = vec![0.0; gram.ncols()];
-            for (k, column) in columns.clone().enumerate() {
-                weights[column] = eigen.eigenvectors[(k, i)];
-            }
-            let along: Vec<f64> = flat
-                .iter()
-                .map(|seen| columns.clone().map(|column| seen[column] * weights[column]).sum())
-                .collect();
-            for (known, along) in self.directions.iter().zip(along) {
-                add_scaled(&mut weights, -along, &known.weights);
-            }
-            found.along.push((eigen.eigenvalues[i], self.direction(gram, weights)));
-        }
-        found
+        SlowSpectrum { columns, flat, eigen }
     }
 
     /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
     /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
     /// the flat ones have.
-    pub(super) fn add_slow(&mut self, slow: &SlowDirections, ratio: f64) {
-        if slow.columns.is_empty() || ratio <= 0.0 {
+    pub(super) fn add_slow(&mut self, gram: &DMatrix<f64>, spectrum: &SlowSpectrum, ratio: f64) {
+        let SlowSpectrum { columns, flat, eigen } = spectrum;
+        if columns.is_empty() || ratio <= 0.0 {
             return;
         }
-        for (square, direction) in &slow.along {
+        let from = self.directions.len();
+        let least = RANK * eigen.eigenvalues.max();
+        for (i, &square) in eigen.eigenvalues.iter().enumerate().filter(|(_, square)| **square > least) {
             let r2 = ratio * ratio * square;
+            let scale = (r2 / (1.0 + r2) / square).sqrt();
+            let mut direction = vec![0.0; gram.ncols()];
+            for (k, column) in columns.clone().enumerate() {
+                direction[column] = scale * eigen.eigenvectors[(k, i)];
+            }
+            let along: Vec<f64> = flat
+                .iter()
+                .map(|seen| columns.clone().map(|column| seen[column] * direction[column]).sum())
+                .collect();
+            for (known, along) in self.directions[..from].iter().zip(along) {
+                add_scaled(&mut direction, -along, &known.weights);
+            }
             self.slow_log_det += r2.ln_1p();
-            self.project_out(direction.scaled((r2 / (1.0 + r2) / square).sqrt()));
+            self.push(gram, direction);
         }
-        self.n_slow = slow.along.len();
-        self.slow = SlowColumns { columns: slow.columns.clone(), size_ratio: ratio };
+        self.n_slow = self.directions.len() - from;
+        self.slow = SlowColumns { columns: columns.clone(), size_ratio: ratio };
     }
 
     pub(super) fn push(&mut self, gram: &DMatrix<f64>, weights: Vec<f64>) {
-        self.project_out(self.direction(gram, weights));
-    }
-
-    /// The direction of these weights, with what the data and geometry have along it.
-    fn direction(&self, gram: &DMatrix<f64>, weights: Vec<f64>) -> Direction {
         let along = |column: usize| dot(gram.column(column).as_slice(), &weights);
         let y = along(0);
         let geometry = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along(g)));
-        Direction { weights, y, geometry, support: 0..0 }
-    }
-
-    /// Projects out a direction.
-    fn project_out(&mut self, direction: Direction) {
-        let Direction { y, geometry, .. } = &direction;
         self.yy -= y * y;
-        self.gg.ger(-1.0, geometry, geometry, 1.0);
-        self.gy_raw.axpy(-y, geometry, 1.0);
-        self.directions.push(direction);
+        self.gg.ger(-1.0, &geometry, &geometry, 1.0);
+        self.gy_raw.axpy(-y, &geometry, 1.0);
+        self.directions.push(Direction { weights, y, geometry, support: 0..0 });
     }
 }
 

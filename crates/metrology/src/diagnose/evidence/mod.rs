@@ -108,7 +108,10 @@ impl NuisanceModel {
     ) -> Self {
         let gram = design.gram(subset);
         let mut nuisance = Self::flat(design, subset, &gram, noise);
-        nuisance.add_slow(&nuisance.slow_directions(&gram, slow.columns), slow.size_ratio);
+        if !slow.columns.is_empty() {
+            let spectrum = nuisance.slow_spectrum(&gram, slow.columns);
+            nuisance.add_slow(&gram, &spectrum, slow.size_ratio);
+        }
         nuisance.add(&gram, also);
         nuisance.finish();
         nuisance
@@ -125,10 +128,10 @@ impl NuisanceModel {
     ) -> Vec<f64> {
         let gram = design.gram(subset);
         let flat = Self::flat(design, subset, &gram, noise);
-        let slow = flat.slow_directions(&gram, columns);
+        let spectrum = flat.slow_spectrum(&gram, columns);
         let null = |size_ratio: &f64| {
             let mut nuisance = flat.clone();
-            nuisance.add_slow(&slow, *size_ratio);
+            nuisance.add_slow(&gram, &spectrum, *size_ratio);
             nuisance.add(&gram, also);
             nuisance.finish();
             nuisance.null().log_evidence
