@@ -2,7 +2,7 @@
 
 use super::dataset::{Dataset, Observation};
 use super::design::inner_products;
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 
 /// Usual size of the structure at the point, metres.
 const PRIOR_SIGMA_M: f64 = 1e-4;
@@ -59,7 +59,7 @@ pub(super) fn compress(columns: &DMatrix<f64>) -> DMatrix<f64> {
     if n == 0 || rows == 0 {
         return DMatrix::zeros(rows, 0);
     }
-    let eigen = inner_products(columns.as_view(), columns.as_view()).symmetric_eigen();
+    let eigen = eigen_by_parts(&inner_products(columns.as_view(), columns.as_view()));
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
     let top = eigen.eigenvalues[order[0]];
@@ -78,6 +78,37 @@ pub(super) fn compress(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let mean_square = eigen.eigenvalues.iter().sum::<f64>() / (rows as f64 / 3.0);
     let scale = PRIOR_SIGMA_M / mean_square.sqrt();
     columns * (eigen.eigenvectors.select_columns(&order) * scale)
+}
+
+/// Eigenvalues and eigenvectors of a symmetric matrix, part by part: shifts along three axes of which none has to do with another are three
+/// matrices of a third, which take a ninth of the time.
+fn eigen_by_parts(matrix: &DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
+    let n = matrix.nrows();
+    let mut eigenvalues = DVector::zeros(n);
+    let mut eigenvectors = DMatrix::zeros(n, n);
+    let mut open: Vec<usize> = (0..n).collect();
+    while let Some(&first) = open.first() {
+        let mut part = vec![first];
+        let mut seen = 0;
+        while let Some(&row) = part.get(seen) {
+            seen += 1;
+            open.retain(|&column| column != row);
+            let joined =
+                open.iter().filter(|&&column| matrix[(row, column)] != 0.0 && !part.contains(&column));
+            let joined: Vec<usize> = joined.copied().collect();
+            part.extend(joined);
+        }
+        part.sort_unstable();
+        let of = DMatrix::from_fn(part.len(), part.len(), |r, c| matrix[(part[r], part[c])]);
+        let eigen = of.symmetric_eigen();
+        for (k, &column) in part.iter().enumerate() {
+            eigenvalues[column] = eigen.eigenvalues[k];
+            for (r, &row) in part.iter().enumerate() {
+                eigenvectors[(row, column)] = eigen.eigenvectors[(r, k)];
+            }
+        }
+    }
+    SymmetricEigen { eigenvectors, eigenvalues }
 }
 
 #[cfg(test)]

@@ -84,9 +84,10 @@ pub(super) fn likeliest(
     let mut best: Option<(f64, SlowNoise)> = None;
     for (which, tau) in TAUS.into_iter().enumerate() {
         let at = trial.append(&columns(&trial, dataset, tau));
-        for size in SIZES {
-            trial.set_slow(SlowColumns { columns: at.clone(), size_ratio: size / UNIT_M });
-            let gain = NuisanceModel::new(&trial, &groups, &also, noise).null().log_evidence - without;
+        let ratios = SIZES.map(|size| size / UNIT_M);
+        let nulls = NuisanceModel::nulls_beside_slow((&trial, &groups), &also, noise, at, &ratios);
+        for (size, null) in SIZES.into_iter().zip(nulls) {
+            let gain = null - without;
             if gain > ALARM_NATS && best.is_none_or(|(most, _)| gain > most) {
                 best = Some((gain, SlowNoise { tau: which, size }));
             }

@@ -1,7 +1,7 @@
 //! Which causes base and target, which are unknown, leave anything of.
 
 use super::dataset::{Dataset, Twist};
-use super::design::{Design, Whitening};
+use super::design::{Design, Products, Whitening};
 use super::effects::{Candidate, UntestableEffect, testable_effects};
 use super::evidence::NuisanceModel;
 use super::linearise::Linearised;
@@ -43,6 +43,22 @@ impl<'a> Sight<'a> {
         Self { dataset, design, nuisance }
     }
 
+    /// Shares of the candidates that are one motion scaled, but for lines of gears: thousands of steps, whose products come together and
+    /// by factors rounded to a part in 10^7, which is nothing beside [`PLAIN`]. `None` of all others.
+    fn scaled_shares(&self, candidates: &[Candidate]) -> Vec<Option<f64>> {
+        let Self { dataset, design, nuisance } = self;
+        let mut shares = vec![None; candidates.len()];
+        let mut products = vec![Products::none(); candidates.len()];
+        for motions in design.scaled_motions_of(dataset, candidates, &|c| !is_line(c)) {
+            design.begin_scaled(&motions, &mut products);
+            design.extend_scaled(&motions, &mut products);
+            for &member in &motions.members {
+                shares[member] = Some(nuisance.visible(&products[member].sum(&[0])));
+            }
+        }
+        shares
+    }
+
     /// Share of a candidate's signal that is left.
     fn share(&self, candidate: &Candidate) -> f64 {
         let columns = self.design.columns_of(self.dataset, candidate);
@@ -60,12 +76,12 @@ pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) ->
     let some_residuals: Vec<Twist> = residuals.iter().step_by(step).copied().collect();
     let some = some.as_ref().map(|some| Sight::new(some, &some_residuals, targets, noise));
     let testable = testable_effects(dataset);
+    let scaled = some.as_ref().unwrap_or(&whole).scaled_shares(&testable.candidates);
     let mut candidates = Vec::new();
     let mut untestable: Vec<Untestable> = Vec::new();
-    for candidate in testable.candidates {
-        // Lines of a gear never lie in the registration; there are thousands.
-        let is_line = candidate.kind == EffectKind::GearMesh;
-        let is_plain = is_line || some.as_ref().is_some_and(|some| some.share(&candidate) > PLAIN);
+    for (candidate, scaled) in testable.candidates.into_iter().zip(scaled) {
+        let first = scaled.or_else(|| some.as_ref().map(|some| some.share(&candidate)));
+        let is_plain = is_line(&candidate) || first.is_some_and(|share| share > PLAIN);
         let share = if is_plain { 1.0 } else { whole.share(&candidate) };
         if share > INVISIBLE {
             candidates.push(candidate);
@@ -91,6 +107,11 @@ pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) ->
     let of_kind = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
     untestable.extend(testable.untestable.into_iter().map(of_kind));
     VisibleCandidates { candidates, untestable }
+}
+
+/// Lines of a gear never lie in the registration; there are thousands.
+fn is_line(candidate: &Candidate) -> bool {
+    candidate.kind == EffectKind::GearMesh
 }
 
 /// Makes the weights of each effect's candidates come to 1 again: what is asked is which cause opens a gap, and those that open none have

@@ -374,8 +374,9 @@ impl Design {
 pub(crate) fn side_by_side(parts: &[impl Borrow<DMatrix<f64>>]) -> DMatrix<f64> {
     let rows = parts.first().map_or(0, |part| part.borrow().nrows());
     let width = parts.iter().map(|part| part.borrow().ncols()).sum();
-    let numbers = parts.iter().flat_map(|part| part.borrow().as_slice()).copied();
-    DMatrix::from_iterator(rows, width, numbers)
+    let mut numbers = Vec::with_capacity(rows * width);
+    parts.iter().for_each(|part| numbers.extend_from_slice(part.borrow().as_slice()));
+    DMatrix::from_vec(rows, width, numbers)
 }
 
 /// Products of two columns, summed over each observation's rows.

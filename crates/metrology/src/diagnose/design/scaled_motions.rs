@@ -4,13 +4,14 @@
 use super::matrix::{Design, by_observation};
 use super::products::Products;
 use crate::diagnose::dataset::Dataset;
-use crate::diagnose::effects::{Candidate, Motion};
+use crate::diagnose::effects::{Candidate, Motion, RigidBody};
 use nalgebra::DMatrix;
+use robot_model::robot::Axis;
 use std::ops::Range;
 
 /// Columns of the design whose products with all members come at once: thousands of members with all of them take memory that is
 /// asked for anew each time.
-const COLUMNS_AT_ONCE: usize = 8;
+const COLUMNS_AT_ONCE: usize = 24;
 /// Observations whose factors are widened to full numbers at once, for the same reason.
 const OBSERVATIONS_AT_ONCE: usize = 64;
 
@@ -46,19 +47,58 @@ impl ScaledMotions {
             self.plain[(row, plain)] * f64::from(self.factors[(factor, row / rows_per_observation)]) * sigma
         })
     }
+
+    /// Products of each factor with itself, with the next, and so on as far as a member's factors lie apart, times `squares` of the plain
+    /// columns, summed over `observations`: for each distance factors x squares.
+    fn squares_of_factors(&self, observations: Range<usize>, squares: &[Vec<f64>]) -> Vec<DMatrix<f64>> {
+        let count = self.factors.nrows();
+        let apart = |member: &Vec<Parameter>| Some(member.last()?.factor - member.first()?.factor);
+        let farthest = self.parameters.iter().filter_map(apart).max().unwrap_or(0);
+        let mut sums = vec![DMatrix::zeros(count, squares.len()); farthest + 1];
+        for from in observations.clone().step_by(OBSERVATIONS_AT_ONCE) {
+            let some = OBSERVATIONS_AT_ONCE.min(observations.end - from);
+            let squares = DMatrix::from_fn(some, squares.len(), |r, c| squares[c][from + r]);
+            let factors = self.factors.columns(from, some).map(f64::from);
+            let mut products = DMatrix::zeros(count, some);
+            for (apart, sums) in sums.iter_mut().enumerate() {
+                let pairs = factors.as_slice().iter().zip(&factors.as_slice()[apart..]);
+                products.as_mut_slice().iter_mut().zip(pairs).for_each(|(to, (a, b))| *to = a * b);
+                sums.gemm(1.0, &products, &squares, 1.0);
+            }
+        }
+        sums
+    }
 }
 
 impl Design {
-    /// The `candidates` that are `motion`, scaled.
+    /// Those of the `candidates` that are asked for and are each one motion scaled: by joint and by body.
     #[must_use]
-    pub(crate) fn scaled_motions(
+    pub(crate) fn scaled_motions_of(
+        &self,
+        dataset: &Dataset,
+        candidates: &[Candidate],
+        is_asked: &dyn Fn(&Candidate) -> bool,
+    ) -> Vec<ScaledMotions> {
+        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
+        let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
+        let motions: Vec<Motion> = joints.chain(bodies).collect();
+        let motion_of = |c: &Candidate| is_asked(c).then(|| c.effect().motion(&c.variant)).flatten();
+        let motion_of: Vec<Option<Motion>> = candidates.iter().map(motion_of).collect();
+        parallel::map(motions.len(), &|at| {
+            let is_member = |c: &usize| motion_of[*c] == Some(motions[at]);
+            let members = (0..candidates.len()).filter(is_member).collect();
+            self.scaled_motions(dataset, candidates, motions[at], members)
+        })
+    }
+
+    /// Those of the `candidates` that are `motion`, scaled: `members`, by index.
+    fn scaled_motions(
         &self,
         dataset: &Dataset,
         candidates: &[Candidate],
         motion: Motion,
+        members: Vec<usize>,
     ) -> ScaledMotions {
-        let is_motion = |c: &usize| candidates[*c].effect().motion(&candidates[*c].variant) == Some(motion);
-        let members: Vec<usize> = (0..candidates.len()).filter(is_motion).collect();
         let width = match motion {
             Motion::Joint(_) => 1,
             Motion::Body(_) => members.first().map_or(0, |&c| candidates[c].prior_sigma.len()),
@@ -82,12 +122,13 @@ impl Design {
             .collect();
         let mut factors = Vec::with_capacity(factors_before * self.order.len());
         let mut of_observation = Vec::with_capacity(factors_before);
+        let effects: Vec<_> =
+            members.iter().map(|&c| (candidates[c].effect(), &candidates[c].variant)).collect();
         for &i in &self.order {
             of_observation.clear();
-            for &c in &members {
-                let Candidate { variant, .. } = &candidates[c];
-                let at = dataset.at(&dataset.observations[i]);
-                candidates[c].effect().factors(variant, at, &mut of_observation);
+            let at = dataset.at(&dataset.observations[i]);
+            for (effect, variant) in &effects {
+                effect.factors(variant, at, &mut of_observation);
             }
             factors.extend(of_observation.iter().map(|factor| *factor as f32));
         }
@@ -104,34 +145,19 @@ impl Design {
                 by_observation(a.as_slice(), b.as_slice(), self.rows_per_observation)
             })
             .collect();
-        let pairs = |member: &[Parameter]| member.len() * member.len();
-        let count: usize = motions.parameters.iter().map(|member| pairs(member)).sum();
-        let of_groups: Vec<Vec<f64>> = parallel::map(self.groups.len(), &|group| {
-            let mut sums = vec![0.0; count];
-            for observation in self.observations(&self.groups[group]) {
-                let factors = motions.factors.column(observation).map(f64::from);
-                let mut sums = sums.iter_mut();
-                for member in &motions.parameters {
-                    for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
-                        let square = squares[a.plain * width + b.plain][observation];
-                        let sum = sums.next().expect("room for each pair");
-                        *sum += square * factors[a.factor] * factors[b.factor];
-                    }
-                }
-            }
-            sums
+        let of_groups: Vec<Vec<DMatrix<f64>>> = parallel::map(self.groups.len(), &|group| {
+            motions.squares_of_factors(self.observations(&self.groups[group]), &squares)
         });
-        let mut before = 0;
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
             let p = member.len();
             let mut own = Vec::with_capacity(self.groups.len() * p * p);
-            for sums in &of_groups {
-                let sums = &sums[before..before + p * p];
-                own.extend(
-                    sums.iter().enumerate().map(|(k, sum)| sum * member[k / p].sigma * member[k % p].sigma),
-                );
+            for squares in &of_groups {
+                for (a, b) in member.iter().flat_map(|a| member.iter().map(move |b| (a, b))) {
+                    let [low, high] = [a.factor.min(b.factor), a.factor.max(b.factor)];
+                    let sum = squares[high - low][(low, a.plain * width + b.plain)];
+                    own.push(sum * a.sigma * b.sigma);
+                }
             }
-            before += p * p;
             products[c] = Products::begun(p, own, self.groups.len());
         }
     }
@@ -174,11 +200,17 @@ impl Design {
         };
         let crossed: Vec<DMatrix<f64>> =
             parallel::map(self.groups.len(), &|group| of_group(&self.groups[group]));
+        let (count, groups) = (motions.factors.nrows(), self.groups.len());
         for (&c, member) in motions.members.iter().zip(&motions.parameters) {
             let to = &mut products[c].cross;
-            for column in 0..columns.len() {
-                for of in &crossed {
-                    to.extend(member.iter().map(|p| of[(p.factor, column * width + p.plain)] * p.sigma));
+            let (known, p) = (to.len(), member.len());
+            to.resize(known + columns.len() * groups * p, 0.0);
+            for (a, parameter) in member.iter().enumerate() {
+                let first = parameter.plain * count + parameter.factor;
+                for (group, of) in crossed.iter().enumerate() {
+                    let to = to[known + group * p + a..].iter_mut().step_by(groups * p);
+                    let of = of.as_slice()[first..].iter().step_by(width * count);
+                    to.zip(of).for_each(|(to, of)| *to = of * parameter.sigma);
                 }
             }
         }
@@ -195,8 +227,7 @@ mod tests {
     use super::*;
     use crate::diagnose::dataset::{Twist, evenly_spread};
     use crate::diagnose::design::Whitening;
-    use crate::diagnose::effects::{RigidBody, testable_effects};
-    use robot_model::robot::Axis;
+    use crate::diagnose::effects::testable_effects;
 
     /// Sixty stations over an hour, in three groups that take turns, of unequal weights.
     fn problem() -> (Dataset, Design) {
@@ -213,10 +244,9 @@ mod tests {
     fn scaled_motions_have_the_products_of_their_columns() {
         let (dataset, design) = problem();
         let all = testable_effects(&dataset).candidates;
-        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
-        for motion in joints.chain([RigidBody::Base, RigidBody::Tool].map(Motion::Body)) {
+        for motions in design.scaled_motions_of(&dataset, &all, &|_| true) {
             let mut design = design.clone();
-            let motions = design.scaled_motions(&dataset, &all, motion);
+            let motion = all[motions.members[0]].effect().motion(&all[motions.members[0]].variant);
             assert!(motions.members.len() > 3, "{motion:?}: {}", motions.members.len());
             let mut products = vec![Products::none(); all.len()];
             design.begin_scaled(&motions, &mut products);

@@ -35,7 +35,7 @@ pub(super) static LIBRARY: [&dyn Effect; 22] = [
 /// The effect of this kind; of a gear's whole spectrum, which only models have, that of its lines.
 #[must_use]
 pub(crate) fn effect(kind: EffectKind) -> &'static dyn Effect {
-    LIBRARY.into_iter().find(|effect| effect.kind() == kind).unwrap_or(&gear_mesh::GearMesh)
+    LIBRARY.iter().copied().find(|effect| effect.kind() == kind).unwrap_or(&gear_mesh::GearMesh)
 }
 
 impl Candidate {

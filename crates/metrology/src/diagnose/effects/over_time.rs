@@ -66,11 +66,12 @@ const MIN_BESIDE_STEP: usize = 4;
 /// Fewest between two steps: what two motions take between them may be one or two false readings.
 const MIN_BETWEEN_STEPS: usize = 6;
 
-/// Whether steps at two times are so near to each other that what lies between them may be false readings instead.
-pub(crate) fn steps_too_near(dataset: &Dataset, t0_min: f64, other_t0_min: f64) -> bool {
+/// Whether steps at two times are so near to each other that what lies between them may be false readings instead; `visits` by
+/// [`visit_times`].
+pub(crate) fn steps_too_near(visits: &[(f64, f64)], t0_min: f64, other_t0_min: f64) -> bool {
     let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
     let is_between = |(from, to): &(f64, f64)| low < *from && *to < high;
-    let between = visit_times(dataset).iter().filter(|visit| is_between(visit)).count();
+    let between = visits.iter().filter(|visit| is_between(visit)).count();
     0 < between && between < MIN_BETWEEN_STEPS
 }
 
@@ -84,7 +85,8 @@ pub(super) fn step_times(dataset: &Dataset) -> Vec<f64> {
 }
 
 /// When the first and the last target of each visit was read.
-fn visit_times(dataset: &Dataset) -> Vec<(f64, f64)> {
+#[must_use]
+pub(crate) fn visit_times(dataset: &Dataset) -> Vec<(f64, f64)> {
     let of_visit = |visit: &Vec<usize>| {
         let times = visit.iter().map(|&i| dataset.observations[i].clock());
         times.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)))

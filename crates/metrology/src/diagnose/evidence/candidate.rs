@@ -2,8 +2,9 @@
 
 use super::accumulate::add_columns;
 use super::principal::PrincipalDirections;
+use super::tridiagonal::Tridiagonal;
 use super::{EvidencePeak, NuisanceModel};
-use crate::diagnose::design::Sums;
+use crate::diagnose::design::{Sums, side_by_side};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
@@ -28,14 +29,6 @@ pub(super) struct ReducedProducts {
     pub with_y: DVector<f64>,
 }
 
-/// What a candidate explains where its sizes cost nothing.
-pub(super) struct SignalAtNoPrice {
-    /// Squares of the data.
-    pub explained: f64,
-    /// The candidate along its own directions, where they were needed for it.
-    pub directions: Option<PrincipalDirections>,
-}
-
 /// A pivot over its diagonal's number below which a column is rounding of those before it.
 const LEAST_PIVOT: f64 = 1e-9;
 
@@ -44,11 +37,15 @@ impl NuisanceModel {
     #[must_use]
     pub(crate) fn project(&self, sums: &Sums) -> Projected {
         let p = sums.own.nrows();
-        let geometry = DMatrix::from_fn(self.geometry.len(), p, |g, a| sums.cross[(a, self.geometry[g])]);
+        let mut geometry = Vec::with_capacity(self.geometry.len() * p);
+        for a in 0..p {
+            let of_parameter = &sums.cross.as_slice()[a..];
+            geometry.extend(self.geometry.iter().map(|column| of_parameter[column * p]));
+        }
         let mut projected = Projected {
             own: sums.own.clone(),
             with_y: sums.cross.column(0).into_owned(),
-            geometry,
+            geometry: DMatrix::from_vec(self.geometry.len(), p, geometry),
             known: 0,
         };
         self.update(&mut projected, sums);
@@ -71,7 +68,10 @@ impl NuisanceModel {
     fn update_of(&self, candidate: &mut Projected, sums: &Sums, mut hat: impl AsMut<[f64]>) {
         let hat = hat.as_mut();
         let p = hat.len();
-        for direction in &self.directions[candidate.known..] {
+        let new = &self.directions[candidate.known..];
+        // What is projected out along each direction, parameter by parameter.
+        let mut shares = vec![0.0; p * new.len()];
+        for (k, direction) in new.iter().enumerate() {
             hat.fill(0.0);
             let Range { start, end } = direction.support;
             let columns = sums.cross.as_slice()[start * p..].chunks_exact(p);
@@ -82,17 +82,18 @@ impl NuisanceModel {
                 }
             }
             let own = candidate.own.as_mut_slice().chunks_exact_mut(p);
-            for ((own, with_y), along) in own.zip(candidate.with_y.as_mut_slice()).zip(&*hat) {
+            for (a, ((own, with_y), along)) in own.zip(candidate.with_y.as_mut_slice()).zip(&*hat).enumerate()
+            {
                 *with_y -= along * direction.y;
                 for (to, other) in own.iter_mut().zip(&*hat) {
                     *to -= along * other;
                 }
+                shares[a * new.len() + k] = -along;
             }
-            let rows = direction.geometry.as_slice();
-            let geometry = candidate.geometry.as_mut_slice().chunks_exact_mut(rows.len().max(1));
-            for (column, along) in geometry.zip(&*hat) {
-                column.iter_mut().zip(rows).for_each(|(to, from)| *to -= along * from);
-            }
+        }
+        let geometry = candidate.geometry.as_mut_slice().chunks_exact_mut(self.geometry.len().max(1));
+        for (column, shares) in geometry.zip(shares.chunks_exact(new.len().max(1))) {
+            add_columns(column, shares, new.iter().map(|direction| direction.geometry.as_slice()));
         }
         candidate.known = self.directions.len();
     }
@@ -157,7 +158,25 @@ impl NuisanceModel {
 
     /// A candidate's products with geometry along geometry's own directions: (directions x parameters).
     pub(super) fn along_geometry(&self, candidate: &Projected) -> DMatrix<f64> {
-        let (from, width) = (&candidate.geometry, candidate.geometry.ncols());
+        self.turned(&candidate.geometry)
+    }
+
+    /// The same of many candidates.
+    pub(super) fn along_geometry_together(&self, candidates: &[&Projected]) -> Vec<DMatrix<f64>> {
+        let geometries: Vec<&DMatrix<f64>> = candidates.iter().map(|candidate| &candidate.geometry).collect();
+        let along = self.turned(&side_by_side(&geometries));
+        let mut at = 0;
+        let of_one = |geometry: &&DMatrix<f64>| {
+            let from = at;
+            at += geometry.ncols();
+            along.columns(from, geometry.ncols()).into_owned()
+        };
+        geometries.iter().map(of_one).collect()
+    }
+
+    /// Products with geometry, turned to geometry's own directions.
+    fn turned(&self, from: &DMatrix<f64>) -> DMatrix<f64> {
+        let width = from.ncols();
         if width > MOST_BY_COLUMNS {
             return &self.turn * from;
         }
@@ -174,22 +193,36 @@ impl NuisanceModel {
         (candidate.own.trace().max(0.0) / self.m).sqrt()
     }
 
-    /// What the candidate explains where its sizes cost nothing, geometry at `ratio` out. Of three parameters and more by elimination,
-    /// which takes a tenth of what their directions take; by these where its columns tell nearly the same.
-    pub(super) fn signal_at_no_price(
+    /// What the candidate explains where its sizes cost nothing, geometry at `ratio` out: squares of the data. By elimination; by its own
+    /// directions where its columns tell nearly the same.
+    pub(super) fn explained_at_no_price(
         &self,
         candidate: &Projected,
         with_geometry: &DMatrix<f64>,
         ratio: f64,
-    ) -> SignalAtNoPrice {
-        if candidate.own.nrows() > 2 {
-            let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
-            if let Some(explained) = explained_by_elimination(own, &with_y) {
-                return SignalAtNoPrice { explained, directions: None };
+    ) -> f64 {
+        match candidate.own.nrows() {
+            1 => {
+                let ([[own]], [with_y]) = self.reduced_few(candidate, with_geometry, ratio);
+                if own > 0.0 { with_y * with_y / own } else { 0.0 }
+            }
+            2 => {
+                let ([[a, b], [_, d]], [u, v]) = self.reduced_few(candidate, with_geometry, ratio);
+                let (left, rest) = (d - b * b / a, v - b * u / a);
+                if a > 0.0 && left > LEAST_PIVOT * d {
+                    return u * u / a + rest * rest / left;
+                }
+                explained_by_directions(
+                    DMatrix::from_row_slice(2, 2, &[a, b, b, d]),
+                    &DVector::from_vec(vec![u, v]),
+                )
+            }
+            _ => {
+                let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
+                explained_by_elimination(own.clone(), &with_y)
+                    .unwrap_or_else(|| explained_by_directions(own, &with_y))
             }
         }
-        let directions = self.principal_directions(candidate, with_geometry, ratio);
-        SignalAtNoPrice { explained: directions.explained_at_no_price(), directions: Some(directions) }
     }
 
     /// The candidate along its own directions, geometry at `ratio` out.
@@ -199,36 +232,49 @@ impl NuisanceModel {
         with_geometry: &DMatrix<f64>,
         ratio: f64,
     ) -> PrincipalDirections {
-        if candidate.own.nrows() == 2 {
-            return self.directions_of_two(candidate, with_geometry, ratio);
+        match candidate.own.nrows() {
+            1 => {
+                let ([[own]], [with_y]) = self.reduced_few(candidate, with_geometry, ratio);
+                PrincipalDirections::of_one(own, with_y)
+            }
+            2 => {
+                let ([[a, b], [_, d]], with_y) = self.reduced_few(candidate, with_geometry, ratio);
+                PrincipalDirections::of_two([a, b, d], with_y)
+            }
+            _ => {
+                let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
+                PrincipalDirections::Many(Tridiagonal::of(own, &with_y))
+            }
         }
-        let ReducedProducts { own, with_y } = self.reduced(candidate, with_geometry, ratio);
-        PrincipalDirections::of(own, &with_y)
     }
 
-    /// The same of two parameters, as the thousands of gear lines have.
-    fn directions_of_two(
+    /// As [`Self::reduced`] of one or two parameters, as the thousands of gear lines have, the upper triangle of the products with itself.
+    fn reduced_few<const P: usize>(
         &self,
         candidate: &Projected,
         with_geometry: &DMatrix<f64>,
         ratio: f64,
-    ) -> PrincipalDirections {
-        let mut own = [candidate.own[(0, 0)], candidate.own[(0, 1)], candidate.own[(1, 1)]];
-        let mut with_y = [candidate.with_y[0], candidate.with_y[1]];
+    ) -> ([[f64; P]; P], [f64; P]) {
+        let mut own: [[f64; P]; P] = std::array::from_fn(|a| std::array::from_fn(|b| candidate.own[(a, b)]));
+        let mut with_y: [f64; P] = std::array::from_fn(|a| candidate.with_y[a]);
         if ratio > 0.0 {
             let r2 = ratio * ratio;
-            for (k, l) in self.lambda.iter().enumerate() {
+            let n = self.lambda.len();
+            let (lambda, gy) = (self.lambda.as_slice(), &self.gy.as_slice()[..n]);
+            let columns: [&[f64]; P] = std::array::from_fn(|a| &with_geometry.as_slice()[a * n..(a + 1) * n]);
+            for (k, (l, gy)) in lambda.iter().zip(gy).enumerate() {
                 let f = r2 / (1.0 + r2 * l);
-                let row = [with_geometry[(k, 0)], with_geometry[(k, 1)]];
-                let by = [f * row[0], f * row[1]];
-                with_y[0] -= by[0] * self.gy[k];
-                with_y[1] -= by[1] * self.gy[k];
-                own[0] -= by[0] * row[0];
-                own[1] -= by[0] * row[1];
-                own[2] -= by[1] * row[1];
+                let row: [f64; P] = std::array::from_fn(|a| columns[a][k]);
+                for a in 0..P {
+                    let by = f * row[a];
+                    with_y[a] -= by * gy;
+                    for b in a..P {
+                        own[a][b] -= by * row[b];
+                    }
+                }
             }
         }
-        PrincipalDirections::of_two(own, with_y)
+        (own, with_y)
     }
 
     /// The candidate with itself and with the data, geometry at `ratio` out.
@@ -278,6 +324,14 @@ impl NuisanceModel {
         let mean = (covariance.row(0) * &with_y)[0];
         mean / (peak.sigma_m * covariance[(0, 0)].max(1e-300).sqrt())
     }
+}
+
+/// y' A^+ y of a symmetric A along those of its eigenvectors in which there is signal.
+fn explained_by_directions(own: DMatrix<f64>, with_y: &DVector<f64>) -> f64 {
+    let eigen = own.symmetric_eigen();
+    let along = eigen.eigenvectors.tr_mul(with_y);
+    let seen = eigen.eigenvalues.iter().zip(&along).filter(|(square, _)| **square > 0.0);
+    seen.map(|(square, with_y)| with_y * with_y / square).sum()
 }
 
 /// y' A^-1 y of a symmetric A; `None` where a pivot of its Cholesky factor is rounding.

@@ -2,7 +2,7 @@
 
 use super::NuisanceModel;
 use crate::diagnose::design::{Design, SlowColumns, dot};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn, SymmetricEigen};
 use std::ops::Range;
 
 /// Directions that the flat columns tell less than this share of the best are not told.
@@ -23,6 +23,15 @@ pub(super) struct Direction {
     pub geometry: DVector<f64>,
     /// Where its weights are not 0; set when all directions are there.
     pub support: Range<usize>,
+}
+
+/// Slow noise along its own principal directions, of no size yet.
+pub(super) struct SlowSpectrum {
+    columns: Range<usize>,
+    /// Products of each flat direction with all columns.
+    flat: Vec<Vec<f64>>,
+    /// Of what the flat directions leave of the columns.
+    eigen: SymmetricEigen<f64, Dyn>,
 }
 
 impl Direction {
@@ -130,25 +139,27 @@ impl NuisanceModel {
         }
     }
 
-    /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
-    /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
-    /// the flat ones have.
-    pub(super) fn add_slow(&mut self, gram: &DMatrix<f64>, slow: SlowColumns) {
-        let SlowColumns { columns, size_ratio: ratio } = slow;
-        if columns.is_empty() || ratio <= 0.0 {
-            return;
-        }
+    /// Slow noise in `columns` along their principal directions, beside the flat ones.
+    pub(super) fn slow_spectrum(&self, gram: &DMatrix<f64>, columns: Range<usize>) -> SlowSpectrum {
         let flat: Vec<Vec<f64>> = self.directions.iter().map(|d| times(gram, &d.weights)).collect();
         let left = |a: usize, b: usize| gram[(a, b)] - flat.iter().map(|seen| seen[a] * seen[b]).sum::<f64>();
         let n = columns.len();
         let eigen =
             DMatrix::from_fn(n, n, |r, c| left(columns.start + r, columns.start + c)).symmetric_eigen();
+        SlowSpectrum { columns, flat, eigen }
+    }
+
+    /// Slow noise s ~ N(0, ratio^2 sigma^2) in its columns: along each of their principal directions with square l its share
+    /// ratio^2 l / (1 + ratio^2 l) is taken out. With the prior's precision beside the products these directions have length 1, as
+    /// the flat ones have.
+    pub(super) fn add_slow(&mut self, gram: &DMatrix<f64>, spectrum: &SlowSpectrum, ratio: f64) {
+        let SlowSpectrum { columns, flat, eigen } = spectrum;
+        if columns.is_empty() || ratio <= 0.0 {
+            return;
+        }
         let from = self.directions.len();
-        for i in 0..n {
-            let square = eigen.eigenvalues[i];
-            if square <= RANK * eigen.eigenvalues.max() {
-                continue;
-            }
+        let least = RANK * eigen.eigenvalues.max();
+        for (i, &square) in eigen.eigenvalues.iter().enumerate().filter(|(_, square)| **square > least) {
             let r2 = ratio * ratio * square;
             let scale = (r2 / (1.0 + r2) / square).sqrt();
             let mut direction = vec![0.0; gram.ncols()];
@@ -166,7 +177,7 @@ impl NuisanceModel {
             self.push(gram, direction);
         }
         self.n_slow = self.directions.len() - from;
-        self.slow = SlowColumns { columns, size_ratio: ratio };
+        self.slow = SlowColumns { columns: columns.clone(), size_ratio: ratio };
     }
 
     pub(super) fn push(&mut self, gram: &DMatrix<f64>, weights: Vec<f64>) {
@@ -174,8 +185,8 @@ impl NuisanceModel {
         let y = along(0);
         let geometry = DVector::from_iterator(self.geometry.len(), self.geometry.iter().map(|&g| along(g)));
         self.yy -= y * y;
-        self.gg -= &geometry * geometry.transpose();
-        self.gy_raw -= &geometry * y;
+        self.gg.ger(-1.0, &geometry, &geometry, 1.0);
+        self.gy_raw.axpy(-y, &geometry, 1.0);
         self.directions.push(Direction { weights, y, geometry, support: 0..0 });
     }
 }

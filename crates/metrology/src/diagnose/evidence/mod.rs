@@ -20,6 +20,7 @@ mod screening;
 mod sum;
 #[cfg(test)]
 mod tests;
+mod tridiagonal;
 
 pub(super) use candidate::Projected;
 pub(super) use pair::{PairPeak, joined};
@@ -32,6 +33,7 @@ use elimination::{Direction, RANK};
 use nalgebra::{DMatrix, DVector};
 use principal::SizeTerm;
 use prior::{MOST_OF_TOUCHES, NO_GEOMETRY, RatioGrids, geometry_prior, size_prior};
+use std::ops::Range;
 use sum::EvidenceSum;
 
 /// How far ln evidence may lie from the integral that it stands for, nats.
@@ -105,6 +107,40 @@ impl NuisanceModel {
         slow: SlowColumns,
     ) -> Self {
         let gram = design.gram(subset);
+        let mut nuisance = Self::flat(design, subset, &gram, noise);
+        if !slow.columns.is_empty() {
+            let spectrum = nuisance.slow_spectrum(&gram, slow.columns);
+            nuisance.add_slow(&gram, &spectrum, slow.size_ratio);
+        }
+        nuisance.add(&gram, also);
+        nuisance.finish();
+        nuisance
+    }
+
+    /// ln evidence of no candidate beside slow noise in `columns` of each of these sizes, s / sigma; `also` as ever.
+    #[must_use]
+    pub(super) fn nulls_beside_slow(
+        (design, subset): (&Design, &[usize]),
+        also: &[usize],
+        noise: NoisePrior,
+        columns: Range<usize>,
+        size_ratios: &[f64],
+    ) -> Vec<f64> {
+        let gram = design.gram(subset);
+        let flat = Self::flat(design, subset, &gram, noise);
+        let spectrum = flat.slow_spectrum(&gram, columns);
+        let null = |size_ratio: &f64| {
+            let mut nuisance = flat.clone();
+            nuisance.add_slow(&gram, &spectrum, *size_ratio);
+            nuisance.add(&gram, also);
+            nuisance.finish();
+            nuisance.null().log_evidence
+        };
+        size_ratios.iter().map(null).collect()
+    }
+
+    /// Eliminates the design's registration alone; what is to be asked of it waits for [`Self::finish`].
+    fn flat(design: &Design, subset: &[usize], gram: &DMatrix<f64>, noise: NoisePrior) -> Self {
         let flat: Vec<usize> = design.registration.clone().collect();
         let geometry: Vec<usize> = design.geometry.clone().collect();
         let scale: Vec<f64> =
@@ -142,11 +178,8 @@ impl NuisanceModel {
             for (c, &column) in flat.iter().enumerate() {
                 direction[column] = eigen.eigenvectors[(c, i)] * scale[c] / eigen.eigenvalues[i].sqrt();
             }
-            nuisance.push(&gram, direction);
+            nuisance.push(gram, direction);
         }
-        nuisance.add_slow(&gram, slow);
-        nuisance.add(&gram, also);
-        nuisance.finish();
         nuisance
     }
 

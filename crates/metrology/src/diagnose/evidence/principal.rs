@@ -1,7 +1,6 @@
 //! A candidate along its own directions, where its parameters part: what each takes of the data, and what its freedom costs.
 
-use nalgebra::{DMatrix, DVector};
-use std::ops::Deref;
+use super::tridiagonal::Tridiagonal;
 
 /// A candidate along one eigenvector of its products with itself.
 #[derive(Clone, Copy)]
@@ -17,13 +16,13 @@ impl PrincipalDirection {
     const MISSING: Self = Self { eigenvalue: 0.0, with_y: 0.0 };
 }
 
-/// All directions of a candidate.
+/// A candidate in parameters of which each goes with few others.
 #[derive(Clone)]
 pub(super) enum PrincipalDirections {
-    /// Of one or two parameters; the second may be missing.
+    /// One or two parameters along their eigenvectors; the second may be missing.
     Few([PrincipalDirection; 2]),
-    /// Of three parameters and more.
-    Many(Vec<PrincipalDirection>),
+    /// Three parameters and more.
+    Many(Tridiagonal),
 }
 
 /// What a candidate of one size does to the evidence.
@@ -54,28 +53,30 @@ impl PrincipalDirections {
         ])
     }
 
-    /// Of a candidate's products with itself and with the data.
-    pub(super) fn of(own: DMatrix<f64>, with_y: &DVector<f64>) -> Self {
-        if own.nrows() == 1 {
-            let only = PrincipalDirection { eigenvalue: own[(0, 0)], with_y: with_y[0] };
-            return Self::Few([only, PrincipalDirection::MISSING]);
-        }
-        let eigen = own.symmetric_eigen();
-        let turned = eigen.eigenvectors.transpose() * with_y;
-        let pairs = eigen.eigenvalues.iter().zip(turned.iter());
-        Self::Many(pairs.map(|(&eigenvalue, &with_y)| PrincipalDirection { eigenvalue, with_y }).collect())
+    /// Of one parameter.
+    pub(super) fn of_one(eigenvalue: f64, with_y: f64) -> Self {
+        Self::Few([PrincipalDirection { eigenvalue, with_y }, PrincipalDirection::MISSING])
     }
 
     /// What a candidate of size `ratio` takes off the squares: never less for a larger one.
     pub(super) fn explained(&self, ratio: f64) -> f64 {
-        let s2 = ratio * ratio;
-        self.iter().map(|d| s2 / (1.0 + s2 * d.eigenvalue.max(0.0)) * d.with_y * d.with_y).sum()
+        self.explained_of_variance(ratio * ratio, |_| ())
     }
 
-    /// What a candidate does whose size costs nothing: squares of the data, all directions in which there is signal taken.
-    pub(super) fn explained_at_no_price(&self) -> f64 {
-        let seen = self.iter().filter(|along| along.eigenvalue > 0.0);
-        seen.map(|along| along.with_y * along.with_y / along.eigenvalue).sum()
+    /// The same where its parameters have the variance `s2`; `pivot` is handed the factors of the determinant of their covariance
+    /// beside the noise's.
+    fn explained_of_variance(&self, s2: f64, mut pivot: impl FnMut(f64)) -> f64 {
+        match self {
+            Self::Few(directions) => directions
+                .iter()
+                .map(|PrincipalDirection { eigenvalue, with_y }| {
+                    let factor = 1.0 + s2 * eigenvalue.max(0.0);
+                    pivot(factor);
+                    s2 / factor * with_y * with_y
+                })
+                .sum(),
+            Self::Many(chain) => chain.explained(s2, pivot),
+        }
     }
 
     /// What a candidate of each of these sizes does, into `terms`.
@@ -86,31 +87,16 @@ impl PrincipalDirections {
 
     /// What a candidate of size `ratio` does.
     pub(super) fn size_term(&self, ratio: f64) -> SizeTerm {
-        let s2 = ratio * ratio;
-        let mut explained = 0.0;
         let mut log_det = 0.0;
         let mut det = 1.0_f64;
-        for direction in self.iter() {
-            let (h, u) = (direction.eigenvalue.max(0.0), direction.with_y);
-            explained += s2 / (1.0 + s2 * h) * u * u;
-            det *= 1.0 + s2 * h;
+        let explained = self.explained_of_variance(ratio * ratio, |factor| {
+            det *= factor;
             // One logarithm for many factors, short of overflow.
             if det > 1e100 {
                 log_det += det.ln();
                 det = 1.0;
             }
-        }
+        });
         SizeTerm { ratio, explained, log_occam: -0.5 * (log_det + det.ln()) }
-    }
-}
-
-impl Deref for PrincipalDirections {
-    type Target = [PrincipalDirection];
-
-    fn deref(&self) -> &Self::Target {
-        match self {
-            Self::Few(directions) => directions,
-            Self::Many(directions) => directions,
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! A candidate at a first look and in full: an upper bound and an estimate at few ratios of geometry, then the sum over all of
 //! them, of which what adds nothing is left out.
 
-use super::candidate::{Projected, SignalAtNoPrice};
+use super::candidate::Projected;
 use super::principal::PrincipalDirections;
 use super::prior::size_prior;
 use super::sum::{EvidencePeak, EvidenceSum};
@@ -37,8 +37,6 @@ struct ScreenedPoint {
     ratio: f64,
     /// The candidate along its own directions there, once they are asked for: most candidates' never are.
     directions: OnceLock<PrincipalDirections>,
-    /// The ln evidence that it does not pass.
-    bound: f64,
 }
 
 /// Geometry beside which a candidate may add to its evidence.
@@ -46,14 +44,6 @@ struct Contribution<'c> {
     geometry: GeometryTerm,
     /// The candidate along its own directions there.
     directions: Cow<'c, PrincipalDirections>,
-}
-
-impl Screened<'_> {
-    /// No evidence of the candidate at these ratios is above this: its whole signal at no price.
-    #[must_use]
-    pub(crate) fn upper_bound(&self) -> f64 {
-        self.points.iter().map(|point| point.bound).fold(f64::NEG_INFINITY, f64::max)
-    }
 }
 
 impl NuisanceModel {
@@ -76,16 +66,40 @@ impl NuisanceModel {
     /// A candidate prepared for a first look at `grid`.
     #[must_use]
     pub(crate) fn screened<'p>(&self, projected: &'p Projected, grid: &[ScreeningPoint]) -> Screened<'p> {
-        let with_geometry = self.along_geometry(projected);
-        let at = |point: &ScreeningPoint| {
-            let GeometryTerm { ratio, squares, .. } = point.geometry;
-            let SignalAtNoPrice { explained, directions } =
-                self.signal_at_no_price(projected, &with_geometry, ratio);
-            let bound = point.base + self.marginal.at(squares - explained).log;
-            ScreenedPoint { ratio, directions: directions.map_or_else(OnceLock::new, OnceLock::from), bound }
+        let mut screened = self.screened_together(&[projected], grid);
+        screened.remove(0)
+    }
+
+    /// The same of many candidates.
+    #[must_use]
+    pub(crate) fn screened_together<'p>(
+        &self,
+        candidates: &[&'p Projected],
+        grid: &[ScreeningPoint],
+    ) -> Vec<Screened<'p>> {
+        let at = |point: &ScreeningPoint| ScreenedPoint {
+            ratio: point.geometry.ratio,
+            directions: OnceLock::new(),
         };
-        let points = grid.iter().map(at).collect();
-        Screened { projected, with_geometry, points }
+        let screened = candidates.iter().zip(self.along_geometry_together(candidates));
+        screened
+            .map(|(projected, with_geometry)| {
+                let points = grid.iter().map(at).collect();
+                Screened { projected, with_geometry, points }
+            })
+            .collect()
+    }
+
+    /// No evidence of the candidate at the ratios of `grid` is above this: its whole signal at no price.
+    #[must_use]
+    pub(crate) fn upper_bound(&self, candidate: &Screened<'_>, grid: &[ScreeningPoint]) -> f64 {
+        let Screened { projected, with_geometry, .. } = candidate;
+        let bound = |point: &ScreeningPoint| {
+            let GeometryTerm { ratio, squares, .. } = point.geometry;
+            let explained = self.explained_at_no_price(projected, with_geometry, ratio);
+            point.base + self.marginal.at(squares - explained).log
+        };
+        grid.iter().map(bound).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// A quick estimate of the evidence: the best of few ratios, sizes in steps of four.

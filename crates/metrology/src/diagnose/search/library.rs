@@ -3,12 +3,12 @@
 use super::chosen::{NULL_PRIOR, UNEXPLAINED_PRIOR};
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::design::{Design, Products, ScaledMotions, Sums};
-use crate::diagnose::effects::{Candidate, Motion, RigidBody};
+use crate::diagnose::effects::{Candidate, visit_times};
 use crate::diagnose::evidence::{NuisanceModel, Projected};
 use crate::diagnose::gp_alternative::{self, GpAlternative, WeightedAlternative};
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
-use robot_model::robot::{Axis, Joints};
+use robot_model::robot::Joints;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -52,6 +52,8 @@ pub(crate) struct Library<'a> {
     pub gp_alternatives: Vec<Structure>,
     /// Different angles that each joint stood at.
     pub(super) angles: Joints<usize>,
+    /// When the first and the last target of each visit was read, minutes.
+    pub(super) visits: Vec<(f64, f64)>,
     /// Pairs of causes that the search over all data weighed in the place of one.
     pub(super) near_pairs: Vec<[usize; 2]>,
 }
@@ -95,11 +97,7 @@ impl<'a> Library<'a> {
 
     /// The same, where columns may take so many numbers to be kept.
     fn keeping(most_kept: usize, design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
-        let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
-        let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
-        let motions: Vec<Motion> = joints.chain(bodies).collect();
-        let scaled: Vec<ScaledMotions> =
-            parallel::map(motions.len(), &|at| design.scaled_motions(dataset, candidates, motions[at]));
+        let scaled = design.scaled_motions_of(dataset, candidates, &|_| true);
         let mut room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
         let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
         for (motion, scaled) in scaled.iter().enumerate() {
@@ -147,6 +145,7 @@ impl<'a> Library<'a> {
             sources,
             gp_alternatives: Vec::new(),
             angles: angles(dataset),
+            visits: visit_times(dataset),
             near_pairs: Vec::new(),
         }
     }

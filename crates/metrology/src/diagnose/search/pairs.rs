@@ -25,6 +25,8 @@ const FAR_BEHIND_NATS: f64 = 6.0;
 const MOST_STATIONS: usize = 1000;
 /// Parameters of two causes, at most: a hardening spring with a payload whose centre is not known, twice.
 const MOST_PARAMETERS: usize = 24;
+/// Room for a Cholesky factor of two causes, on the stack: clearing it would take longer than what is computed in it.
+type LowerFactor = [[f64; MOST_PARAMETERS]; MOST_PARAMETERS];
 /// Signal over noise of a size that the data begin to see.
 const SEEN: f64 = 2.0;
 /// What is left of a cause beside those that are chosen, in noise variances at its usual size, is nothing below this.
@@ -101,8 +103,8 @@ impl Pool {
         }
     }
 
-    /// ln evidence of the causes `which` over none, parameters ~ N(0, size^2) in prior sigmas.
-    fn log_evidence(&self, which: &[usize], size: FirstSize) -> f64 {
+    /// ln evidence of the causes `which` over none, parameters ~ N(0, size^2) in prior sigmas; `lower` is room for a factor.
+    fn log_evidence(&self, which: &[usize], size: FirstSize, lower: &mut LowerFactor) -> f64 {
         let mut columns = [0; MOST_PARAMETERS];
         let mut sizes = [0.0; MOST_PARAMETERS];
         let mut n = 0;
@@ -113,8 +115,7 @@ impl Pool {
                 n += 1;
             }
         }
-        // Cholesky with the data as a last row (Golub and Van Loan 2013, ch. 4.2), on the stack: there are thousands of pairs.
-        let mut lower = [[0.0; MOST_PARAMETERS]; MOST_PARAMETERS];
+        // Cholesky with the data as a last row (Golub and Van Loan 2013, ch. 4.2): there are thousands of pairs.
         let (mut log_det, mut square) = (0.0, 0.0);
         let mut half = [0.0; MOST_PARAMETERS];
         for r in 0..n {
@@ -370,10 +371,11 @@ impl Library<'_> {
 
     /// The pairs that at a first look are about as likely as `single`, or as nothing, the likeliest first.
     fn likely_pairs(&self, pool: &Pool, single: Option<usize>) -> Vec<[usize; 2]> {
-        let odds = |which: &[usize]| -> f64 {
+        let mut lower = [[0.0; MOST_PARAMETERS]; MOST_PARAMETERS];
+        let mut odds = |which: &[usize]| -> f64 {
             let prior = which.iter().map(|&k| self.odds(0.0, pool.candidates[k])).sum::<f64>();
             let [usual, seen] =
-                [FirstSize::Usual, FirstSize::Seen].map(|size| pool.log_evidence(which, size));
+                [FirstSize::Usual, FirstSize::Seen].map(|size| pool.log_evidence(which, size, &mut lower));
             usual.max(seen) + prior
         };
         let own = single.and_then(|c| pool.candidates.iter().position(|&other| other == c));
@@ -437,7 +439,9 @@ mod tests {
                 let log_det = covariance.determinant().ln();
                 let square = data.dot(&(covariance.try_inverse().unwrap() * &data));
                 let exact = -0.5 * log_det - 0.5 * square + 0.5 * data.norm_squared();
-                assert!((pool.log_evidence(&which, size) - exact).abs() < 1e-9, "{which:?}");
+                let mut lower = [[0.0; MOST_PARAMETERS]; MOST_PARAMETERS];
+                let log_evidence = pool.log_evidence(&which, size, &mut lower);
+                assert!((log_evidence - exact).abs() < 1e-9, "{which:?}");
             }
         }
     }

@@ -8,6 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Candidates that are looked at after their upper bounds.
 const LONG_LIST: usize = 320;
+/// Candidates that are turned to geometry's directions at one go, by a product of matrices that stay in the processor's nearest memory.
+const AT_ONCE: usize = 64;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
 /// A GP alternative this far behind is not looked at again.
@@ -203,8 +205,11 @@ impl Library<'_> {
         let null = nuisance.null();
         let screening_grid = nuisance.screening_grid(&null);
         let most = if gp_alternatives { SHORT_LIST } else { SHORT_LIST / 3 };
-        let screened: Vec<Screened<'_>> =
-            parallel::map(tracked.len(), &|at| nuisance.screened(&tracked[at].projected, &screening_grid));
+        let screened = parallel::map_chunks(tracked, AT_ONCE, &|_, some| {
+            let projected: Vec<&Projected> = some.iter().map(|tracked| &tracked.projected).collect();
+            nuisance.screened_together(&projected, &screening_grid)
+        });
+        let screened: Vec<Screened<'_>> = screened.into_iter().flatten().collect();
         let short = self.short_list(nuisance, tracked, &screened, &screening_grid, most);
         let mut weighted: Vec<WeightedHypothesis> = parallel::map(short.len(), &|at| {
             let ShortListed { index, first } = &short[at];
@@ -243,8 +248,13 @@ impl Library<'_> {
             scores.into_iter().map(|(i, _)| i).collect::<Vec<usize>>()
         };
         let log_prior = |i: usize| self.log_prior[tracked[i].candidate];
-        let bounds = screened.iter().enumerate().map(|(i, s)| (i, s.upper_bound() + log_prior(i)));
-        let long = best(bounds.collect());
+        // Where all have room nobody asks for their bounds.
+        let long = if screened.len() > LONG_LIST {
+            let bound = |i: usize| (i, nuisance.upper_bound(&screened[i], screening_grid) + log_prior(i));
+            best(parallel::map(screened.len(), &bound))
+        } else {
+            (0..screened.len()).collect()
+        };
         let first = |at: usize| (long[at], nuisance.screening_evidence(&screened[long[at]], screening_grid));
         let firsts: BTreeMap<usize, EvidencePeak> = parallel::map(long.len(), &first).into_iter().collect();
         let seen = best(firsts.iter().map(|(&i, first)| (i, first.log_evidence + log_prior(i))).collect());
