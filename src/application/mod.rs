@@ -7,6 +7,7 @@
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
 mod accuracy_check;
+mod accuracy_limits;
 mod arm;
 #[cfg(feature = "cli")]
 mod backup;
@@ -61,6 +62,7 @@ pub use self::exam::{Exam, ExamError, Question, Scored};
 pub use crate::report::Recording;
 pub use crate::report::{ControllerData, ControllerDataError, Declaration, SourceReview};
 pub use accuracy_check::{AccuracyCheck, AccuracyChecked, AccuracyError};
+pub use accuracy_limits::{LimitCheck, LimitVerdict};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
 pub use change_check::{ChangeCheck, ChangeChecked, ChangeError};
