@@ -41,6 +41,7 @@ mod model_check;
 mod module_upload;
 mod named;
 mod other_files;
+mod other_robot;
 mod page;
 mod planning;
 mod program_comparison;
@@ -118,6 +119,8 @@ pub(crate) use emitted_settings::{joints_rad, temperatures_c};
 pub(crate) use emitted_state::{EmittedState, is_emitted_name};
 #[cfg(feature = "cli")]
 pub(crate) use named::sha256;
+#[cfg(feature = "cli")]
+pub(crate) use other_robot::{default_table_of_another_robot, model_of_another_robot, refusal};
 #[cfg(all(feature = "cli", feature = "link"))]
 pub(crate) use program_files::check_modules;
 #[cfg(feature = "cli")]

@@ -1,6 +1,6 @@
 //! An identified model on measurements that it has not seen.
 
-use super::named::model_of_another_robot;
+use super::other_robot::model_of_another_robot;
 use crate::report::validation as report;
 use measurements::{
     Channels, Fault, FaultKind, Measurements, OneStand, check_rows, find_pose_names, from_sound_file,

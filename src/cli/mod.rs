@@ -15,6 +15,7 @@ pub mod measured;
 pub mod minutes;
 pub mod model;
 pub mod number;
+pub mod other_robot;
 mod other_tasks;
 mod outcome;
 mod overwriting;
