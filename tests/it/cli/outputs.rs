@@ -33,6 +33,31 @@ fn a_robot_is_shown_as_json() {
 }
 
 #[test]
+fn a_corrected_module_is_inspected_as_one() {
+    let bench = Bench::default();
+    let made = bench.path("made.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &made, "--quiet"]).status.success());
+    let output = driftpost(&["inspect", &made]);
+    let text = out(&output);
+    assert!(output.status.success() && text.contains("already compensated in MOD_Cube45"), "{text}");
+    assert!(text.contains("driftpost restore") && !text.contains("can be compensated"), "{text}");
+    let read: serde_json::Value =
+        serde_json::from_slice(&driftpost(&["inspect", &made, "--format", "json"]).stdout).unwrap();
+    let first = &read["motions"][0];
+    assert_eq!(
+        (&first["can"], &first["code"]),
+        (&false.into(), &"refuse::already-compensated".into()),
+        "{first}"
+    );
+    let csv = out(&driftpost(&["inspect", &made, "--format", "csv"]));
+    assert_eq!(
+        csv.lines().filter(|line| line.contains(",keep,refuse::already-compensated,")).count(),
+        46,
+        "{csv}"
+    );
+}
+
+#[test]
 fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::default();
     let result = bench.path("o.mod");
