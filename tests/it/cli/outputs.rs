@@ -58,6 +58,19 @@ fn a_corrected_module_is_inspected_as_one() {
 }
 
 #[test]
+fn a_loop_without_noise_or_limit_is_refused() {
+    for (option, value) in [("--sigma-mm", "0"), ("--sigma-mm", "-1"), ("--limit", "0"), ("--limit", "-1")] {
+        let output = driftpost(&["closed-loop", CUBE, "--inject", "joint_compliance:2", option, value]);
+        assert_eq!(output.status.code(), Some(2), "{option} {value}");
+        let text = err(&output);
+        assert!(
+            text.contains("option::number") && text.contains(&format!("{option} must be more than 0")),
+            "{text}"
+        );
+    }
+}
+
+#[test]
 fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::default();
     let result = bench.path("o.mod");
