@@ -70,6 +70,21 @@ fn a_loop_without_noise_or_limit_is_refused() {
     }
 }
 
+/// The fixture's own SHA-256 in a model that was fitted to something else.
+#[test]
+fn the_rows_that_a_model_was_fitted_to_validate_nothing() {
+    let bench = Bench::default();
+    let measured = "fixtures/docs/measured.csv";
+    let text = std::fs::read_to_string("fixtures/docs/identified.toml").unwrap();
+    let hash = driftpost::application::Named::new((), "", &std::fs::read(measured).unwrap()).source.sha256;
+    let own_line = text.lines().find(|line| line.starts_with("sha256 = ")).unwrap();
+    assert!(!own_line.contains(&hash));
+    let same = bench.file("m.toml", text.replace(own_line, &format!("sha256 = \"{hash}\"")));
+    let messages = |model: &str| err(&driftpost(&["validate", measured, "--model", model]));
+    assert!(messages(&same).contains("warning[model::same-data]"), "{}", messages(&same));
+    assert!(!messages("fixtures/docs/identified.toml").contains("same-data"));
+}
+
 #[test]
 fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::default();
