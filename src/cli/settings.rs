@@ -262,8 +262,8 @@ fn start(command: &Command, given: &ArgMatches) -> PathBuf {
     let first = command.get_positionals().next().map(|arg| arg.get_id().as_str());
     // Measurements may stand in two files.
     let ids = first.into_iter().chain(["points"]);
-    let paths = ids.filter_map(|id| given.try_get_many::<PathBuf>(id).ok().flatten()?.next());
-    paths.cloned().next().unwrap_or_else(|| PathBuf::from("."))
+    let mut paths = ids.filter_map(|id| given.try_get_many::<PathBuf>(id).ok().flatten()?.next());
+    paths.next().cloned().unwrap_or_else(|| PathBuf::from("."))
 }
 
 /// The nearest of its name; a folder and a link to nothing are found too, for whoever put them there means something by it.

@@ -100,7 +100,7 @@ fn write_verdict(out: &mut dyn Write, program: &Program) -> io::Result<()> {
 }
 
 /// Why a motion stays as it is: code and reason.
-fn obstacle<'p>(motion: &'p Motion, is_made: bool) -> Option<(&'static str, &'p str)> {
+fn obstacle(motion: &Motion, is_made: bool) -> Option<(&'static str, &str)> {
     if is_made {
         return Some(("refuse::already-compensated", "the program is already compensated"));
     }
