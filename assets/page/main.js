@@ -17,7 +17,7 @@ const KINDS = {
 
 const whole = JSON.parse(document.getElementById('data').textContent);
 // Of several tasks one is shown: the address says which, so that a link, a bookmark and the way back know it.
-const tasks = whole.data.tasks ?? null;
+const tasks = whole.view.tasks ? whole.data.tasks : null;
 const which = tasks ? Math.min(Math.max(Number(new URLSearchParams(location.search).get('task') ?? 1) - 1, 0), tasks.length - 1) || 0 : 0;
 const page = tasks ? { ...whole, data: tasks[which], view: whole.view.tasks[which] } : whole;
 const show = KINDS[page.command] ?? plain;

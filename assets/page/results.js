@@ -9,10 +9,19 @@ import { listOf } from './plain.js';
 
 const CAUSE = ['effect', 'joint', 'posterior', 'size', 'sigma', 'unit', 'rms_mm', 'evidence_nats', 'source'];
 
+const nameOf = (pose) => pose.pose_id ?? pose.id ?? `line ${pose.line}`;
+
+/** Go or no go as the command says it; older files tell only whether a limit was exceeded. */
+function judged({ verdict, within }) {
+  if (verdict) return { verdict, tone: within === true ? 'good' : 'bad' };
+  if (verdict === undefined && within === false) return { verdict: 'NO GO: beyond a limit', tone: 'bad' };
+  return { verdict: verdict === null ? 'Measured; no limit was given' : 'No limit was exceeded', tone: '' };
+}
+
 export function accuracy({ data, view, version }) {
   const { worst } = data;
   const poses = data.poses.map((pose, i) => ({
-    pose: pose.id ?? `line ${pose.line}`, line: pose.line, 'AP mm': pose.ap_mm, 'RP mm': pose.repeatability?.rp_mm ?? null, n: pose.repeatability?.n ?? 1,
+    pose: nameOf(pose), line: pose.line, 'AP mm': pose.ap_mm, 'RP mm': pose.repeatability?.rp_mm ?? null, n: pose.repeatability?.n ?? 1,
     'drift of AP mm': pose.drift_ap_mm, 'drift of RP mm': pose.drift_rp_mm, joints: pose.q_deg.map((q) => q.toFixed(1)).join(', '),
   }));
   const most = Math.max(...data.poses.map((pose) => pose.ap_mm), 1e-9);
@@ -24,11 +33,11 @@ export function accuracy({ data, view, version }) {
         data.multi_directional_mm !== null && figure('Multi-directional', mm(data.multi_directional_mm), 'mm')),
       printed(view)),
     section('poses', 'Pose by pose', 'Poses',
-      bars({ label: 'Pose accuracy', most, rows: [...data.poses].sort((a, b) => b.ap_mm - a.ap_mm).slice(0, 12).map((pose) => ({ label: pose.id ?? `line ${pose.line}`, value: pose.ap_mm, text: `AP ${mm(pose.ap_mm)} mm${pose.repeatability ? `, RP ${mm(pose.repeatability.rp_mm)} mm` : ''}`, colour: 'after' })) }),
+      bars({ label: 'Pose accuracy', most, rows: [...data.poses].sort((a, b) => b.ap_mm - a.ap_mm).slice(0, 12).map((pose) => ({ label: nameOf(pose), value: pose.ap_mm, text: `AP ${mm(pose.ap_mm)} mm${pose.repeatability ? `, RP ${mm(pose.repeatability.rp_mm)} mm` : ''}`, colour: 'after' })) }),
       listOf('poses', poses)),
     record(view.provenance ?? [], version),
   ].map((one) => () => one);
-  return { kind: 'ISO 9283', verdict: data.within ? 'Within every limit that was given' : 'NO GO: beyond a limit', tone: data.within ? 'good' : 'bad', sections };
+  return { kind: 'ISO 9283', ...judged(data), sections };
 }
 
 export function comparison({ data, view, version }) {

@@ -78,6 +78,9 @@ impl Robot {
     ) -> PyResult<Bound<'py, PyAny>> {
         let (q, t_min) = (q.as_slice()?, t_min.as_slice()?);
         rows(py, POSE, || {
+            if deformation.is_none() {
+                command_line::check_default_table(self.arm.robot())?;
+            }
             let deformation = command_line::deformation(deformation.map(Path::new), growth)?;
             self.arm.forward_deformed(q, t_min, &deformation)
         })

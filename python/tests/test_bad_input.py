@@ -72,6 +72,7 @@ def numbers(**changed):
     (lambda: driftpost.Robot.load(LONE), "option::usage", "robot"),
     (lambda: driftpost.Robot.load("irb140").fk_deformed(np.zeros(6), 1, deformation=5, growth="none"), "option::usage", "deformation"),
     (lambda: driftpost.Robot.load("irb140").fk_deformed(np.zeros(6), 1, growth=5), "option::usage", "growth"),
+    (lambda: driftpost.Robot.load("irb1200").fk_deformed(np.zeros(6), 1), "deform::other-robot", "IRB 140"),
     (lambda: driftpost.Robot.load("irb140").fk_deformed(np.zeros(6), "soon"), "array::shape", "t_min"),
     (lambda: driftpost.Robot.load("irb140").fk_deformed(np.zeros(6), 1, deformation="a,b\n1,2\n", growth="none"), "deform::", ""),
 ])

@@ -1,11 +1,11 @@
 //! Pose accuracy, repeatability and drift after ISO 9283, held to limits.
 
+use super::accuracy_limits::{LimitCheck, LimitVerdict, QUANTITIES, verdict};
 use crate::report::accuracy as report;
 use measurements::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
 use metrology::diagnose::{DiagnosisOptions, rounded_joints};
 use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, plural};
 use robot_model::robot::SerialArm;
-use robot_model::units::m_from_mm;
 use std::io::{self, Write};
 
 /// Lines that the verdict lists at most.
@@ -55,20 +55,15 @@ impl AccuracyCheck {
         let mut performance = performance(measurements, &self.robot, self.frame)?;
         performance.warnings.extend(self.rounded(measurements));
         let worst = performance.worst();
-        let limits = [
-            ("--limit-ap-mm", self.limit_ap_mm, worst.ap_m),
-            ("--limit-rp-mm", self.limit_rp_mm, worst.rp_m),
-            ("--limit-drift-mm", self.limit_drift_mm, worst.drift_m),
-        ];
-        let mut beyond = Vec::new();
-        for (limit, limit_mm, found_m) in limits {
+        let given_mm = [self.limit_ap_mm, self.limit_rp_mm, self.limit_drift_mm];
+        let worst_m = [worst.ap_m, worst.rp_m, worst.drift_m];
+        let mut limits = Vec::new();
+        for ((quantity, limit_mm), worst_m) in QUANTITIES.iter().zip(given_mm).zip(worst_m) {
             let Some(limit_mm) = limit_mm else { continue };
-            if found_m.ok_or(AccuracyError::NotMeasured { limit })? > m_from_mm(limit_mm) {
-                beyond.push(format!("{limit} {limit_mm}"));
-            }
+            let worst_m = worst_m.ok_or(AccuracyError::NotMeasured { limit: quantity.option })?;
+            limits.push(LimitCheck::new(quantity, limit_mm, worst_m, &performance));
         }
-        let is_limited = limits.iter().any(|(_, limit_mm, _)| limit_mm.is_some());
-        Ok(AccuracyChecked { performance, beyond, is_limited, robot: self.robot.clone() })
+        Ok(AccuracyChecked { performance, limits, robot: self.robot.clone() })
     }
 
     /// That the accuracy is that of joints with too few decimals.
@@ -88,26 +83,27 @@ impl AccuracyCheck {
 pub struct AccuracyChecked {
     /// Pose by pose, and over time.
     pub performance: Performance,
-    /// The limits that are not kept, as options have them.
-    pub beyond: Vec<String>,
-    is_limited: bool,
+    /// The limits that were given.
+    pub limits: Vec<LimitCheck>,
     robot: SerialArm,
 }
 
 impl AccuracyChecked {
-    /// Whether all limits are kept.
+    /// Whether all limits are kept; `None` where there was no limit, and where too few poses tell it.
     #[must_use]
-    pub fn is_within(&self) -> bool {
-        self.beyond.is_empty()
+    pub fn is_within(&self) -> Option<bool> {
+        let is_any = |verdict| self.limits.iter().any(|limit| limit.verdict == verdict);
+        match (is_any(LimitVerdict::Beyond), is_any(LimitVerdict::NotJudged)) {
+            (true, _) => Some(false),
+            (false, true) => None,
+            (false, false) => (!self.limits.is_empty()).then_some(true),
+        }
     }
 
     /// Go or no go; `None` where there was no limit.
     #[must_use]
     pub fn verdict(&self) -> Option<String> {
-        let verdict_text = match self.is_within() {
-            true => "GO".to_owned(),
-            false => format!("NO GO: beyond {}", self.beyond.join(", ")),
-        };
+        let verdict_text = verdict(&self.limits, self.performance.poses.len())?;
         // A go says nothing of rows that took no part in it.
         let lines = &self.performance.lines_left_out;
         let left_out_text = match lines.len() {
@@ -119,7 +115,7 @@ impl AccuracyChecked {
                 first_few(lines, LISTED)
             ),
         };
-        self.is_limited.then_some(verdict_text + &left_out_text)
+        Some(verdict_text + &left_out_text)
     }
 
     /// What a person should look at in the rows.
@@ -139,7 +135,10 @@ impl AccuracyChecked {
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.performance, self.is_within(), &self.robot)
+        let mut data = report::json(&self.performance, self.is_within(), &self.robot);
+        data["verdict"] = self.verdict().into();
+        data["limits"] = self.limits.iter().map(LimitCheck::json).collect();
+        data
     }
 }
 

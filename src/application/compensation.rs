@@ -50,9 +50,6 @@ pub struct Compensation {
     pub touch: Option<TouchRequest>,
 }
 
-/// The robot that the built-in deformation table is of.
-pub(super) const PAPER_ROBOT: &str = "irb140";
-
 impl Compensation {
     /// A robot that deforms as `deformation` says, form `schedule`, the clock by warm-up.
     #[must_use]

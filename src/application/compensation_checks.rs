@@ -1,12 +1,11 @@
 //! What speaks against compensating a program: its text, its meaning, the robot, its table, how it was made.
 
-use super::compensation::{Compensation, PAPER_ROBOT};
-use super::named::model_of_another_robot;
+use super::compensation::Compensation;
+use super::other_robot::{default_table_of_another_robot, model_of_another_robot, refusal};
 use rapid_program::{Program, is_of_task};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, is_or_are};
 use rapid_syntax::tree::FileItem;
-use robot_model::robot::Robot;
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
 const OTHER_MAKERS: [&str; 12] = [
@@ -156,11 +155,7 @@ impl Compensation {
     fn check_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let mut messages = self.of_another_robot(program);
         if !self.allow_other_robot {
-            for message in &mut messages {
-                message.severity = Severity::Error;
-                let help = message.help.take().unwrap_or_default();
-                message.help = Some(format!("{help}; --allow-other-robot takes it all the same"));
-            }
+            messages = messages.into_iter().map(refusal).collect();
         }
         let robot = &self.robot.model;
         let is_told = messages.iter().any(|message| message.code == "robot::not-abb");
@@ -199,12 +194,7 @@ impl Compensation {
                 "its measurements can be diagnosed; a program can only be corrected for an arm that runs it";
             messages.push(Diagnostic::warning("robot::not-abb", text).help(help));
         }
-        let is_papers = Robot::built_in(PAPER_ROBOT).is_some_and(|papers| papers.same_arm(&self.robot.model));
-        if self.default_table && !is_papers {
-            let text = format!("the built-in deformation table is an IRB 140's, the robot is {robot}");
-            let help = "give a table of this robot with --deformation";
-            messages.push(Diagnostic::warning("deform::other-robot", text).help(help));
-        }
+        messages.extend(default_table_of_another_robot(&self.robot.model).filter(|_| self.default_table));
         messages
     }
 }

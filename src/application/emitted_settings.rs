@@ -1,7 +1,7 @@
 //! What emitted modules say that they were made with, for jobs that compare or execute them. What is asked for beside it wins.
 
-use super::compensation::PAPER_ROBOT;
 use super::named::{Named, sha256};
+use super::other_robot::PAPER_ROBOT;
 use super::program_files::ProgramFiles;
 use rapid_compensation::emit::{Provenance, made_with};
 use rapid_program::{Overrides, is_of_task};

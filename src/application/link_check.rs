@@ -3,9 +3,9 @@
 use super::loading::link_message;
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
 use rapid_compensation::compensate::CompensateError;
-use rapid_compensation::compensate::commanded::{Commanded, commanded};
+use rapid_compensation::compensate::commanded::{Commanded, CommandedTargets, commanded};
 use rapid_program::Program;
-use rapid_syntax::diagnostic::{Diagnostic, counted};
+use rapid_syntax::diagnostic::{Diagnostic, FileId, counted, first_few};
 use robot_link::{Configuration, Frame, LinkError, Session, Unit};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
@@ -16,6 +16,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 const DISPLAY_MM: f64 = 0.1;
 /// Joints nearer to the border of a quadrant may be told on either side of it, degrees.
 const BORDER_DEG: f64 = 1e-3;
+/// Motions out of reach that are listed at most.
+const LISTED: usize = 12;
 
 /// What is asked, and how near the answers have to be.
 #[derive(Clone, Debug)]
@@ -99,10 +101,14 @@ pub enum LinkChecked {
         /// Between its own display and its own calculation for the joints that it shows, mm.
         apart_mm: f64,
     },
-    /// Every target was asked for.
+    /// Every target that there are joints for was asked for.
     Asked {
         /// One finding for each target and element asked for.
         found: Vec<TargetCheck>,
+        /// File and line of motions whose targets the arm does not reach by nominal kinematics.
+        unreached: Vec<String>,
+        /// The arm that is meant.
+        robot: String,
         /// Motions whose targets only run time knows.
         unknown: usize,
         /// Between its own display and its own calculation, mm.
@@ -128,16 +134,16 @@ impl LinkCheck {
         robot: &Robot,
         start_rad: Option<[f64; 6]>,
     ) -> Result<LinkChecked, LinkCheckError> {
-        let (targets, unknown) = commanded(program, robot, start_rad)?;
-        Ok(self.ask(session, program, &targets, unknown)?)
+        let targets = commanded(program, robot, start_rad)?;
+        Ok(self.ask(session, program, &targets, &robot.name)?)
     }
 
     fn ask(
         &self,
         session: &mut Session,
         program: &Program,
-        targets: &[Commanded],
-        unknown: usize,
+        targets: &CommandedTargets,
+        robot: &str,
     ) -> Result<LinkChecked, LinkError> {
         // Before use: what it calculates must be what it displays.
         let display_mm = match self.display_mm(session) {
@@ -149,10 +155,10 @@ impl LinkCheck {
         if display_mm > DISPLAY_MM {
             return Ok(LinkChecked::NoConclusion { apart_mm: display_mm });
         }
+        let place = |at: &(FileId, u32)| format!("{}:{}", program.file(at.0).path, at.1);
         let mut answered: BTreeMap<String, TargetCheck> = BTreeMap::new();
         let mut found = Vec::new();
-        for target in targets.iter().filter(|target| self.is_asked(target)) {
-            let at = format!("{}:{}", program.file(target.at.0).path, target.at.1);
+        for target in targets.reached.iter().filter(|target| self.is_asked(target)) {
             // A pose that comes again is not asked for again.
             let key = format!("{:?} {:?} {:?}", target.base_from_tcp, target.flange_from_tcp, target.q_rad);
             let mut answer = match answered.get(&key) {
@@ -160,10 +166,16 @@ impl LinkCheck {
                 None => self.one(session, target)?,
             };
             answered.entry(key).or_insert_with(|| answer.clone());
-            (answer.at, answer.element) = (at, target.element + 1);
+            (answer.at, answer.element) = (place(&target.at), target.element + 1);
             found.push(answer);
         }
-        Ok(LinkChecked::Asked { found, unknown, display_mm })
+        Ok(LinkChecked::Asked {
+            found,
+            unreached: targets.unreached.iter().map(place).collect(),
+            robot: robot.to_owned(),
+            unknown: targets.unknown,
+            display_mm,
+        })
     }
 
     fn is_asked(&self, target: &Commanded) -> bool {
@@ -271,12 +283,14 @@ fn isometry(frame: &Frame) -> Isometry3<f64> {
 }
 
 impl LinkChecked {
-    /// Whether the controller agrees; `None` where nothing can be concluded.
+    /// Whether the controller agrees, and all targets that the text tells are in reach; `None` where nothing can be concluded.
     #[must_use]
     pub fn agrees(&self) -> Option<bool> {
         match self {
-            Self::Asked { found, .. } => Some(found.iter().all(|found| found.agrees)),
-            Self::NotOffered(_) | Self::NoConclusion { .. } => None,
+            Self::Asked { found, unreached, .. } if !found.is_empty() => {
+                Some(unreached.is_empty() && found.iter().all(|found| found.agrees))
+            }
+            Self::Asked { .. } | Self::NotOffered(_) | Self::NoConclusion { .. } => None,
         }
     }
 
@@ -288,37 +302,24 @@ impl LinkChecked {
             Self::NoConclusion { apart_mm } => format!(
                 "no conclusion: for the joints that it shows the controller calculates a flange {apart_mm:.4} mm from the one that it shows\n"
             ),
-            Self::Asked { found, unknown, display_mm } => {
-                let mut text = String::new();
-                for found in found.iter().filter(|found| all || !found.agrees) {
-                    text += &found.line();
-                }
-                let worst = |value: fn(&TargetCheck) -> f64| found.iter().map(value).fold(0.0, f64::max);
-                text += &format!(
-                    "{} asked for; worst {:.4} mm, {:.4} deg, joints {:.4} deg; display and calculation {display_mm:.4} mm apart\n",
-                    counted(found.len(), "target"),
-                    worst(|f| f.apart.0),
-                    worst(|f| f.apart.1),
-                    worst(|f| f.joints_deg.unwrap_or(0.0)),
-                );
+            Self::Asked { found, unreached, robot, unknown, display_mm } => {
+                let shown = found.iter().filter(|found| all || !found.agrees);
+                let mut text: String = shown.map(TargetCheck::line).collect();
+                text += &worst_line(found, *display_mm);
                 if *unknown > 0 {
                     text += &format!(
                         "not asked for: {}, whose targets only the running program knows\n",
                         counted(*unknown, "motion")
                     );
                 }
-                let wrong = found.iter().filter(|found| !found.agrees).count();
-                text + &match (found.len(), wrong) {
-                    (0, _) => "no target to ask for\n".to_owned(),
-                    (_, 0) => "the controller's own kinematics agree: poses, branches and configurations\n"
-                        .to_owned(),
-                    (_, wrong) => {
-                        format!(
-                            "the controller's own kinematics DO NOT AGREE at {}\n",
-                            counted(wrong, "target")
-                        )
-                    }
+                if !unreached.is_empty() {
+                    text += &format!(
+                        "not asked for: {}, whose targets are out of reach of {robot} (--robot names another): {}\n",
+                        counted(unreached.len(), "motion"),
+                        first_few(unreached, LISTED)
+                    );
                 }
+                text + &verdict_line(found, unreached.len())
             }
         }
     }
@@ -331,12 +332,59 @@ impl LinkChecked {
             Self::NoConclusion { apart_mm } => {
                 serde_json::json!({"verdict": "no_conclusion", "display_mm": apart_mm})
             }
-            Self::Asked { found, unknown, display_mm } => serde_json::json!({
-                "verdict": if self.agrees() == Some(true) { "agrees" } else { "differs" },
+            Self::Asked { found, unreached, robot, unknown, display_mm } => serde_json::json!({
+                "verdict": self.verdict(),
                 "display_mm": display_mm,
+                "robot": robot,
                 "not_known": unknown,
+                "out_of_reach": unreached,
                 "targets": found.iter().map(TargetCheck::json).collect::<Vec<_>>(),
             }),
+        }
+    }
+
+    /// The verdict on what was asked for, in a word.
+    fn verdict(&self) -> &'static str {
+        match self {
+            Self::Asked { found, .. } if found.iter().any(|found| !found.agrees) => "differs",
+            _ => match self.agrees() {
+                Some(true) => "agrees",
+                Some(false) => "out_of_reach",
+                None => "nothing_asked",
+            },
+        }
+    }
+}
+
+/// How much was asked for, and the worst of it.
+fn worst_line(found: &[TargetCheck], display_mm: f64) -> String {
+    let asked = counted(found.len(), "target");
+    let display = format!("display and calculation {display_mm:.4} mm apart");
+    if found.is_empty() {
+        return format!("{asked} asked for; {display}\n");
+    }
+    let worst = |value: fn(&TargetCheck) -> f64| found.iter().map(value).fold(0.0, f64::max);
+    format!(
+        "{asked} asked for; worst {:.4} mm, {:.4} deg, joints {:.4} deg; {display}\n",
+        worst(|f| f.apart.0),
+        worst(|f| f.apart.1),
+        worst(|f| f.joints_deg.unwrap_or(0.0)),
+    )
+}
+
+/// What the answers say, and of how many targets.
+fn verdict_line(found: &[TargetCheck], unreached: usize) -> String {
+    let wrong = found.iter().filter(|found| !found.agrees).count();
+    match (found.len(), wrong, unreached) {
+        (0, ..) => "NOTHING was asked: no motion has a target that can be put to the controller\n".to_owned(),
+        (_, 0, 0) => "the controller's own kinematics agree: poses, branches and configurations\n".to_owned(),
+        (asked, 0, _) => format!(
+            "the controller's own kinematics agree at {} alone; {} OUT OF REACH\n",
+            counted(asked, "target"),
+            counted(unreached, "motion")
+        ),
+        (_, wrong, _) => {
+            format!("the controller's own kinematics DO NOT AGREE at {}\n", counted(wrong, "target"))
         }
     }
 }

@@ -7,6 +7,7 @@
 //! The command line and other languages are thin over it. Knows nothing of arguments, terminals and disks.
 
 mod accuracy_check;
+mod accuracy_limits;
 mod arm;
 #[cfg(feature = "cli")]
 mod backup;
@@ -40,6 +41,7 @@ mod model_check;
 mod module_upload;
 mod named;
 mod other_files;
+mod other_robot;
 mod page;
 mod planning;
 mod program_comparison;
@@ -61,6 +63,7 @@ pub use self::exam::{Exam, ExamError, Question, Scored};
 pub use crate::report::Recording;
 pub use crate::report::{ControllerData, ControllerDataError, Declaration, SourceReview};
 pub use accuracy_check::{AccuracyCheck, AccuracyChecked, AccuracyError};
+pub use accuracy_limits::{LimitCheck, LimitVerdict};
 pub use arm::{Arm, BRANCHES, JACOBIAN, JOINTS, POSE};
 pub use calibration::{CalibratedArm, CalibrationSizes};
 pub use change_check::{ChangeCheck, ChangeChecked, ChangeError};
@@ -116,6 +119,8 @@ pub(crate) use emitted_settings::{joints_rad, temperatures_c};
 pub(crate) use emitted_state::{EmittedState, is_emitted_name};
 #[cfg(feature = "cli")]
 pub(crate) use named::sha256;
+#[cfg(feature = "cli")]
+pub(crate) use other_robot::{default_table_of_another_robot, model_of_another_robot, refusal};
 #[cfg(all(feature = "cli", feature = "link"))]
 pub(crate) use program_files::check_modules;
 #[cfg(feature = "cli")]

@@ -1,6 +1,6 @@
 //! An identified model on measurements that it has not seen.
 
-use super::named::model_of_another_robot;
+use super::other_robot::model_of_another_robot;
 use crate::report::validation as report;
 use measurements::{
     Channels, Fault, FaultKind, Measurements, OneStand, check_rows, find_pose_names, from_sound_file,
@@ -34,6 +34,17 @@ impl ModelCheck {
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
         model_of_another_robot(&self.model, &self.robot.name)
+    }
+
+    /// What says that a file of this SHA-256 is the one that the model was fitted to.
+    #[must_use]
+    pub fn seen_before(&self, sha256: &str) -> Option<Diagnostic> {
+        let text = format!(
+            "these are the measurements that the model was fitted to ({}): what it leaves of them says nothing of others",
+            self.model.data
+        );
+        let help = "validate it on poses that took no part in the fit, or on another day's";
+        (self.model.data_sha256 == sha256).then(|| Diagnostic::warning("model::same-data", text).help(help))
     }
 
     /// What model and nominal robot leave of the measured distances.

@@ -1,11 +1,10 @@
 //! A robot, a deformation or an identified model with the name and hash that an emitted program says of it.
 
 use rapid_compensation::emit::Provenance;
-use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::deform::{Deformation, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
-use robot_model::robot::{Robot, same_type};
+use robot_model::robot::Robot;
 use sha2::{Digest, Sha256};
 
 /// The reference paper's Table 2 as a file: what the built-in deformation's SHA-256 is that of.
@@ -90,16 +89,6 @@ impl From<Deformation> for Named<Deformation> {
 #[must_use]
 pub fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|b| format!("{b:02x}")).collect()
-}
-
-/// A warning where a model was found on another robot.
-#[must_use]
-pub fn model_of_another_robot(model: &Identified, robot: &str) -> Option<Diagnostic> {
-    let same = model.robot.is_empty() || model.robot == robot || same_type(&model.robot, robot) == Some(true);
-    (!same).then(|| {
-        Diagnostic::warning("model::robot", format!("the model is of {}, the robot is {robot}", model.robot))
-            .help("name the robot it was found on with --robot")
-    })
 }
 
 #[cfg(test)]

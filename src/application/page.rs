@@ -89,6 +89,6 @@ impl Refusal {
 }
 
 fn is_papers_case(robot: &Robot, deformation: &Deformation) -> bool {
-    let papers = Robot::built_in(super::compensation::PAPER_ROBOT);
+    let papers = Robot::built_in(super::other_robot::PAPER_ROBOT);
     papers.is_some_and(|papers| papers.same_arm(robot)) && *deformation == Deformation::paper()
 }

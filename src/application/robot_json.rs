@@ -1,10 +1,12 @@
 //! A robot as scripts read it.
 
+use crate::report::rounded;
+use nalgebra::Isometry3;
 use robot_model::robot::{JointKind, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 
-/// A robot as JSON: axes in the base at joints of 0, ranges in degrees or mm.
+/// A robot as JSON: each joint's frame in the one before it, axes in the base at joints of 0, ranges in degrees or mm.
 #[must_use]
 pub fn robot_json(robot: &SerialArm) -> Value {
     let joints = robot.joints.iter().map(|joint| {
@@ -14,9 +16,18 @@ pub fn robot_json(robot: &SerialArm) -> Value {
         };
         json!({
             "type": kind,
+            "origin_mm": in_mm(&joint.previous_from_joint),
             "axis": <[f64; 3]>::from(joint.axis.into_inner()),
             "range": joint.range_rad.map(|range| range.map(in_unit)),
         })
     });
-    json!({ "name": robot.name, "source": robot.source, "joints": joints.collect::<Vec<Value>>() })
+    let flange = json!({ "origin_mm": in_mm(&robot.last_from_flange) });
+    json!({
+        "name": robot.name, "source": robot.source,
+        "joints": joints.collect::<Vec<Value>>(), "flange": flange,
+    })
+}
+
+fn in_mm(frame: &Isometry3<f64>) -> [f64; 3] {
+    <[f64; 3]>::from(frame.translation.vector).map(|m| rounded(mm_from_m(m)))
 }

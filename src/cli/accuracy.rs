@@ -98,7 +98,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let Some(verdict) = found.verdict() {
         writeln!(to, "{verdict}")?;
     }
-    Ok(if found.is_within() { Outcome::Done } else { Outcome::Difference })
+    Ok(match found.is_within() {
+        Some(true) => Outcome::Done,
+        Some(false) => Outcome::Difference,
+        None if found.limits.is_empty() => Outcome::Done,
+        None => Outcome::Refused,
+    })
 }
 
 fn compared(register: RefitScopeName, tool_m: Option<Vector3<f64>>) -> Result<ComparisonFrame, Diagnostic> {

@@ -1,6 +1,7 @@
 //! `driftpost closed-loop`: the whole loop on a virtual robot. An effect is injected, the robot measured, the measurements
 //! diagnosed, a program compensated for what was found, and its targets measured again on the same robot.
 
+use super::number::positive;
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::sealed::{Language, Sealed};
@@ -69,6 +70,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read, an effect that a program cannot meet, a program that cannot be compensated.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    positive(&[("--sigma-mm", Some(args.sigma_mm)), ("--limit", Some(args.limit))])?;
     let robot = args.robot.load()?;
     let given = ProgramInput::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;

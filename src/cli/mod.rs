@@ -15,6 +15,7 @@ pub mod measured;
 pub mod minutes;
 pub mod model;
 pub mod number;
+pub mod other_robot;
 mod other_tasks;
 mod outcome;
 mod overwriting;
@@ -76,7 +77,8 @@ use std::rc::Rc;
 #[derive(Debug, Parser)]
 #[command(name = "driftpost", version, arg_required_else_help = true, max_term_width = 110)]
 struct Cli {
-    /// Defaults of the options, a TOML file [default: driftpost.toml, found upwards from what the command works on].
+    /// Defaults of the options, a TOML file. Read by accuracy, closed-loop, compare-measurements, compensate, diagnose, fit, plan, state,
+    /// tabulate and validate [default: driftpost.toml, found upwards from what these work on, else from the working folder].
     #[arg(long, value_name = "FILE", global = true, help_heading = "Settings")]
     settings: Option<PathBuf>,
 
@@ -317,6 +319,7 @@ fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
         Err(error) => return console.usage(&error),
     };
     console.set_quiet(cli.quiet);
+    console.explain(&LocatedDiagnostic::all(settings.warning(), &[]), false);
     let shown = matches.subcommand().filter(|_| cli.show_settings);
     let outcome = match shown.and_then(|(name, given)| Some((command.find_subcommand(name)?, given))) {
         Some((command, given)) => write!(console.out(), "{}", settings.table(command, given))

@@ -3,6 +3,8 @@
 use super::sealed::{Language, Sealed};
 use super::shared::RobotName;
 use super::{Console, Outcome, files};
+use crate::report::rounded;
+use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::JointKind;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -15,7 +17,7 @@ pub struct Args {
     #[command(flatten)]
     pub robot: RobotName,
 
-    /// Write it as a robot file (FILE.toml) or a URDF description (FILE.urdf) [default: show joints, axes and ranges].
+    /// Write it as a robot file (FILE.toml) or a URDF description (FILE.urdf) [default: show origins, axes and ranges of the joints].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
@@ -23,9 +25,15 @@ pub struct Args {
     #[arg(long, requires = "output")]
     pub force: bool,
 
-    /// Name, joints, axes and ranges as JSON; - is standard output.
+    /// Name, joints, origins, axes and ranges as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
     pub json: Option<PathBuf>,
+}
+
+/// Where a frame stands in the one before it, as a robot file has it: `70 0 352`.
+fn in_mm(frame: &Isometry3<f64>) -> String {
+    let origin_mm = frame.translation.vector.iter().map(|m| rounded(mm_from_m(*m)).to_string());
+    origin_mm.collect::<Vec<_>>().join(" ")
 }
 
 /// Runs `robot`.
@@ -55,8 +63,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
                     }
                 },
             );
-            writeln!(console.out(), "joint {}  axis {x} {y} {z}  {range}", i + 1)?;
+            let origin = in_mm(&joint.previous_from_joint);
+            writeln!(console.out(), "joint {}  origin {origin} mm  axis {x} {y} {z}  {range}", i + 1)?;
         }
+        writeln!(console.out(), "flange   origin {} mm", in_mm(&robot.last_from_flange))?;
         return Ok(Outcome::Done);
     };
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// What a folder's defaults stand in.
 const FILE: &str = "driftpost.toml";
 /// Commands that take defaults. Those that work on an emitted program read what it was made with from its own comments.
-const COMMANDS: [&str; 9] = [
+const COMMANDS: [&str; 10] = [
     "accuracy",
     "closed-loop",
     "compare-measurements",
@@ -22,6 +22,7 @@ const COMMANDS: [&str; 9] = [
     "diagnose",
     "fit",
     "plan",
+    "state",
     "tabulate",
     "validate",
 ];
@@ -40,19 +41,31 @@ pub struct Settings {
     words: Vec<OsString>,
     /// The options that are set, by their ids.
     ids: BTreeSet<String>,
+    /// The file is named for a command that takes none.
+    is_idle: bool,
 }
 
 impl Settings {
-    /// The defaults of the file that `--settings` names, or that is found upwards from the command's first file; none for commands
-    /// that take none.
+    /// The defaults of the file that `--settings` names, or that is found upwards from the command's first file, or, where it works on
+    /// none, from the working folder; none for commands that take none.
     ///
     /// # Errors
     /// `settings::*`, naming file and key.
     pub fn find(command: &Command, matches: &ArgMatches) -> Result<Self, Diagnostic> {
         let Some((name, given)) = matches.subcommand() else { return Ok(Self::default()) };
         let named = matches.get_one::<PathBuf>("settings").or_else(|| given.get_one("settings"));
-        let found = named.cloned().or_else(|| upwards(&start(command.find_subcommand(name)?, given)?));
-        let Some(path) = found.filter(|_| COMMANDS.contains(&name)) else { return Ok(Self::default()) };
+        if !COMMANDS.contains(&name) {
+            let Some(path) = named else { return Ok(Self::default()) };
+            files::read(path, "file of settings")?;
+            return Ok(Self {
+                path: path.clone(),
+                command: name.to_owned(),
+                is_idle: true,
+                ..Self::default()
+            });
+        }
+        let found = named.cloned().or_else(|| upwards(&start(command.find_subcommand(name)?, given)));
+        let Some(path) = found else { return Ok(Self::default()) };
         // Built: only then the commands know the options that all of them have.
         let mut built = command.clone();
         built.build();
@@ -85,6 +98,15 @@ impl Settings {
     #[must_use]
     pub fn are_given(&self) -> bool {
         !self.words.is_empty()
+    }
+
+    /// That the file which is named is not read.
+    #[must_use]
+    pub fn warning(&self) -> Option<Diagnostic> {
+        let Self { path, command, .. } = self;
+        let text = format!("{command} takes no defaults: {} is passed over", path.display());
+        let help = format!("settings are read by {}", COMMANDS.join(", "));
+        self.is_idle.then(|| Diagnostic::warning("settings::not-read", text).help(help))
     }
 
     /// The command line with the defaults in it, behind the name of the command.
@@ -235,11 +257,13 @@ fn in_folder(arg: &Arg, folder: &Path, text: &str) -> String {
     if is_path || file.is_file() { file.display().to_string() } else { text.to_owned() }
 }
 
-/// The first file or folder that a command works on.
-fn start(command: &Command, given: &ArgMatches) -> Option<PathBuf> {
-    let mut first = command.get_positionals();
-    let id = first.next()?.get_id().as_str();
-    given.try_get_many::<PathBuf>(id).ok().flatten()?.next().cloned()
+/// The first file or folder that a command works on, else the working folder.
+fn start(command: &Command, given: &ArgMatches) -> PathBuf {
+    let first = command.get_positionals().next().map(|arg| arg.get_id().as_str());
+    // Measurements may stand in two files.
+    let ids = first.into_iter().chain(["points"]);
+    let mut paths = ids.filter_map(|id| given.try_get_many::<PathBuf>(id).ok().flatten()?.next());
+    paths.next().cloned().unwrap_or_else(|| PathBuf::from("."))
 }
 
 /// The nearest of its name; a folder and a link to nothing are found too, for whoever put them there means something by it.

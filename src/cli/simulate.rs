@@ -4,14 +4,16 @@ use super::compensate::{Temperatures, temperatures};
 use super::files::{self, Output};
 use super::minutes::Minutes;
 use super::number::{at_least_one, positive};
+use super::other_robot::OtherRobotArgs;
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
 use super::shared::{ProgramSettings, name_and_value};
 use super::{Console, Outcome, emitted_settings, model, simulate_hints as hints};
-use driftpost::application::{Course, EmittedSettings, Named, ProgramFiles, Simulation};
+use driftpost::application::{Course, EmittedSettings, Named, Origin, ProgramFiles, Simulation};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
+use robot_model::robot::Robot;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
@@ -98,6 +100,10 @@ pub struct Args {
     /// How a static table grows with the warm-up minute: none, exp:TAU or two-stage:TAU.
     #[arg(long, value_name = "LAW", allow_hyphen_values = true, help_heading = "The true robot")]
     pub growth: Option<String>,
+
+    /// Whose deformation it may be.
+    #[command(flatten)]
+    pub accepted: OtherRobotArgs,
 
     /// Exit 1 where the TCP is further off than this.
     #[arg(
@@ -193,6 +199,7 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
         joints.check(&robot)?;
     }
     let (deformation, identified) = truth(args, &emitted_settings)?;
+    check_robot(args, &emitted_settings, &robot, identified.as_ref(), console)?;
     let mut job = Simulation::new(TrueRobot::new(robot, deformation));
     if let Some(identified) = identified {
         job = job
@@ -236,6 +243,27 @@ fn course(args: &Args) -> Result<Course, Diagnostic> {
     scenario
         .map(Course::Scenario)
         .map_err(|error| model::in_file(&path.display().to_string(), hints::of_scenario(&error)))
+}
+
+/// Refuses a deformation of another robot; what a module was made with, the one who made it has accepted.
+fn check_robot(
+    args: &Args,
+    emitted_settings: &EmittedSettings,
+    robot: &Robot,
+    identified: Option<&Named<Identified>>,
+    console: &mut Console,
+) -> Result<(), Diagnostic> {
+    let is_by_options = args.deformation.is_some() || args.model.is_some();
+    let is_of_modules = emitted_settings.deformation()?.is_some() || emitted_settings.model()?.is_some();
+    if is_of_modules && !is_by_options && args.settings.robot.is_none() {
+        return Ok(());
+    }
+    let is_paper_table = match emitted_settings.deformation()? {
+        _ if is_by_options => false,
+        Some(origin) => matches!(origin, Origin::BuiltIn(_)),
+        None => identified.is_none(),
+    };
+    args.accepted.check(robot, is_paper_table, identified.map(|named| &named.model), console)
 }
 
 /// How the robot really stands, as the options say, else as the emitted modules do: its deformation, and the identified model of it.

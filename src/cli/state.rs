@@ -3,6 +3,7 @@
 use super::fit::stops;
 use super::measured::MeasurementArgs;
 use super::number::{minutes, positive};
+use super::other_robot::OtherRobotArgs;
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
@@ -39,6 +40,10 @@ pub struct Args {
     #[arg(long, value_name = "FILE", conflicts_with = "deformation")]
     pub model: Option<PathBuf>,
 
+    /// Whose deformation it may be.
+    #[command(flatten)]
+    pub accepted: OtherRobotArgs,
+
     /// Time constant of cooling to begin with, minutes [default: the model's, or the growth law's].
     #[arg(long, value_name = "MIN", allow_negative_numbers = true)]
     pub tau_cool: Option<f64>,
@@ -69,8 +74,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     minutes(&[("--tau-cool", args.tau_cool)])?;
     let robot = args.robot.load()?;
     let mut job = match &args.model {
-        Some(path) => StateEstimation::with_model(robot, &model::identified(path)?.model),
+        Some(path) => {
+            let identified = model::identified(path)?.model;
+            args.accepted.check(&robot, false, Some(&identified), console)?;
+            StateEstimation::with_model(robot, &identified)
+        }
         None => {
+            args.accepted.check(&robot, args.deformation.is_none(), None, console)?;
             let table = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
             StateEstimation::new(robot, &table)
         }

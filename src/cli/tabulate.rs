@@ -7,6 +7,7 @@
 
 use super::files::{self, Output};
 use super::minutes::Minutes;
+use super::other_robot::OtherRobotArgs;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use crate::report::LocatedDiagnostic;
@@ -49,6 +50,10 @@ pub struct Args {
     #[arg(long, value_name = "LAW", allow_hyphen_values = true)]
     pub growth: Option<String>,
 
+    /// Whose deformation it may be.
+    #[command(flatten)]
+    pub accepted: OtherRobotArgs,
+
     /// Warm-up minutes: FROM:TO:STEP, or a list such as 0,5,37.5.
     #[arg(long, value_name = "MINUTES", default_value = "0:180:1", allow_hyphen_values = true)]
     pub minutes: Minutes,
@@ -69,6 +74,7 @@ pub struct Args {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let file = args.targets.display().to_string();
     let robot = args.robot.load()?;
+    args.accepted.check(&robot, args.deformation.is_none(), None, console)?;
     let deformation = model::deformation(args.deformation.as_deref(), args.growth.as_deref())?;
     let mut job = Tabulation::new(robot, deformation);
     job.configuration = args.confdata;

@@ -67,7 +67,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, given) = args.source.read(console)?;
-    console.explain(&LocatedDiagnostic::all(job.warning(), &[]), false);
+    console.explain(
+        &LocatedDiagnostic::all(job.warning().into_iter().chain(job.seen_before(&given.sha256)), &[]),
+        false,
+    );
     let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
     console.explain(
         &LocatedDiagnostic::all(found.warnings.iter().cloned().map(|warning| given.named(warning)), &[]),

@@ -33,7 +33,7 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
         let n = p.repeatability.map_or(1, |r| r.n);
         table.row([
             p.line.to_string(),
-            p.id.clone().unwrap_or_default(),
+            p.name().unwrap_or_default().to_owned(),
             n.to_string(),
             maybe(p.accuracy.map(|a| a.ap_m)),
             x,
@@ -45,6 +45,13 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
         ]);
     }
     table.write(out, "")?;
+    write_rest(out, found)
+}
+
+/// The worst, and what is to be known of it.
+fn write_rest(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
+    let mm = |m: f64| format!("{:.4}", mm_from_m(m));
+    let maybe = |m: Option<f64>| m.map_or_else(|| "-".to_owned(), mm);
     let all = found.worst();
     writeln!(
         out,
@@ -68,6 +75,14 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
     if let Some(apart_m) = found.multi_directional_m {
         writeln!(out, "from several sides vAP {}", mm(apart_m))?;
     }
+    if found.poses.len() < 5 {
+        let verb = if found.poses.len() == 1 { "is" } else { "are" };
+        writeln!(
+            out,
+            "{} {verb} fewer than the 5 that the standard asks for",
+            counted(found.poses.len(), "pose")
+        )?;
+    }
     let few = found.poses.iter().filter(|p| p.repeatability.is_none_or(|r| r.n < 30)).count();
     if few > 0 {
         let verb = if few == 1 { "has" } else { "have" };
@@ -78,7 +93,7 @@ pub fn write(out: &mut dyn Write, found: &Performance) -> io::Result<()> {
 
 /// The result as the contract's JSON.
 #[must_use]
-pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
+pub fn json(found: &Performance, within: Option<bool>, robot: &SerialArm) -> Value {
     let rp = |r: Repeatability| json!({ "n": r.n, "mean_mm": mm_from_m(r.mean_m), "s_mm": mm_from_m(r.s_m), "rp_mm": mm_from_m(r.rp_m) });
     let poses: Vec<Value> = found
         .poses
@@ -93,7 +108,7 @@ pub fn json(found: &Performance, within: bool, robot: &SerialArm) -> Value {
                 })
                 .collect();
             json!({
-                "line": p.line, "id": p.id, "q_deg": robot.in_deg_or_mm(&p.q_rad),
+                "line": p.line, "id": p.id, "pose_id": p.pose_id, "q_deg": robot.in_deg_or_mm(&p.q_rad),
                 "ap_mm": p.accuracy.map(|a| mm_from_m(a.ap_m)), "ap_xyz_mm": p.accuracy.map(|a| a.of_axes_m.map(mm_from_m)),
                 "repeatability": p.repeatability.map(rp),
                 "ap_abc_deg": p.orientation.map(|o| o.ap_rad.map(deg_from_rad)),

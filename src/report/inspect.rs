@@ -5,6 +5,7 @@ use super::message::LocatedDiagnostic;
 use super::{Align, Table, counted, rounded};
 use rapid_program::Program;
 use rapid_program::motion::{Motion, Origin, Target, TargetValue};
+use rapid_syntax::diagnostic::first_few;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -31,15 +32,7 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
         "work objects",
         program.motions.iter().map(|m| m.setup.wobj_name.as_deref().unwrap_or("wobj0")),
     )?;
-    let kept = program.motions.iter().filter(|m| m.skip_reason.is_some()).count();
-    writeln!(
-        out,
-        "{}, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
-        counted(program.motions.len(), "motion"),
-        program.motions.len() - kept,
-        form(program).0,
-        form(program).1
-    )?;
+    write_verdict(out, program)?;
     let mut table = Table::new(&[
         ("line", Align::Left),
         ("routine", Align::Left),
@@ -79,6 +72,41 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
     Ok(())
 }
 
+/// Modules that an earlier run has made, by their names.
+fn compensated_modules(program: &Program) -> Vec<&str> {
+    let made = program.facts.modules.iter().filter(|module| module.compensated.is_some());
+    made.map(|module| module.name.as_str()).collect()
+}
+
+/// How many motions can be compensated, and in which form; of a program that is corrected already, that it is.
+fn write_verdict(out: &mut dyn Write, program: &Program) -> io::Result<()> {
+    let motions = counted(program.motions.len(), "motion");
+    let made = compensated_modules(program);
+    if !made.is_empty() {
+        return writeln!(
+            out,
+            "{motions}, already compensated in {}: compensate refuses it as it is\n  `driftpost restore` gets the original back\n",
+            first_few(&made, 6),
+        );
+    }
+    let kept = program.motions.iter().filter(|m| m.skip_reason.is_some()).count();
+    writeln!(
+        out,
+        "{motions}, {} can be compensated as far as the text tells, {kept} cannot; form: {}\n  {}\n",
+        program.motions.len() - kept,
+        form(program).0,
+        form(program).1
+    )
+}
+
+/// Why a motion stays as it is: code and reason.
+fn obstacle(motion: &Motion, is_made: bool) -> Option<(&'static str, &str)> {
+    if is_made {
+        return Some(("refuse::already-compensated", "the program is already compensated"));
+    }
+    motion.skip_reason.as_ref().map(|why| (why.code, why.reason.as_ref()))
+}
+
 /// Writes the list of motions as CSV.
 ///
 /// # Errors
@@ -88,8 +116,9 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
     csv.write_record([
         "file", "line", "routine", "index", "kind", "target", "tool", "wobj", "can", "code", "reason",
     ])?;
+    let is_made = !compensated_modules(program).is_empty();
     for (index, motion) in program.motions.iter().enumerate() {
-        let keep = motion.skip_reason.as_ref();
+        let keep = obstacle(motion, is_made);
         csv.write_record([
             program.file(motion.file).path.as_str(),
             &motion.line.to_string(),
@@ -100,8 +129,8 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
             motion.setup.tool_name.as_deref().unwrap_or(""),
             motion.setup.wobj_name.as_deref().unwrap_or(""),
             if keep.is_none() { "compensate" } else { "keep" },
-            keep.map_or("", |why| why.code),
-            keep.map_or("", |why| &why.reason),
+            keep.map_or("", |(code, _)| code),
+            keep.map_or("", |(_, reason)| reason),
         ])?;
     }
     csv.flush()
@@ -110,12 +139,14 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
 /// The same for scripts.
 #[must_use]
 pub fn inspection(program: &Program, warnings: &[LocatedDiagnostic]) -> Value {
+    let is_made = !compensated_modules(program).is_empty();
     let motions: Vec<Value> = program
         .motions
         .iter()
         .enumerate()
         .map(|(index, motion)| {
             let targets: Vec<Value> = motion.targets.iter().map(target).collect();
+            let keep = obstacle(motion, is_made);
             json!({
                 "file": program.file(motion.file).path,
                 "line": motion.line,
@@ -125,9 +156,9 @@ pub fn inspection(program: &Program, warnings: &[LocatedDiagnostic]) -> Value {
                 "targets": targets,
                 "tool": motion.setup.tool_name.as_deref(),
                 "wobj": motion.setup.wobj_name.as_deref(),
-                "can": motion.skip_reason.is_none(),
-                "code": motion.skip_reason.as_ref().map(|why| why.code),
-                "reason": motion.skip_reason.as_ref().map(|why| &why.reason),
+                "can": keep.is_none(),
+                "code": keep.map(|(code, _)| code),
+                "reason": keep.map(|(_, reason)| reason),
             })
         })
         .collect();

@@ -275,3 +275,94 @@ fn a_zero_that_is_off_is_no_scale_of_an_instrument_in_few_poses() {
     let found = accuracy(folder.path(), &csv, &["--limit-ap-mm", "0.05"]);
     assert!(found.code == 1 && found.out.contains("NO GO"), "{}{}", found.out, found.err);
 }
+
+/// The rows of the first cycle, and those of P0 in `more` later ones.
+fn once_and_first_again(more: usize) -> String {
+    let csv = cycles(|_, _, _| ());
+    let again = csv.lines().skip(6).filter(|line| line.starts_with("P0,")).take(more);
+    csv.lines().take(6).chain(again).map(|line| format!("{line}\n")).collect()
+}
+
+/// Of five poses one is measured three times: its RP says nothing of the others.
+#[test]
+fn a_limit_that_few_poses_tell_is_neither_kept_nor_exceeded() {
+    let folder = tempfile::tempdir().unwrap();
+    let as_measured = ["--tool", "20,10,100", "--register", "none"];
+    let judged = |csv: &str, limits: &[&str]| accuracy(folder.path(), csv, &[&as_measured, limits].concat());
+    let csv = once_and_first_again(2);
+    let found = judged(&csv, &["--limit-rp-mm", "0.5", "--limit-ap-mm", "0.5"]);
+    let expected = "\nNOT JUDGED: too few poses for --limit-rp-mm 0.5 (1 of 5 poses measured three times and more, 5 are needed)\n";
+    assert!(found.code == 2 && found.out.ends_with(expected), "{}", found.out);
+    let found = judged(&csv, &["--limit-rp-mm", "0.5", "--limit-ap-mm", "0.000001"]);
+    assert!(
+        found.code == 1 && found.out.contains("NO GO: beyond --limit-ap-mm 0.000001; too few"),
+        "{}",
+        found.out
+    );
+    let found = judged(&csv, &["--limit-rp-mm", "0.000001"]);
+    assert!(
+        found.code == 1 && found.out.ends_with("NO GO: beyond --limit-rp-mm 0.000001\n"),
+        "{}",
+        found.out
+    );
+    let found = judged(&csv, &["--limit-rp-mm", "0.5", "--json", "-"]);
+    let read: Value = serde_json::from_str(&found.out).unwrap();
+    assert_eq!((found.code, &read["within"]), (2, &Value::Null), "{read}");
+    assert_eq!(read["limits"][0]["verdict"], "not_judged", "{read}");
+    assert_eq!(
+        (&read["limits"][0]["poses"], &read["limits"][0]["poses_needed"]),
+        (&1.into(), &5.into()),
+        "{read}"
+    );
+    // Two points are equally far from their middle: no scatter is seen.
+    let all_twice: String = cycles(|_, _, _| ()).lines().take(11).map(|line| format!("{line}\n")).collect();
+    let found = judged(&all_twice, &["--limit-rp-mm", "0.5"]);
+    assert!(found.code == 2 && found.out.contains("(0 of 5 poses measured three times"), "{}", found.out);
+    let all: String = cycles(|_, _, _| ());
+    assert_eq!(judged(&all, &["--limit-rp-mm", "0.5", "--limit-ap-mm", "0.5"]).code, 0);
+}
+
+#[test]
+fn a_drift_limit_that_one_pose_tells_is_not_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv: String = once_and_first_again(1)
+        .lines()
+        .enumerate()
+        .map(|(k, line)| match k {
+            0 => format!("t_min,{line}\n"),
+            6 => format!("30,{line}\n"),
+            _ => format!("0,{line}\n"),
+        })
+        .collect();
+    let options = ["--tool", "20,10,100", "--register", "none", "--limit-drift-mm", "0.5"];
+    let found = accuracy(folder.path(), &csv, &options);
+    assert!(
+        found.code == 2 && found.out.contains("(1 of 5 poses measured at times more than 10 min"),
+        "{}",
+        found.out
+    );
+}
+
+#[test]
+fn without_a_limit_there_is_no_go_and_poses_have_their_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let csv = cycles(|_, _, _| ());
+    let found = accuracy(folder.path(), &csv, &["--register", "none", "--tool", "20,10,100"]);
+    assert!(found.code == 0 && !found.out.contains("GO") && found.out.contains(" P3 "), "{}", found.out);
+    let found = accuracy(folder.path(), &csv, &["--register", "none", "--tool", "20,10,100", "--json", "-"]);
+    let read: Value = serde_json::from_str(&found.out).unwrap();
+    assert_eq!(
+        (&read["within"], &read["verdict"], &read["limits"]),
+        (&Value::Null, &Value::Null, &serde_json::json!([]))
+    );
+    assert_eq!((&read["poses"][3]["pose_id"], &read["poses"][3]["id"]), (&"P3".into(), &Value::Null));
+    let numbered: String = csv
+        .lines()
+        .enumerate()
+        .map(|(k, line)| if k == 0 { format!("id,{line}\n") } else { format!("row{k},{line}\n") })
+        .collect();
+    let found =
+        accuracy(folder.path(), &numbered, &["--register", "none", "--tool", "20,10,100", "--json", "-"]);
+    let read: Value = serde_json::from_str(&found.out).unwrap();
+    assert_eq!((&read["poses"][3]["pose_id"], &read["poses"][3]["id"]), (&"P3".into(), &"row4".into()));
+}

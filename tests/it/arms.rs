@@ -246,7 +246,7 @@ mod long {
         let table = ["--deformation", "fixtures/docs/mine.csv", "--growth", "exp:40"];
         for arguments in [
             &[&["compensate", cube, "-o", "never_written.mod"][..], &table].concat(),
-            &vec!["simulate", cube],
+            &[&["simulate", cube][..], &table].concat(),
             &vec!["diff", cube, cube],
             &vec!["closed-loop", cube, "--inject", "joint_offset:2"],
         ] {

@@ -1,6 +1,7 @@
 //! `driftpost link` against the double: what a user sees, and the independent judge of a program's targets.
 
 mod loading;
+mod reach;
 
 use assert_cmd::Command;
 use driftpost::application::{LinkCheck, LinkChecked};

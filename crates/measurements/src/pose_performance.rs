@@ -27,8 +27,10 @@ pub struct PerformanceAtTime {
 pub struct PosePerformance {
     /// The first row's line.
     pub line: u64,
-    /// Its name, where the file has one.
+    /// The first row's `id`, where the file has one.
     pub id: Option<String>,
+    /// Its `pose_id`, where the file has one.
+    pub pose_id: Option<String>,
     /// Number of the pose: one pose come to from several sides is several of these.
     pub pose: usize,
     /// Index of the reflector or stylus.
@@ -56,6 +58,12 @@ pub struct PosePerformance {
 }
 
 impl PosePerformance {
+    /// What the file calls it.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.pose_id.as_deref().or(self.id.as_deref())
+    }
+
     /// Whether one of the two begins before the other has ended for so long that it is another time of the drift test.
     pub(super) fn is_at_the_time_of(&self, other: &Self) -> bool {
         let Some(([from, to], [other_from, other_to])) = self.minutes.zip(other.minutes) else { return true };
@@ -95,6 +103,7 @@ pub(super) fn pose_performance(
     Some(PosePerformance {
         line: first.line,
         id: first.id.clone(),
+        pose_id: first.pose_id.clone(),
         pose,
         target: first.target,
         direction: first.direction,

@@ -337,6 +337,7 @@ impl RowCells<'_> {
         Ok(MeasurementRow {
             line: self.line.number,
             id: self.text("id").map(str::to_owned),
+            pose_id: self.name("pose_id"),
             pose: 0,
             target,
             stand: 0,

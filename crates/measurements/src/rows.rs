@@ -15,6 +15,8 @@ pub struct MeasurementRow {
     pub line: u64,
     /// `id`, where the file has it.
     pub id: Option<String>,
+    /// `pose_id`, where the file has it.
+    pub pose_id: Option<String>,
     /// Which commanded pose: rows with the same number repeat one.
     pub pose: usize,
     /// Which reflector or stylus, index into [`Measurements::targets`].

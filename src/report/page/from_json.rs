@@ -40,12 +40,15 @@ impl Page<Value, Value> {
         let data: Value = serde_json::from_slice(bytes).map_err(|cause| {
             Diagnostic::error("report::not-json", format!("{place} is no JSON: {cause}")).help(HELP)
         })?;
-        // Of several tasks each is a result.
-        let tasks = data.get("tasks").and_then(Value::as_array);
-        let first = tasks.and_then(|tasks| tasks.first()).unwrap_or(&data);
-        let has = |key: &&str| first.get(*key).is_some();
-        let command = KEYS.iter().find(|(_, keys)| keys.iter().all(has)).map(|(command, _)| *command);
-        let command = command.ok_or_else(|| {
+        let command_of = |result: &Value| {
+            let has = |key: &&str| result.get(*key).is_some();
+            KEYS.iter().find(|(_, keys)| keys.iter().all(has)).map(|(command, _)| *command)
+        };
+        let whole = command_of(&data);
+        // Of several tasks each is a result; a controller's are a list in one.
+        let tasks = data.get("tasks").and_then(Value::as_array).filter(|_| whole.is_none());
+        let first = tasks.and_then(|tasks| tasks.first());
+        let command = whole.or_else(|| first.and_then(command_of)).ok_or_else(|| {
             Diagnostic::error("report::unknown", format!("{place} is no result of ours")).help(HELP)
         })?;
         let from_json = json!({ "from_json": true });
@@ -54,5 +57,20 @@ impl Page<Value, Value> {
             None => from_json,
         };
         Ok(Self { command, title, data, view })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_of_tasks_makes_pages_of_tasks_only_where_each_is_a_result() {
+        let of = |text: &str| Page::from_json(text.as_bytes(), "x.json", String::new()).unwrap();
+        let info =
+            of(r#"{"robotware":"7","controller":"c","execution":"stopped","tasks":[{"name":"T_ROB1"}]}"#);
+        assert_eq!((info.command, info.view.get("tasks")), ("link info", None));
+        let both = of(r#"{"tasks":[{"motions":[],"buckets":[],"worst_before_mm":1}]}"#);
+        assert_eq!((both.command, both.view["tasks"].as_array().map(Vec::len)), ("compensate", Some(1)));
     }
 }

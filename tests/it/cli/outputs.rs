@@ -33,6 +33,59 @@ fn a_robot_is_shown_as_json() {
 }
 
 #[test]
+fn a_corrected_module_is_inspected_as_one() {
+    let bench = Bench::default();
+    let made = bench.path("made.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &made, "--quiet"]).status.success());
+    let output = driftpost(&["inspect", &made]);
+    let text = out(&output);
+    assert!(output.status.success() && text.contains("already compensated in MOD_Cube45"), "{text}");
+    assert!(text.contains("driftpost restore") && !text.contains("can be compensated"), "{text}");
+    let read: serde_json::Value =
+        serde_json::from_slice(&driftpost(&["inspect", &made, "--format", "json"]).stdout).unwrap();
+    let first = &read["motions"][0];
+    assert_eq!(
+        (&first["can"], &first["code"]),
+        (&false.into(), &"refuse::already-compensated".into()),
+        "{first}"
+    );
+    let csv = out(&driftpost(&["inspect", &made, "--format", "csv"]));
+    assert_eq!(
+        csv.lines().filter(|line| line.contains(",keep,refuse::already-compensated,")).count(),
+        46,
+        "{csv}"
+    );
+}
+
+#[test]
+fn a_loop_without_noise_or_limit_is_refused() {
+    for (option, value) in [("--sigma-mm", "0"), ("--sigma-mm", "-1"), ("--limit", "0"), ("--limit", "-1")] {
+        let output = driftpost(&["closed-loop", CUBE, "--inject", "joint_compliance:2", option, value]);
+        assert_eq!(output.status.code(), Some(2), "{option} {value}");
+        let text = err(&output);
+        assert!(
+            text.contains("option::number") && text.contains(&format!("{option} must be more than 0")),
+            "{text}"
+        );
+    }
+}
+
+/// The fixture's own SHA-256 in a model that was fitted to something else.
+#[test]
+fn the_rows_that_a_model_was_fitted_to_validate_nothing() {
+    let bench = Bench::default();
+    let measured = "fixtures/docs/measured.csv";
+    let text = std::fs::read_to_string("fixtures/docs/identified.toml").unwrap();
+    let hash = driftpost::application::Named::new((), "", &std::fs::read(measured).unwrap()).source.sha256;
+    let own_line = text.lines().find(|line| line.starts_with("sha256 = ")).unwrap();
+    assert!(!own_line.contains(&hash));
+    let same = bench.file("m.toml", text.replace(own_line, &format!("sha256 = \"{hash}\"")));
+    let messages = |model: &str| err(&driftpost(&["validate", measured, "--model", model]));
+    assert!(messages(&same).contains("warning[model::same-data]"), "{}", messages(&same));
+    assert!(!messages("fixtures/docs/identified.toml").contains("same-data"));
+}
+
+#[test]
 fn a_closed_pipe_is_not_an_error() {
     let bench = Bench::default();
     let result = bench.path("o.mod");

@@ -17,7 +17,9 @@ fn a_description_takes_the_place_of_a_robot_file() {
         bench.file("near.csv", cube.lines().take(16).map(|line| format!("{line}\n")).collect::<String>());
     let tabulate = |robot: &str| {
         let targets = ["tabulate", near.as_str(), "--orient-deg", "0,90,0", "--robot", robot];
-        let output = driftpost(&[&targets[..], &["--minutes", "0", "--joints-csv", "-"]].concat());
+        let output = driftpost(
+            &[&targets[..], &["--minutes", "0", "--joints-csv", "-", "--allow-other-robot"]].concat(),
+        );
         assert_eq!(output.status.code(), Some(0), "{}", err(&output));
         out(&output)
     };
@@ -46,7 +48,8 @@ fn a_denavit_hartenberg_table_takes_the_place_of_a_robot_file() {
     let joints = |robot: &[&str]| -> Vec<f64> {
         let targets =
             ["tabulate", "fixtures/paper/targets45.csv", "--orient-deg", "0,90,0", "--minutes", "0"];
-        let output = driftpost(&[&targets[..], &["--joints-csv", "-"], robot].concat());
+        let output =
+            driftpost(&[&targets[..], &["--joints-csv", "-", "--allow-other-robot"], robot].concat());
         assert_eq!(output.status.code(), Some(0), "{}", err(&output));
         let text = out(&output);
         let rows = text.lines().skip(1).flat_map(|line| line.split(',').skip(4).take(6));
@@ -164,4 +167,30 @@ fn a_backup_tells_type_bounds_and_calibration() {
     }
     let output = driftpost(&["robot", "--robot", "backup:nowhere"]);
     assert!(err(&output).contains("input::missing"), "{}", err(&output));
+}
+
+/// ABB's data sheet: axis 2 stands 70 mm before axis 1 and 352 mm above the floor, axis 3 360 mm above it, the wrist 380 mm on, the
+/// flange 65 mm before the wrist.
+#[test]
+fn a_robots_lengths_are_shown() {
+    let output = driftpost(&["robot", "--robot", "irb140"]);
+    let text = out(&output);
+    let numbers = |line: &str| -> Vec<f64> {
+        let origin = line.split("origin ").nth(1).unwrap().split(" mm").next().unwrap();
+        origin.split(' ').map(|n| n.parse().unwrap()).collect()
+    };
+    let of: Vec<Vec<f64>> = text.lines().filter(|line| line.contains("origin")).map(numbers).collect();
+    assert_eq!(of.len(), 7, "{text}");
+    let sums = |range: std::ops::Range<usize>, k: usize| of[range].iter().map(|xyz| xyz[k]).sum::<f64>();
+    assert_eq!((sums(0..2, 0), sums(0..2, 2)), (70.0, 352.0), "{text}");
+    assert_eq!((sums(2..3, 0), sums(2..3, 2)), (0.0, 360.0), "{text}");
+    assert_eq!((sums(3..5, 0), sums(5..7, 0)), (380.0, 65.0), "{text}");
+    let output = driftpost(&["robot", "--robot", "irb140", "--json", "-"]);
+    let robot: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let of_json = |joint: &serde_json::Value| -> Vec<f64> {
+        serde_json::from_value(joint["origin_mm"].clone()).unwrap()
+    };
+    let mut frames: Vec<Vec<f64>> = robot["joints"].as_array().unwrap().iter().map(of_json).collect();
+    frames.push(of_json(&robot["flange"]));
+    assert_eq!(frames, of);
 }

@@ -39,6 +39,69 @@ fn the_nearest_file_upwards_holds_and_the_command_line_wins() {
     assert_eq!(bench.files().len(), 4, "nothing is done");
 }
 
+/// Of the working folder where a command works on no file; `state` as any other that reads measurements.
+#[test]
+fn plan_and_state_find_their_settings() {
+    let bench = Bench::default();
+    bench.file(
+        "shop/driftpost.toml",
+        "robot = \"irb2600\"\n[plan]\nsigma-mm = 0.07\n[state]\nsigma-mm = 0.05\n",
+    );
+    let mut plan = assert_cmd::Command::cargo_bin("driftpost").unwrap();
+    let plan = plan.current_dir(bench.path("shop")).args(["plan", "--show-settings"]).output().unwrap();
+    assert!(
+        out(&plan).contains("robot = irb2600  (") && out(&plan).contains("sigma-mm = 0.07  ("),
+        "{}",
+        out(&plan)
+    );
+    let touches = bench.file("shop/touches.csv", fs::read("fixtures/docs/touches.csv").unwrap());
+    let lines = shown(&["state", &touches]);
+    assert!(lines.iter().any(|line| line.starts_with("robot = irb2600  (")), "{lines:?}");
+    assert!(lines.iter().any(|line| line.starts_with("sigma-mm = 0.05  (")), "{lines:?}");
+    let lines = shown(&["state", "--points", &touches, "--joints", &touches]);
+    assert!(lines.iter().any(|line| line.starts_with("robot = irb2600  (")), "{lines:?}");
+    bench.file("shop/driftpost.toml", "[state]\nnonsense = 1\n");
+    let output = driftpost(&["state", &touches]);
+    assert!(
+        output.status.code() == Some(2) && err(&output).contains("`nonsense` is no option of state"),
+        "{}",
+        err(&output)
+    );
+}
+
+#[test]
+fn a_file_of_settings_that_is_named_is_there_and_read_or_it_is_said() {
+    let bench = Bench::default();
+    for command in
+        [&["inspect", CUBE][..], &["simulate", CUBE], &["diff", CUBE, CUBE], &["robot"], &["state", "x.csv"]]
+    {
+        let output = driftpost(&[command, &["--settings", "nope.toml"]].concat());
+        assert_eq!(output.status.code(), Some(2), "{command:?}");
+        assert!(
+            err(&output).contains("input::missing") && err(&output).contains("nope.toml"),
+            "{}",
+            err(&output)
+        );
+    }
+    let settings = bench.file("shop.toml", "robot = \"irb2600\"\n");
+    let output = driftpost(&["inspect", CUBE, "--settings", &settings]);
+    assert_eq!(output.status.code(), Some(0));
+    let warning = err(&output);
+    assert!(
+        warning.contains("warning[settings::not-read]") && warning.contains("inspect takes no defaults"),
+        "{warning}"
+    );
+    // Help, page and program name the same commands.
+    let page = fs::read_to_string("docs/SETTINGS.md").unwrap();
+    let help = out(&driftpost(&["inspect", "--help"])).split_whitespace().collect::<Vec<_>>().join(" ");
+    let named = warning.split("settings are read by ").nth(1).unwrap().lines().next().unwrap();
+    let named: Vec<&str> = named.split(", ").collect();
+    assert_eq!(named.len(), 10, "{named:?}");
+    assert!(named.iter().all(|name| page.contains(&format!("`{name}`"))), "{named:?}");
+    let last = named[9];
+    assert!(help.contains(&format!("Read by {} and {last}", named[..9].join(", "))), "{help}");
+}
+
 #[test]
 fn settings_change_what_is_made() {
     let bench = Bench::default();

@@ -35,8 +35,18 @@ pub struct Commanded {
     pub configuration: Configuration,
 }
 
-/// All that a program commands, as far as its text tells, and how many motions it does not tell of. `start_rad` as in
-/// [`compare`](super::compare::compare).
+/// Where a program's motions go to.
+#[derive(Clone, Debug, Default)]
+pub struct CommandedTargets {
+    /// All that its text tells, in order.
+    pub reached: Vec<Commanded>,
+    /// Motions with a target that its text tells and the arm does not reach: file, and line from 1.
+    pub unreached: Vec<(FileId, u32)>,
+    /// Motions of which its text does not tell where they go to.
+    pub unknown: usize,
+}
+
+/// All that a program commands, as far as its text tells. `start_rad` as in [`compare`](super::compare::compare).
 ///
 /// # Errors
 /// [`CompensateError::Structure`] where the robot has no closed form.
@@ -44,23 +54,29 @@ pub fn commanded(
     program: &Program,
     robot: &Robot,
     start_rad: Option<[f64; 6]>,
-) -> Result<(Vec<Commanded>, usize), CompensateError> {
+) -> Result<CommandedTargets, CompensateError> {
     let rigid = Deformation::from_static(FrameOffsets::default(), GrowthLaw::None);
     let model = Model::new(robot, Cow::Owned(rigid), &Options::default(), None)?;
     let (resolved, _) = resolve(program, &model, start_rad, &Hints::new());
-    let (mut found, mut unknown) = (Vec::new(), 0);
+    let mut found = CommandedTargets::default();
     for (motion, resolved) in program.motions.iter().zip(&resolved) {
-        let before = found.len();
+        let (before, mut is_unreached) = (found.reached.len(), false);
         if let Ok(placement) = Placement::of(motion) {
+            let model = (&model, resolved.q_rad());
             for target in motion.targets.iter() {
-                add(&mut found, motion.file, motion.line, target, placement, (&model, resolved.q_rad()));
+                is_unreached |= !add(&mut found.reached, motion.file, motion.line, target, placement, model);
             }
         }
-        unknown += usize::from(found.len() == before);
+        if is_unreached {
+            found.unreached.push((motion.file, motion.line));
+        } else if found.reached.len() == before {
+            found.unknown += 1;
+        }
     }
-    Ok((found, unknown))
+    Ok(found)
 }
 
+/// Adds the values of a target. Whether the arm reaches one of them, or the text tells of none.
 fn add(
     found: &mut Vec<Commanded>,
     file: FileId,
@@ -68,11 +84,13 @@ fn add(
     target: &Target,
     placement: Placement,
     (model, known_q_rad): (&Model, &[[f64; 6]]),
-) {
+) -> bool {
+    let (before, mut is_known) = (found.len(), false);
     let values: Vec<TargetValue> = target.values().collect();
     let mut near: Option<[f64; 6]> = None;
     for (element, value) in values.iter().enumerate() {
         let Some(pose) = pose(value, placement, model) else { continue };
+        is_known = true;
         // The corrected elements lie beside the first; that is on the branch which the text tells.
         let first =
             || known_q_rad.iter().find_map(|q_rad| model.closed.nearest(&pose.base_from_flange, q_rad));
@@ -94,4 +112,5 @@ fn add(
             configuration: model.closed.configuration(&q_rad),
         });
     }
+    !is_known || found.len() > before
 }

@@ -426,6 +426,7 @@ fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements)
         .map(|(i, (pair, shown))| MeasurementRow {
             line: i as u64 + 2,
             id: None,
+            pose_id: None,
             pose: pair.before.pose,
             target: pair.before.target,
             stand: 0,

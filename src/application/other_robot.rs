@@ -1,0 +1,37 @@
+//! Models and tables that belong to another robot than the one that is named.
+
+use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use robot_model::deform::identified::Identified;
+use robot_model::robot::{Robot, same_type};
+
+/// The robot that the built-in deformation table is of.
+pub(super) const PAPER_ROBOT: &str = "irb140";
+
+/// A warning where a model was found on another robot.
+#[must_use]
+pub fn model_of_another_robot(model: &Identified, robot: &str) -> Option<Diagnostic> {
+    let same = model.robot.is_empty() || model.robot == robot || same_type(&model.robot, robot) == Some(true);
+    (!same).then(|| {
+        Diagnostic::warning("model::robot", format!("the model is of {}, the robot is {robot}", model.robot))
+            .help("name the robot it was found on with --robot")
+    })
+}
+
+/// A warning where the table is the built-in one, and the robot not the one that it was measured on.
+#[must_use]
+pub fn default_table_of_another_robot(robot: &Robot) -> Option<Diagnostic> {
+    let is_papers = Robot::built_in(PAPER_ROBOT).is_some_and(|papers| papers.same_arm(robot));
+    let text = format!("the built-in deformation table is an IRB 140's, the robot is {}", robot.name);
+    (!is_papers).then(|| {
+        Diagnostic::warning("deform::other-robot", text).help("give a table of this robot with --deformation")
+    })
+}
+
+/// The same as an error, with what takes it all the same.
+#[must_use]
+pub fn refusal(mut message: Diagnostic) -> Diagnostic {
+    message.severity = Severity::Error;
+    let help = message.help.take().unwrap_or_default();
+    message.help = Some(format!("{help}; --allow-other-robot takes it all the same"));
+    message
+}

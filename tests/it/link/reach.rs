@@ -1,0 +1,55 @@
+//! `link check` of targets that the arm does not reach.
+
+use super::{Shop, on_each_robotware};
+
+/// Two targets 1.0 m before the base at 0.9 m height: 1.3 m are more than an IRB 140 has (810 mm from axis 1 at its wrist), and less than
+/// an IRB 2600's reach of 1.65 m. The last is a place before both.
+fn cell(last: &str) -> String {
+    format!(
+        "MODULE Cell\n  CONST robtarget pPick:=[[1000,-300,900],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  \
+         CONST robtarget pPlace:=[[1000,300,900],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  \
+         CONST robtarget pNear:=[[450,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  \
+         PROC main()\n    MoveJ pPick,v500,fine,tool0;\n    MoveL pPlace,v500,fine,tool0;\n{last}  ENDPROC\nENDMODULE\n"
+    )
+}
+
+#[test]
+fn where_nothing_can_be_asked_there_is_no_agreement() {
+    on_each_robotware(|personality| {
+        let shop = Shop::new(personality);
+        std::fs::write(shop.module(), cell("")).unwrap();
+        let (code, text, _) = shop.run(&["check", "MODULE", "HOST"]);
+        assert_eq!(code, 2, "{text}");
+        assert!(
+            text.contains("not asked for: 2 motions, whose targets are out of reach of ABB IRB 140"),
+            "{text}"
+        );
+        assert!(text.contains("Cube45.mod:6, ") && text.contains("Cube45.mod:7\n"), "{text}");
+        assert!(text.contains("NOTHING was asked") && !text.contains("agree"), "{text}");
+        assert!(!text.contains("only the running program knows"), "{text}");
+    });
+}
+
+#[test]
+fn what_is_out_of_reach_is_no_part_of_an_agreement() {
+    on_each_robotware(|personality| {
+        let shop = Shop::new(personality);
+        std::fs::write(shop.module(), cell("    MoveJ pNear,v500,fine,tool0;\n")).unwrap();
+        let (code, text, _) = shop.run(&["check", "MODULE", "HOST"]);
+        assert_eq!(code, 1, "{text}");
+        assert!(text.contains("agree at 1 target alone; 2 motions OUT OF REACH"), "{text}");
+        let (code, text, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!((code, &json["verdict"]), (1, &serde_json::Value::from("out_of_reach")), "{text}");
+        let out_of_reach = json["out_of_reach"].as_array().unwrap();
+        assert!(
+            out_of_reach[0].as_str().unwrap().ends_with("Cube45.mod:6") && out_of_reach.len() == 2,
+            "{text}"
+        );
+        assert_eq!(json["not_known"], 0, "{text}");
+        let (code, text, _) = shop.run(&["check", "MODULE", "HOST", "--robot", "irb2600", "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!((code, json["out_of_reach"].as_array().map(Vec::len)), (1, Some(0)), "{text}");
+        assert_eq!(json["verdict"], "differs", "the double is an IRB 140: {text}");
+    });
+}
