@@ -102,7 +102,7 @@ pub mod parts {
 #[cfg(feature = "cli")]
 pub mod command_line {
     pub use crate::cli::model::{deformation, robot};
-    pub use crate::cli::other_robot::check_default_table;
+    pub use crate::cli::other_robot::default_table_of_another;
     pub use crate::cli::{Captured, Outcome, compensation, program, run, run_captured, run_with};
 }
 

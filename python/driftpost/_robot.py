@@ -104,7 +104,7 @@ class Robot:
         """As fk, of the arm as it has deformed at warm-up minutes ``t_min`` (one number, or N).
 
         ``deformation`` is a table (a path, CSV text, anything with ``__arrow_c_stream__``), ``growth`` its law (``"two-stage:46"``); without both the reference paper's,
-        which is an IRB 140's: DriftpostError (``deform::other-robot``) for any other arm.
+        which is an IRB 140's: a UserWarning says so for any other arm.
         """
         q, alone = _array("q", q, (6,))
         t_min, _ = _array("t_min", np.atleast_1d(t_min) if np.isscalar(t_min) else t_min, ())

@@ -4,7 +4,9 @@ use crate::errors::one;
 use driftpost::application::{BRANCHES, CalibrationSizes, JACOBIAN, JOINTS, POSE};
 use driftpost::{Arm, Diagnostic, command_line};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1};
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
+use std::ffi::CString;
 use std::path::Path;
 
 /// A robot arm.
@@ -77,10 +79,12 @@ impl Robot {
         growth: Option<&str>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let (q, t_min) = (q.as_slice()?, t_min.as_slice()?);
+        let of_another = || command_line::default_table_of_another(self.arm.robot());
+        if let Some(message) = deformation.is_none().then(of_another).flatten() {
+            let message = CString::new(message).unwrap_or_default();
+            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &message, 1)?;
+        }
         rows(py, POSE, || {
-            if deformation.is_none() {
-                command_line::check_default_table(self.arm.robot())?;
-            }
             let deformation = command_line::deformation(deformation.map(Path::new), growth)?;
             self.arm.forward_deformed(q, t_min, &deformation)
         })

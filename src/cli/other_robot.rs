@@ -1,26 +1,26 @@
-//! Whether a table or a model of another robot is taken.
+//! Whether a model of another robot is taken, and whose the built-in table is.
 
 use super::Console;
 use crate::application::{default_table_of_another_robot, model_of_another_robot, refusal};
 use crate::report::LocatedDiagnostic;
-use rapid_syntax::diagnostic::{Diagnostic, Severity};
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 
 /// What is accepted of another robot.
 #[derive(Debug, clap::Args)]
 pub struct OtherRobotArgs {
-    /// Accept a model or a table that is another robot's.
+    /// Accept a model that is another robot's.
     #[arg(long, help_heading = "What is accepted")]
     pub allow_other_robot: bool,
 }
 
 impl OtherRobotArgs {
-    /// Refuses an identified model of another robot, or, without one, the table that is built in where nothing names another; a warning
-    /// where that is allowed.
+    /// Refuses an identified model of another robot, with a warning in its place where that is allowed. Without a model the table that is
+    /// built in is taken for any arm, and a warning says whose it is.
     ///
     /// # Errors
-    /// `model::robot`, `deform::other-robot`.
+    /// `model::robot`.
     pub fn check(
         &self,
         robot: &Robot,
@@ -29,23 +29,18 @@ impl OtherRobotArgs {
         console: &mut Console,
     ) -> Result<(), Diagnostic> {
         let of_model = model.and_then(|model| model_of_another_robot(model, &robot.name));
-        let of_table = default_table_of_another_robot(robot).filter(|_| is_default_table);
-        let Some(message) = of_model.or(of_table) else { return Ok(()) };
-        if !self.allow_other_robot {
+        if let Some(message) = of_model.clone().filter(|_| !self.allow_other_robot) {
             return Err(refusal(message));
         }
-        console.explain(&LocatedDiagnostic::all([message], &[]), false);
+        let of_table = default_table_of_another_robot(robot).filter(|_| is_default_table);
+        let messages: Vec<Diagnostic> = of_model.or(of_table).into_iter().collect();
+        console.explain(&LocatedDiagnostic::all(messages, &[]), false);
         Ok(())
     }
 }
 
-/// Refuses the table that is built in, where no file names another, for a robot that it was not measured on.
-///
-/// # Errors
-/// `deform::other-robot`.
-pub fn check_default_table(robot: &Robot) -> Result<(), Diagnostic> {
-    match default_table_of_another_robot(robot) {
-        Some(message) => Err(Diagnostic { severity: Severity::Error, ..message }),
-        None => Ok(()),
-    }
+/// That the built-in table was measured on another arm than `robot`, as a sentence; `None` for the arm that it was measured on.
+#[must_use]
+pub fn default_table_of_another(robot: &Robot) -> Option<String> {
+    default_table_of_another_robot(robot).map(|warning| warning.message)
 }

@@ -113,7 +113,7 @@ fn bad_input_ends_with_2_and_one_message() {
         (vec![CUBE, "--growth", "linear:3"], "deform::growth"),
         (vec![CUBE, "--robot", "irb2400"], "robot::coupled"),
         (vec![CUBE, "--robot", "irb141"], "did you mean `irb140`"),
-        (vec![CUBE, "--robot", "irb1200", "--confdata", "0,0,0,7", "--allow-other-robot"], "reach::branch"),
+        (vec![CUBE, "--robot", "irb1200", "--confdata", "0,0,0,7"], "reach::branch"),
         (vec![CUBE, "--minutes", "-5"], "before the cold start"),
         (vec![CUBE, "--confdata", "0,0,1"], "four whole numbers"),
         (vec![CUBE, "--orient-deg", "0,90"], "three angles"),

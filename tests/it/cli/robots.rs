@@ -17,9 +17,7 @@ fn a_description_takes_the_place_of_a_robot_file() {
         bench.file("near.csv", cube.lines().take(16).map(|line| format!("{line}\n")).collect::<String>());
     let tabulate = |robot: &str| {
         let targets = ["tabulate", near.as_str(), "--orient-deg", "0,90,0", "--robot", robot];
-        let output = driftpost(
-            &[&targets[..], &["--minutes", "0", "--joints-csv", "-", "--allow-other-robot"]].concat(),
-        );
+        let output = driftpost(&[&targets[..], &["--minutes", "0", "--joints-csv", "-"]].concat());
         assert_eq!(output.status.code(), Some(0), "{}", err(&output));
         out(&output)
     };
@@ -48,8 +46,7 @@ fn a_denavit_hartenberg_table_takes_the_place_of_a_robot_file() {
     let joints = |robot: &[&str]| -> Vec<f64> {
         let targets =
             ["tabulate", "fixtures/paper/targets45.csv", "--orient-deg", "0,90,0", "--minutes", "0"];
-        let output =
-            driftpost(&[&targets[..], &["--joints-csv", "-", "--allow-other-robot"], robot].concat());
+        let output = driftpost(&[&targets[..], &["--joints-csv", "-"], robot].concat());
         assert_eq!(output.status.code(), Some(0), "{}", err(&output));
         let text = out(&output);
         let rows = text.lines().skip(1).flat_map(|line| line.split(',').skip(4).take(6));
