@@ -2,6 +2,7 @@
 
 mod doubtful;
 mod knocked_points;
+mod moved_together;
 mod moving_points;
 
 use assert_cmd::Command;
