@@ -47,7 +47,7 @@ pub struct Args {
     #[arg(long, value_name = "MM", default_value_t = 0.02, allow_negative_numbers = true)]
     pub sigma_mm: f64,
 
-    /// The robot stood from one minute to another; repeatable, or none [default: none].
+    /// The robot stood from one minute to another; repeatable, or none [default: the long pauses between touches].
     #[arg(long, value_name = "FROM:TO|none")]
     pub stop: Vec<String>,
 
@@ -76,7 +76,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     };
     job.tool_m = args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros);
-    job.stops = stops(&args.stop)?.unwrap_or_default();
+    job.stops = stops(&args.stop)?;
     job.sigma_m = m_from_mm(args.sigma_mm);
     job.tau_cool_min = args.tau_cool.or(job.tau_cool_min);
     let (touches, given) = args.source.touches(console)?;

@@ -38,7 +38,7 @@ pub use parameters::{PARAMETERS, signature};
 pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
 pub use thermal_run::{FirstTouchOutlier, StateOptions, TouchState};
 pub use thermal_state::{
-    PlannedInterval, PlannedPoint, RobotState, StateError, WarmingArm, thermal_state,
+    AmountBound, PlannedInterval, PlannedPoint, RobotState, StateError, WarmingArm, thermal_state,
 };
 pub use tip::{TipCheck, check_tip};
 pub use touch_residuals::TouchResidual;
