@@ -51,8 +51,8 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
-    /// Overwrite a model that was changed by hand since it was written.
-    #[arg(long, requires = "model_out")]
+    /// Overwrite a table or a model that was changed by hand since it was written, or is somebody else's file.
+    #[arg(long)]
     pub force: bool,
 
     /// Everything a script needs, as JSON; - is standard output.
@@ -77,9 +77,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (touches, given) = args.source.touches(console)?;
     args.stop.check_before(touches.span_min()[1])?;
     console.explain(&LocatedDiagnostic::all(no_tool(args.tool.as_deref(), &touches), &[]), true);
-    let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
-    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
-    let model_out = args.model_out.as_deref().map(sealed).transpose()?;
+    let sealed = |path, language| Sealed::new(path, language, args.force);
+    let table_out = args.table_out.as_deref().map(|path| sealed(path, Language::Csv)).transpose()?;
+    let model_out = args.model_out.as_deref().map(|path| sealed(path, Language::Toml)).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
@@ -91,7 +91,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let found = at_work(args, fitted)?;
 
     if let Some(file) = table_out {
-        file.write(found.table_csv().as_bytes())?;
+        file.write(&found.table_csv())?;
     }
     if let Some(file) = model_out {
         file.write(&found.model(&given.name, &given.sha256).to_toml())?;
