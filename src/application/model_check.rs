@@ -3,9 +3,11 @@
 use super::other_robot::model_of_another_robot;
 use crate::report::validation as report;
 use measurements::{
-    Channels, Fault, FaultKind, Measurements, OneStand, check_rows, find_pose_names, from_sound_file,
+    Channels, Fault, FaultKind, MeasurementRow, Measurements, OneStand, check_rows, find_pose_names,
+    from_sound_file,
 };
-use metrology::diagnose::{RefitScope, ValidateError, Validation, validate};
+use metrology::diagnose::warmup::{Standstill, TimedReading, pauses};
+use metrology::diagnose::{RefitScope, ValidateError, Validation, validate, warming};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
@@ -21,13 +23,15 @@ pub struct ModelCheck {
     pub refit: RefitScope,
     /// The largest rms distance that passes, mm.
     pub limit_mm: Option<f64>,
+    /// When the robot stood; `None`: in the long pauses between rows, where the model leaves less so.
+    pub stops: Option<Vec<Standstill>>,
 }
 
 impl ModelCheck {
     /// A test without a limit, base and tool fitted again.
     #[must_use]
     pub fn new(robot: impl Into<SerialArm>, model: Identified) -> Self {
-        Self { robot: robot.into(), model, refit: RefitScope::BaseAndTool, limit_mm: None }
+        Self { robot: robot.into(), model, refit: RefitScope::BaseAndTool, limit_mm: None, stops: None }
     }
 
     /// What says that the model is of another robot.
@@ -64,12 +68,96 @@ impl ModelCheck {
         if let Some(fault) = find_pose_names(measurements, &checked.used) {
             return Err(ValidateError::Joints { reason: fault.reason });
         }
-        let validation = validate(measurements, &self.robot, &self.model, self.refit)?;
-        let of_rows = checked.warnings.into_iter().chain(of_stand);
+        let WithStops { validation, stops, warning } = self.with_stops(measurements)?;
+        let of_rows = checked.warnings.into_iter().chain(of_stand).chain(warning);
         let missing = missing_columns(&self.model, measurements.channels);
         let warnings = measurements.warnings.iter().cloned().chain(of_rows).chain(missing).collect();
-        Ok(ModelChecked { validation, warnings, limit_mm: self.limit_mm })
+        let stops_are_named = self.stops.is_some();
+        Ok(ModelChecked { validation, stops, stops_are_named, warnings, limit_mm: self.limit_mm })
     }
+
+    /// What the model leaves where the robot stood as is named, or in the long pauses between rows, as far as its drift follows the robot's
+    /// warmth.
+    fn with_stops(&self, measurements: &Measurements) -> Result<WithStops, ValidateError> {
+        let check =
+            |stops: &[Standstill]| validate(measurements, &self.robot, &self.model, self.refit, stops);
+        let Some((law, _)) = warming(&self.model) else {
+            let has_no_use = self.stops.as_ref().is_some_and(|stops| !stops.is_empty()).then(no_law);
+            return Ok(WithStops { validation: check(&[])?, stops: Vec::new(), warning: has_no_use });
+        };
+        if let Some(named) = &self.stops {
+            let stops = Standstill::merged(named.clone());
+            return Ok(WithStops { validation: check(&stops)?, stops, warning: None });
+        }
+        let readings = readings(measurements);
+        let worked = check(&[])?;
+        let stops = pauses(&readings);
+        let Some(longest) = stops.iter().max_by(|a, b| a.length_min().total_cmp(&b.length_min())) else {
+            let first_min = readings.first().map_or(0.0, |reading| reading.0);
+            let is_late = law.tau_min().is_some_and(|tau_min| first_min > LATE_START * tau_min);
+            let warning = is_late.then(|| late(first_min));
+            return Ok(WithStops { validation: worked, stops, warning });
+        };
+        let with_stops = check(&stops)?;
+        let [left_mm, left_worked_mm] = [&with_stops, &worked].map(|one| one.all.model.rms_mm);
+        let warning = pause(*longest, left_mm, left_worked_mm);
+        Ok(if left_mm <= left_worked_mm {
+            WithStops { validation: with_stops, stops, warning }
+        } else {
+            WithStops { validation: worked, stops: Vec::new(), warning }
+        })
+    }
+}
+
+/// What a model leaves, and when the robot was taken to have stood.
+struct WithStops {
+    validation: Validation,
+    stops: Vec<Standstill>,
+    warning: Option<Diagnostic>,
+}
+
+/// A first row that lies further behind the cold start than this share of the time constant does not show how the robot warmed before.
+const LATE_START: f64 = 0.5;
+/// Where one history leaves less than this much more than the other, the rows do not tell which is right: the rms of 100 readings is known to a
+/// twentieth.
+const UNDECIDED: f64 = 1.05;
+
+/// The rows that have a time, in its order.
+fn readings(measurements: &Measurements) -> Vec<TimedReading> {
+    let rows = measurements.rows.iter().filter(|row| row.reading.involves_arm());
+    let reading = |row: &MeasurementRow| Some((row.t_min?, row.reading.fixed_point().unwrap_or(row.pose)));
+    let mut all: Vec<TimedReading> = rows.filter_map(reading).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all
+}
+
+fn no_law() -> Diagnostic {
+    let text = "--stop has no effect: the model's drift follows no one growth law with a time constant";
+    Diagnostic::warning("model::pause", text)
+        .help("only the warmth of a robot follows its stops; the clock does not")
+}
+
+fn late(first_min: f64) -> Diagnostic {
+    let text = format!(
+        "the first row is at minute {first_min:.0}: the robot is taken to have worked from minute 0 until then"
+    );
+    Diagnostic::warning("model::pause", text)
+        .help("--stop FROM:TO says when it stood, --stop none that it did not")
+}
+
+/// That rows do not tell whether the robot stood, where they do not.
+fn pause(longest: Standstill, left_mm: f64, left_worked_mm: f64) -> Option<Diagnostic> {
+    let [least, most] = [left_mm.min(left_worked_mm), left_mm.max(left_worked_mm)];
+    let history = if left_mm <= left_worked_mm { "stood" } else { "worked" };
+    (most < UNDECIDED * least).then(|| {
+        let text = format!(
+            "nothing was measured for {:.0} minutes from minute {:.0} on, and the rows do not tell whether the robot worked or stood: it is taken \
+             to have {history}; the model leaves {left_mm:.4} mm rms where it stood, {left_worked_mm:.4} where it worked",
+            longest.length_min(),
+            longest.from_min
+        );
+        Diagnostic::warning("model::pause", text).help("--stop FROM:TO says when it stood, --stop none that it worked")
+    })
 }
 
 /// Whether all that a fault says is that the arm is another one: the model is put to the test all the same, and fails it.
@@ -117,6 +205,10 @@ pub struct ModelChecked {
     pub validation: Validation,
     /// What a person should look at in the measurements: rows and columns that were left out.
     pub warnings: Vec<Diagnostic>,
+    /// When the robot is taken to have stood.
+    pub stops: Vec<Standstill>,
+    /// Whether that was named; otherwise it is by the long pauses between rows.
+    pub stops_are_named: bool,
     limit_mm: Option<f64>,
 }
 
@@ -149,6 +241,7 @@ impl ModelChecked {
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = report::text(&self.validation);
+        text += &report::stops(&self.stops, self.stops_are_named);
         if let (false, Some(limit_mm)) = (self.is_within(), self.limit_mm) {
             text += &format!("NOT within {limit_mm} mm\n");
         }
@@ -164,6 +257,6 @@ impl ModelChecked {
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.validation)
+        report::json(&self.validation, &self.stops)
     }
 }

@@ -22,8 +22,8 @@ pub struct StateEstimation {
     arms: [DeformedArm; 2],
     /// Place of the touching tip in the flange's frame, metres.
     pub tool_m: Vector3<f64>,
-    /// When the robot stood.
-    pub stops: Vec<Standstill>,
+    /// When the robot stood; `None`: in the long pauses between touches, where the touches are likelier so.
+    pub stops: Option<Vec<Standstill>>,
     /// One standard deviation of a coordinate of a touch, metres.
     pub sigma_m: f64,
     /// Time constant of cooling to begin with, minutes; `None`: the growth law's.
@@ -31,7 +31,7 @@ pub struct StateEstimation {
 }
 
 impl StateEstimation {
-    /// A robot that drifts as a table says, touched by the flange's centre, and never stood.
+    /// A robot that drifts as a table says, touched by the flange's centre, and stood in long pauses alone.
     #[must_use]
     pub fn new(robot: Robot, deformation: &Deformation) -> Self {
         let of = |offsets: &FrameOffsets| DeformedArm::of_table(&robot, offsets);
@@ -53,7 +53,7 @@ impl StateEstimation {
 
     fn between(robot: Arc<Robot>, law: Option<GrowthLaw>, arms: [DeformedArm; 2]) -> Self {
         let (tool_m, sigma_m) = (Vector3::zeros(), m_from_mm(0.02));
-        Self { robot, law, arms, tool_m, stops: Vec::new(), sigma_m, tau_cool_min: None }
+        Self { robot, law, arms, tool_m, stops: None, sigma_m, tau_cool_min: None }
     }
 
     /// The robot's amount of drift, its time constants and its state, touch by touch.
@@ -64,7 +64,7 @@ impl StateEstimation {
         let law = self.law.ok_or(StateError::NoLaw)?;
         let options = StateOptions {
             tool_m: self.tool_m,
-            stops: Standstill::merged(self.stops.clone()),
+            stops: self.stops.clone().map(Standstill::merged),
             sigma_m: self.sigma_m,
             tau_cool_min: self.tau_cool_min.or(law.tau_min()).unwrap_or(1.0),
         };

@@ -5,10 +5,11 @@ use super::page::ReportArgs;
 use super::program_input::ProgramInput;
 use super::sealed::{Language, Sealed};
 use super::shared::{RobotName, tool};
+use super::stops::{StopArgs, no_tool};
 use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{Fit, Fitted};
-use metrology::diagnose::warmup::{FitOptions, Standstill};
+use metrology::diagnose::warmup::FitOptions;
 use nalgebra::Vector3;
 use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -30,9 +31,9 @@ pub struct Args {
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true)]
     pub tool: Option<String>,
 
-    /// The robot stood from one minute to another; repeatable, or none [default: the long pauses between touches].
-    #[arg(long, value_name = "FROM:TO|none")]
-    pub stop: Vec<String>,
+    /// When the robot stood.
+    #[command(flatten)]
+    pub stop: StopArgs,
 
     /// What it means at these targets (CSV, flange poses).
     #[arg(long, value_name = "FILE", conflicts_with = "program")]
@@ -50,8 +51,8 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
-    /// Overwrite a model that was changed by hand since it was written.
-    #[arg(long, requires = "model_out")]
+    /// Overwrite a table or a model that was changed by hand since it was written, or is somebody else's file.
+    #[arg(long)]
     pub force: bool,
 
     /// Everything a script needs, as JSON; - is standard output.
@@ -63,16 +64,6 @@ pub struct Args {
     pub page: ReportArgs,
 }
 
-/// Reads a standstill written `FROM:TO`, minutes.
-pub(super) fn stop(text: &str) -> Result<Standstill, String> {
-    let number = |t: &str| t.trim().parse::<f64>().ok().filter(|t| t.is_finite() && *t >= 0.0);
-    let (from, to) = text.split_once(':').ok_or("write FROM:TO in minutes, e.g. 120:165")?;
-    match (number(from), number(to)) {
-        (Some(from_min), Some(to_min)) if to_min > from_min => Ok(Standstill { from_min, to_min }),
-        _ => Err("write FROM:TO in minutes, the earlier one first, e.g. 120:165".to_owned()),
-    }
-}
-
 /// Runs `fit`.
 ///
 /// # Errors
@@ -81,12 +72,14 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let mut job = Fit::new(args.robot.load()?);
     job.options = FitOptions {
         tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
-        stops: stops(&args.stop)?,
+        stops: args.stop.stops()?,
     };
     let (touches, given) = args.source.touches(console)?;
-    let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
-    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
-    let model_out = args.model_out.as_deref().map(sealed).transpose()?;
+    args.stop.check_before(touches.span_min()[1])?;
+    console.explain(&LocatedDiagnostic::all(no_tool(args.tool.as_deref(), &touches), &[]), true);
+    let sealed = |path, language| Sealed::new(path, language, args.force);
+    let table_out = args.table_out.as_deref().map(|path| sealed(path, Language::Csv)).transpose()?;
+    let model_out = args.model_out.as_deref().map(|path| sealed(path, Language::Toml)).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
@@ -98,7 +91,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let found = at_work(args, fitted)?;
 
     if let Some(file) = table_out {
-        file.write(found.table_csv().as_bytes())?;
+        file.write(&found.table_csv())?;
     }
     if let Some(file) = model_out {
         file.write(&found.model(&given.name, &given.sha256).to_toml())?;
@@ -139,17 +132,4 @@ fn hint(to: &mut dyn Write, args: &Args, found: &Fitted) -> std::io::Result<()> 
         writeln!(to, "\n--targets FILE or --program FILE says how well this holds where you work")?;
     }
     Ok(())
-}
-
-pub(super) fn stops(given: &[String]) -> Result<Option<Vec<Standstill>>, Diagnostic> {
-    if given.is_empty() {
-        return Ok(None);
-    }
-    let mut stops = Vec::new();
-    for text in given.iter().filter(|t| *t != "none") {
-        stops.push(stop(text).map_err(|help| {
-            Diagnostic::error("fit::stop", format!("--stop {text} cannot be read")).help(help)
-        })?);
-    }
-    Ok(Some(stops))
 }

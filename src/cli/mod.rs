@@ -27,6 +27,7 @@ mod settings;
 pub mod shared;
 mod simulate_hints;
 pub mod state;
+mod stops;
 mod suggest;
 mod writing;
 

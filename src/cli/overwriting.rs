@@ -102,6 +102,40 @@ pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
     Err(Diagnostic::error("output::changed", text).help("name another place for the sheet, or say --force"))
 }
 
+/// Refuses to overwrite anything but a page for a browser.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_page(path: &Path) -> Result<(), Diagnostic> {
+    const PAGE: &[u8] = b"<!doctype html";
+    let Some(there) = bytes_of_file(path).map(|bytes| bytes.trim_ascii_start().to_vec()) else {
+        return Ok(());
+    };
+    if there.is_empty() || there.get(..PAGE.len()).is_some_and(|head| head.eq_ignore_ascii_case(PAGE)) {
+        return Ok(());
+    }
+    let text = format!("{} is no page, and a page would be written over it", path.display());
+    Err(Diagnostic::error("output::changed", text).help("name another place with --report, or take it away"))
+}
+
+/// Refuses to overwrite anything but poses as `plan --csv` lists them.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_poses(path: &Path) -> Result<(), Diagnostic> {
+    let Some(there) = bytes_of_file(path).filter(|there| !there.is_empty()) else { return Ok(()) };
+    let head = there.split(|byte| *byte == b'\n').next().unwrap_or_default();
+    let names: Vec<&str> = std::str::from_utf8(head).unwrap_or_default().trim_end().split(',').collect();
+    let is_joint = |name: &&str| name.starts_with('q') && (name.ends_with("_deg") || name.ends_with("_mm"));
+    if let ["id", "pose_id", joints @ .., "payload_kg"] = names.as_slice()
+        && joints.iter().all(|name| is_joint(name) || name.starts_with("dir"))
+    {
+        return Ok(());
+    }
+    let text = format!("{} is no list of poses that a plan wrote", path.display());
+    Err(Diagnostic::error("output::changed", text).help("name another place with --csv, or say --force"))
+}
+
 /// The columns of a sheet that are filled in by hand.
 const MEASURED: [&str; 4] = ["t_min", "x_mm", "y_mm", "z_mm"];
 

@@ -1,6 +1,7 @@
 //! `--report`: the page of a result, beside what a command writes anyway.
 
 use super::files::{Pending, unwritable};
+use super::overwriting;
 use crate::application::sha256;
 use crate::report::{ResultPage, write_page};
 use driftpost::application::ProgramFiles;
@@ -21,11 +22,12 @@ pub struct ReportArgs {
 pub struct PageOutput(Option<Pending>);
 
 impl ReportArgs {
-    /// Makes sure, before the work begins, that the page can be written.
+    /// Makes sure, before the work begins, that the page can be written, and replaces no file but a page.
     ///
     /// # Errors
-    /// A place where no file can be put, as [`Pending::new`] says.
+    /// A place where no file can be put, as [`Pending::new`] says; `output::changed` where no page stands.
     pub fn open(&self) -> Result<PageOutput, Diagnostic> {
+        self.report.as_deref().map_or(Ok(()), overwriting::check_page)?;
         self.report.as_deref().map(Pending::new).transpose().map(PageOutput)
     }
 }

@@ -84,7 +84,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub template_out: Option<PathBuf>,
 
-    /// Overwrite a sheet that has been filled in, and a module that was changed since it was written or is somebody else's.
+    /// Overwrite a sheet that has been filled in, a module that was changed since it was written, and what is somebody else's.
     #[arg(long)]
     pub force: bool,
 
@@ -113,6 +113,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     console.explain(&LocatedDiagnostic::all(job.warnings(), &[]), true);
     if let Some(sheet) = args.template_out.as_deref().filter(|_| !args.force) {
         overwriting::check_sheet(sheet)?;
+    }
+    if let Some(poses) = args.csv.as_deref().filter(|_| !args.force) {
+        overwriting::check_poses(poses)?;
     }
     let csv = args.csv.as_deref().map(files::Pending::new).transpose()?;
     let template = args.template_out.as_deref().map(files::Pending::new).transpose()?;

@@ -1,4 +1,4 @@
-//! Files that a person may correct by hand: robots, models, modules that measure. A line of theirs holds the digest of all others, so that
+//! Files that a person may correct by hand: robots, models, deformation tables, modules that measure. A line of theirs holds the digest of all others, so that
 //! what was changed since is not overwritten.
 
 use super::files::Pending;
@@ -15,6 +15,8 @@ const MARK: &str = "Digest of all other lines, by driftpost: ";
 pub enum Language {
     /// The line stands at the end.
     Toml,
+    /// The same, in a table of which a reader leaves such lines out.
+    Csv,
     /// The line stands behind the module's head.
     Rapid,
 }
@@ -26,13 +28,21 @@ pub struct Sealed {
 }
 
 impl Sealed {
-    /// Makes sure that `path` can be written, and that what stands there was not changed since it was.
+    /// Makes sure that `path` can be written, and that what stands there was not changed since it was, and is none of somebody else's.
     ///
     /// # Errors
     /// `output::unwritable`; `output::changed` without `force`.
     pub fn new(path: &Path, language: Language, force: bool) -> Result<Self, Diagnostic> {
-        if !force && bytes_of_file(path).and_then(|bytes| is_as_written(&bytes)) == Some(false) {
-            let text = format!("{} was changed since it was written", path.display());
+        let there = bytes_of_file(path).filter(|bytes| !force && !bytes.is_empty());
+        let against = there.and_then(|bytes| match (is_as_written(&bytes), language) {
+            (Some(true), _) => None,
+            (Some(false), _) => Some("was changed since it was written"),
+            // What a module of somebody else's is, is looked at where it is to be replaced.
+            (None, Language::Rapid) => None,
+            (None, Language::Toml | Language::Csv) => Some("is no file that this program wrote"),
+        });
+        if let Some(against) = against {
+            let text = format!("{} {against}", path.display());
             return Err(Diagnostic::error("output::changed", text).help("name another place, or say --force"));
         }
         Ok(Self { file: Pending::new(path)?, language })
@@ -55,7 +65,7 @@ impl Sealed {
 /// The text with its digest in a line of its own.
 fn seal(text: &str, language: Language) -> String {
     let (at, comment) = match language {
-        Language::Toml => (text.len(), "# "),
+        Language::Toml | Language::Csv => (text.len(), "# "),
         Language::Rapid => (text.find('\n').map_or(text.len(), |end| end + 1), "  ! "),
     };
     let (before, behind) = text.split_at(at);
@@ -78,7 +88,7 @@ mod tests {
     #[test]
     fn a_change_of_any_line_is_seen_and_a_file_without_a_digest_is_nobodys() {
         let text = "MODULE A\n  ! of somebody\nENDMODULE\n";
-        for language in [Language::Toml, Language::Rapid] {
+        for language in [Language::Toml, Language::Csv, Language::Rapid] {
             let sealed = seal(text, language);
             assert_eq!(is_as_written(sealed.as_bytes()), Some(true), "{sealed}");
             for (of, by) in [("MODULE A", "MODULE B"), ("somebody", "me"), ("ENDMODULE\n", "ENDMODULE\n\n")] {

@@ -1,10 +1,10 @@
 //! `driftpost state`: the thermal state of a robot from touches of fixed points.
 
-use super::fit::stops;
 use super::measured::MeasurementArgs;
 use super::number::{minutes, positive};
 use super::other_robot::OtherRobotArgs;
 use super::shared::{RobotName, tool};
+use super::stops::{StopArgs, no_tool};
 use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::StateEstimation;
@@ -52,9 +52,9 @@ pub struct Args {
     #[arg(long, value_name = "MM", default_value_t = 0.02, allow_negative_numbers = true)]
     pub sigma_mm: f64,
 
-    /// The robot stood from one minute to another; repeatable, or none [default: none].
-    #[arg(long, value_name = "FROM:TO|none")]
-    pub stop: Vec<String>,
+    /// When the robot stood.
+    #[command(flatten)]
+    pub stop: StopArgs,
 
     /// How often to touch, and which point tells most.
     #[arg(long)]
@@ -86,10 +86,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     };
     job.tool_m = args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros);
-    job.stops = stops(&args.stop)?.unwrap_or_default();
+    job.stops = args.stop.stops()?;
     job.sigma_m = m_from_mm(args.sigma_mm);
     job.tau_cool_min = args.tau_cool.or(job.tau_cool_min);
     let (touches, given) = args.source.touches(console)?;
+    args.stop.check_before(touches.span_min()[1])?;
+    console.explain(&LocatedDiagnostic::all(no_tool(args.tool.as_deref(), &touches), &[]), true);
     let json = files::Output::new(args.json.as_deref())?;
     let found = job.run(&touches).map_err(|error| given.named(error.into()))?;
     console.explain(

@@ -68,7 +68,7 @@ pub struct Args {
     pub every_min: f64,
 
     /// With --touches: the robot stands from one minute to another.
-    #[arg(long, value_name = "FROM:TO", default_value_t = usual_stop(), value_parser = super::fit::stop)]
+    #[arg(long, value_name = "FROM:TO", default_value_t = usual_stop(), value_parser = super::stops::one_stop)]
     pub stop: Standstill,
 
     /// With --touches: the true robot's settled deformation (static CSV) [default: the reference paper's Table 2].

@@ -3,6 +3,7 @@
 use super::measured::MeasurementArgs;
 use super::number::positive;
 use super::shared::RobotName;
+use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
@@ -29,6 +30,10 @@ pub struct Args {
     /// What of base and tool is fitted again; the rest is the model's.
     #[arg(long, value_enum, default_value_t = RefitScopeName::BaseTool)]
     pub register: RefitScopeName,
+
+    /// When the robot stood, for a model whose drift follows its warmth.
+    #[command(flatten)]
+    pub stop: StopArgs,
 
     /// Exit 1 where the rms distance is more than this.
     #[arg(long, value_name = "MM")]
@@ -60,6 +65,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
     let mut job = ModelCheck::new(robot, model::identified(&args.model)?.model);
     job.limit_mm = args.limit_mm;
+    job.stops = args.stop.stops()?;
     job.refit = match args.register {
         RefitScopeName::BaseTool => RefitScope::BaseAndTool,
         RefitScopeName::Base => RefitScope::Base,
@@ -67,6 +73,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, given) = args.source.read(console)?;
+    let times_min = measurements.rows.iter().filter_map(|row| row.t_min);
+    args.stop.check_before(times_min.fold(0.0, f64::max))?;
     console.explain(
         &LocatedDiagnostic::all(job.warning().into_iter().chain(job.seen_before(&given.sha256)), &[]),
         false,

@@ -48,8 +48,20 @@ pub fn text(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) 
     );
     let _ = match w.tau_cool_min {
         Some([cool, sigma]) => writeln!(out, "cooling tau {cool:.1} +- {sigma:.1} min"),
+        None if !w.stops.is_empty() => {
+            writeln!(out, "all points moved in the stop: how fast it cools is not known")
+        }
         None => writeln!(out, "no stop: how fast it cools is not known"),
     };
+    for moved in &w.moved {
+        let _ = writeln!(
+            out,
+            "all points moved together between minutes {:.0} and {:.0}, by {:.3} mm: touches from then on count from there",
+            moved.between_min[0],
+            moved.between_min[1],
+            mm_from_m(moved.shift_m)
+        );
+    }
     false_touches(&mut out, w);
     if let Some(tip) = tip {
         out.push_str(tip_is_told(tip));
@@ -176,6 +188,10 @@ pub fn json(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) 
         "points": w.points.iter().map(|p| json!({ "point": p.name, "settled_mm": mm(&p.settled_m) })).collect::<Vec<_>>(),
         "knocked": w.knocked.iter().map(|p| json!({
             "point": p.name, "from_min": p.between_min[0], "to_min": p.between_min[1], "step_mm": mm(&p.step_m),
+        })).collect::<Vec<_>>(),
+        "moved": w.moved.iter().map(|one| json!({
+            "from_min": one.between_min[0], "to_min": one.between_min[1], "body": one.body.name(),
+            "shift_mm": mm_from_m(one.shift_m), "turn_deg": deg_from_rad(one.turn_rad),
         })).collect::<Vec<_>>(),
         "parameters": parameters,
         "residuals": w.residuals.iter().map(|one| json!({

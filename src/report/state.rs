@@ -1,7 +1,7 @@
 //! The thermal state of a robot for people and as JSON.
 
 use super::counted;
-use metrology::diagnose::warmup::RobotState;
+use metrology::diagnose::warmup::{AmountBound, RobotState};
 use robot_model::deform::thermal_filter::TouchOutcome;
 use robot_model::units::mm_from_m;
 use serde_json::{Value, json};
@@ -65,13 +65,27 @@ pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
     let [amount, tau, cool] = learnt(state);
     let _ = writeln!(
         out,
-        "\nof this robot: {:.2} +- {:.2} times the table's settled drift",
-        amount[0], amount[1]
+        "\nof this robot: {}{:.2} +- {:.2} times the table's settled drift",
+        match state.held_at {
+            None => "",
+            Some(AmountBound::Least) => "held at the least, ",
+            Some(AmountBound::Most) => "held at the most, ",
+        },
+        amount[0],
+        amount[1]
     );
     let _ = writeln!(out, "  tau {:.0} +- {:.0} min", tau[0], tau[1]);
-    let _ = match state.stood {
-        true => writeln!(out, "  cooling tau {:.0} +- {:.0} min", cool[0], cool[1]),
-        false => writeln!(out, "  it never stood: nothing is known of its cooling"),
+    for stop in &state.stops {
+        let by_pause = if state.stops_are_named {
+            ""
+        } else {
+            ", by the pause between touches (--stop FROM:TO says when)"
+        };
+        let _ = writeln!(out, "  it stood from minute {:.0} to {:.0}{by_pause}", stop.from_min, stop.to_min);
+    }
+    let _ = match state.stops.is_empty() {
+        false => writeln!(out, "  cooling tau {:.0} +- {:.0} min", cool[0], cool[1]),
+        true => writeln!(out, "  no stop: nothing is known of its cooling"),
     };
     if plan {
         let _ = writeln!(
@@ -106,9 +120,10 @@ pub fn json(state: &RobotState, points: &[String]) -> Value {
     json!({
         "growth": state.law.to_string(),
         "refused": state.refused(), "drifts_otherwise": state.drifts_otherwise(),
-        "amount": amount[0], "amount_sigma": amount[1],
+        "amount": amount[0], "amount_sigma": amount[1], "amount_held": state.held_at.map(AmountBound::name),
+        "stops": state.stops.iter().map(|stop| [stop.from_min, stop.to_min]).collect::<Vec<_>>(),
         "tau_min": tau[0], "tau_sigma_min": tau[1],
-        "tau_cool_min": state.stood.then_some(cool[0]), "tau_cool_sigma_min": state.stood.then_some(cool[1]),
+        "tau_cool_min": (!state.stops.is_empty()).then_some(cool[0]), "tau_cool_sigma_min": (!state.stops.is_empty()).then_some(cool[1]),
         "false_first": state.false_first.iter().map(|one| json!({
             "line": one.line, "point": points.get(one.point), "off_mm": mm_from_m(one.off_m.norm()), "sigma_mm": mm_from_m(one.sigma_m),
         })).collect::<Vec<_>>(),

@@ -1,6 +1,7 @@
 //! What a model leaves of measurements that it has not seen, for people and as JSON.
 
 use super::counted;
+use metrology::diagnose::warmup::Standstill;
 use metrology::diagnose::{PoseSubset, Validation};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -33,13 +34,24 @@ pub fn text(found: &Validation) -> String {
     out
 }
 
-/// The result as the contract's JSON.
+/// When the robot is taken to have stood, for people.
 #[must_use]
-pub fn json(found: &Validation) -> Value {
+pub fn stops(stops: &[Standstill], are_named: bool) -> String {
+    let by_pause = if are_named { "" } else { ", by the pause between rows (--stop FROM:TO says when)" };
+    let line = |stop: &Standstill| {
+        format!("the robot stood from minute {:.0} to {:.0}{by_pause}\n", stop.from_min, stop.to_min)
+    };
+    stops.iter().map(line).collect()
+}
+
+/// The result as the contract's JSON; the robot stood in `stops`.
+#[must_use]
+pub fn json(found: &Validation, stops: &[Standstill]) -> Value {
     let PoseSubset { n, model, nominal } = found.all;
     json!({
         "n": n, "rms_mm": model.rms_mm, "mean_mm": model.mean_mm, "max_mm": model.max_mm, "nominal": nominal,
         "inside": found.inside, "outside": found.outside, "joints_outside": found.joints_outside,
+        "stops": stops.iter().map(|stop| [stop.from_min, stop.to_min]).collect::<Vec<_>>(),
         "worst": found.worst.iter().map(|(line, mm)| json!({ "line": line, "mm": mm })).collect::<Vec<_>>(),
     })
 }

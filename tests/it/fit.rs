@@ -1,7 +1,9 @@
 //! A deformation table from touched points, proved on virtual robots whose physics is not the fit's.
 
 mod doubtful;
+mod files;
 mod knocked_points;
+mod moved_together;
 mod moving_points;
 
 use assert_cmd::Command;

@@ -211,8 +211,8 @@ fn validated(learn: &str, test: &str) -> [f64; 2] {
     let read = |csv: &str| Measurements::from_csv(csv.as_bytes()).unwrap();
     let options = DiagnosisOptions { tool_m: None, sigma_m: Some(SIGMA_M) };
     let model = diagnose_and_identify(&read(learn), &robot, &options).1.unwrap();
-    let found = validate(&read(test), &robot, &model, RefitScope::BaseAndTool).unwrap();
-    let only_tool = validate(&read(test), &robot, &model, RefitScope::Base).unwrap();
+    let found = validate(&read(test), &robot, &model, RefitScope::BaseAndTool, &[]).unwrap();
+    let only_tool = validate(&read(test), &robot, &model, RefitScope::Base, &[]).unwrap();
     // The tip is the model's there: as good as it was found.
     assert!(only_tool.all.model.rms_mm < 2.0 * found.all.model.rms_mm, "{only_tool:?}");
     [found.all.model.rms_mm, found.all.nominal.rms_mm]

@@ -141,8 +141,15 @@ fn in_order(names: impl IntoIterator<Item = (String, usize)>) -> Vec<String> {
 fn touches(table: &Table) -> Result<Touches, MeasureError> {
     let measurements = from_table(table)?;
     let no_time = || missing_column("t_min", &table.header);
-    if table.column(FIXED).is_none() {
-        return Touches::of_poses(&measurements).ok_or_else(no_time);
+    // A nest has a name of its kind, too.
+    let is_touch = |row: &MeasurementRow| matches!(row.reading, Reading::Touch { .. });
+    if !measurements.rows.iter().any(is_touch) {
+        let found = Touches::of_poses(&measurements).ok_or_else(no_time)?;
+        return if found.touches.is_empty() && table.column(FIXED).is_some() {
+            Err(MeasureError::NoRows)
+        } else {
+            Ok(found)
+        };
     }
     let mut touches = Vec::new();
     for row in &measurements.rows {
@@ -150,9 +157,6 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
         let t_min = row.t_min.ok_or_else(no_time)?;
         let q_rad = row.q_rad.array().ok_or_else(|| missing_column("q6_deg", &table.header))?;
         touches.push(Touch { line: row.line, point: fixed_point, t_min, q_rad, measured_m: None });
-    }
-    if touches.is_empty() {
-        return Err(MeasureError::NoRows);
     }
     touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
     Ok(Touches { touches, points: measurements.fixed_points, warnings: measurements.warnings })

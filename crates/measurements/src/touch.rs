@@ -3,7 +3,7 @@
 use super::check::copied_rows;
 use super::{Measurements, Reading};
 use nalgebra::Vector3;
-use rapid_syntax::diagnostic::Diagnostic;
+use rapid_syntax::diagnostic::{Diagnostic, counted, is_or_are};
 
 /// One touch of a point, in SI units.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,6 +37,8 @@ impl Touches {
     pub fn of_poses(measurements: &Measurements) -> Option<Self> {
         let mut touches = Vec::with_capacity(measurements.rows.len());
         let mut last = 0;
+        let nests = measurements.rows.iter().filter(|row| matches!(row.reading, Reading::Nest { .. }));
+        let nests: Vec<u64> = nests.map(|row| row.line).collect();
         for row in &measurements.rows {
             let Reading::Point { position_m } = row.reading else { continue };
             last = last.max(row.pose);
@@ -50,7 +52,8 @@ impl Touches {
         }
         touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
         let points = (0..=last).map(|k| format!("pose {}", k + 1)).collect();
-        Some(Self { touches, points, warnings: measurements.warnings.clone() })
+        let warnings = measurements.warnings.iter().cloned().chain(without_nests(&nests)).collect();
+        Some(Self { touches, points, warnings })
     }
 
     /// Minutes of the first and the last touch.
@@ -75,4 +78,13 @@ impl Touches {
         copies.sort_unstable();
         self.warnings.extend(copied_rows(&copies));
     }
+}
+
+/// That nests are no matter of how an arm drifts.
+fn without_nests(lines: &[u64]) -> Option<Diagnostic> {
+    (!lines.is_empty()).then(|| {
+        let text = format!("{} of nests (kind = base) {} left out", counted(lines.len(), "row"), is_or_are(lines.len()));
+        Diagnostic::warning("measure::no-reading", text)
+            .help("a warm-up is fitted to what the arm carries; `driftpost diagnose` tells by nests whether the base or the instrument moved")
+    })
 }

@@ -74,7 +74,7 @@ fn one_point_that_creeps_is_named_with_the_time_constant_of_the_others() {
 fn what_one_or_two_points_cannot_tell_is_named() {
     let touches = sound(3);
     let only = |points: &[&str]| {
-        let mut few = creeping(&touches, |point| point == "P2", 4e-4);
+        let mut few = creeping(&touches, |point| point == "P2", 2.5e-4);
         few.touches.retain(|touch| points.contains(&touches.points[touch.point].as_str()));
         few
     };

@@ -16,8 +16,12 @@ fn table(amount: f64) -> [[f64; 6]; 7] {
 }
 
 fn state(file: &str, stop: &str) -> (Value, String) {
+    state_with(file, &["--stop", stop])
+}
+
+fn state_with(file: &str, more: &[&str]) -> (Value, String) {
     let args =
-        ["state", file, "--tool", "0,0,100", "--stop", stop, "--sigma-mm", "0.01", "--plan", "--json", "-"];
+        [&["state", file, "--tool", "0,0,100", "--sigma-mm", "0.01", "--plan", "--json", "-"], more].concat();
     let run = Command::cargo_bin("driftpost").unwrap().args(args).assert().success();
     let output = run.get_output();
     (serde_json::from_slice(&output.stdout).unwrap(), String::from_utf8_lossy(&output.stderr).into_owned())
@@ -65,7 +69,7 @@ fn minutes_that_cannot_be_are_named() {
         (&|t| t + 100.0, Some("the first touch is at minute 100, and is taken for the cold arm's")),
     ] {
         std::fs::write(&file, with_times(time)).unwrap();
-        let (_, reported) = state(&file.display().to_string(), "24000:24010");
+        let (_, reported) = state(&file.display().to_string(), "none");
         assert_eq!(reported.contains("state::minutes"), expected.is_some(), "{reported}");
         assert!(reported.contains(expected.unwrap_or_default()), "{reported}");
     }
@@ -98,6 +102,68 @@ fn amount_and_time_constants_of_a_robot_are_found_within_what_is_stated() {
     let left: Vec<f64> =
         plan[0]["intervals"].as_array().unwrap().iter().map(|i| i["rms_mm"].as_f64().unwrap()).collect();
     assert!(left.is_sorted(), "touching less often leaves more: {left:?}");
+}
+
+/// The stop of the recipe, minute 240 to 300, is the pause between touches; what it says of the robot is what it says where the stop is named.
+#[test]
+fn a_stop_is_found_by_the_pause_between_touches() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("touches.csv");
+    std::fs::write(&file, touches(&robot, &recipe(2), &mut Rng::new(7, 1)).unwrap()).unwrap();
+    let file = file.display().to_string();
+    let ([found, named], [by_pause, _]) = {
+        let (found, by_pause) = state_with(&file, &[]);
+        let (named, by_name) = state(&file, "240:300");
+        ([found, named], [by_pause, by_name])
+    };
+    let stop: Vec<f64> = found["stops"][0].as_array().unwrap().iter().map(|t| t.as_f64().unwrap()).collect();
+    assert!((stop[0] - 240.0).abs() < 5.0 && (stop[1] - 300.0).abs() < 5.0, "{stop:?}");
+    assert!(
+        by_pause.contains("by the pause between touches") && !by_pause.contains("state::pause"),
+        "{by_pause}"
+    );
+    assert_eq!(named["stops"], serde_json::json!([[240.0, 300.0]]));
+    for (key, sigma, truth) in [
+        ("amount", "amount_sigma", 1.25),
+        ("tau_min", "tau_sigma_min", 60.0),
+        ("tau_cool_min", "tau_cool_sigma_min", 80.0),
+    ] {
+        let [value, sigma, as_named] = [&found[key], &found[sigma], &named[key]].map(|n| n.as_f64().unwrap());
+        assert!(
+            (value - truth).abs() < 3.0 * sigma && (value - as_named).abs() < sigma,
+            "{key} {value} +- {sigma}"
+        );
+    }
+    // A robot that worked through a pause in which nobody touched is not taken to have stood.
+    let worked = TouchRecipe { stop_min: [1000.0, 1001.0], ..recipe(2) };
+    let text = touches(&robot, &worked, &mut Rng::new(7, 1)).unwrap();
+    let is_touched = |row: &&str| {
+        row.split(',').nth(1).and_then(|t| t.parse::<f64>().ok()).is_none_or(|t| !(45.0..105.0).contains(&t))
+    };
+    std::fs::write(&file, text.lines().filter(is_touched).collect::<Vec<_>>().join("\n")).unwrap();
+    let (through, reported) = state_with(&file, &[]);
+    assert_eq!(through["stops"], serde_json::json!([]), "{reported}");
+    assert!((through["amount"].as_f64().unwrap() - 1.25).abs() < 0.1, "{reported}");
+}
+
+/// A robot of 2.5 times the table and one that hardly drifts: the filter goes to 2 and 0.2, and says so.
+#[test]
+fn an_amount_beyond_the_filters_bounds_is_said_to_be_held() {
+    let robot = Robot::built_in("irb140").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("touches.csv");
+    for (amount, bound, at) in [(2.5, "most", Some(2.0)), (0.02, "least", Some(0.2)), (1.25, "", None)] {
+        let recipe = TouchRecipe { table: table(amount), ..recipe(2) };
+        std::fs::write(&file, touches(&robot, &recipe, &mut Rng::new(7, 1)).unwrap()).unwrap();
+        let (json, reported) = state(&file.display().to_string(), "240:300");
+        assert_eq!(json["amount_held"].as_str().unwrap_or_default(), bound, "{amount}: {reported}");
+        assert_eq!(reported.contains("state::amount-held"), at.is_some(), "{amount}: {reported}");
+        if let Some(at) = at {
+            let [held, sigma] = ["amount", "amount_sigma"].map(|key| json[key].as_f64().unwrap());
+            assert!((held - at).abs() < sigma, "{amount}: {held} +- {sigma}");
+        }
+    }
 }
 
 /// The touches of a seed, the one in line 2 (the first of point P1) moved by `off_mm` times the drift's direction there and, in a

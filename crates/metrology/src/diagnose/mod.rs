@@ -81,6 +81,8 @@ pub use outcome::{
 };
 pub use size_unit::SizeUnit;
 pub use time_course::TimeCourse;
-pub use validate::{DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate};
+pub use validate::{
+    DistanceStatistics, PoseSubset, RefitScope, ValidateError, Validation, validate, warming,
+};
 pub use verdict::{GearBand, describe, gear_bands};
 pub use written_angles::rounded_joints;

@@ -1,12 +1,14 @@
 //! A model against measurements that it has not seen.
 
 use super::identify::{PredictedStations, predicted};
+use super::warmup::{Standstill, warm_minutes};
 use measurements::{
     FaultKind, FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather,
     register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Identified;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, SerialArm};
@@ -121,7 +123,8 @@ const SLACK_DEG: f64 = 1.0;
 /// The same of one that slides, metres.
 const SLACK_M: f64 = 1e-3;
 
-/// Applies `model` to `measurements`, the registration that `which` names fitted again.
+/// Applies `model` to `measurements`, the registration that `which` names fitted again; the robot stood in `stops`, which counts where the
+/// model's drift follows one law.
 ///
 /// # Errors
 /// [`ValidateError`]
@@ -130,6 +133,7 @@ pub fn validate(
     robot: &SerialArm,
     model: &Identified,
     which: RefitScope,
+    stops: &[Standstill],
 ) -> Result<Validation, ValidateError> {
     let checked = check_rows(measurements, robot);
     if let Some(fault) = checked.fault.as_ref().filter(|fault| fault.kind == FaultKind::JointColumns) {
@@ -138,7 +142,8 @@ pub fn validate(
     if model.joint_kinds != robot.kinds() {
         return Err(ValidateError::ModelJoints { known: model.joint_kinds.len(), robot: robot.name.clone() });
     }
-    let gathered = gather(measurements, &checked.used, None);
+    let mut gathered = gather(measurements, &checked.used, None);
+    set_warm_minutes(&mut gathered.stations, model, stops);
     let (stations, targets) = (&gathered.stations, gathered.targets);
     let chain = SerialChain::nominal(robot);
     let nominal: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
@@ -172,6 +177,23 @@ pub fn validate(
             .collect(),
         worst,
     })
+}
+
+/// The law and the time constant of cooling by which a model's drift follows the robot's warmth; `None` where it follows several laws, or the
+/// clock alone.
+#[must_use]
+pub fn warming(model: &Identified) -> Option<(GrowthLaw, f64)> {
+    let law = model.growth().filter(|law| model.drifts_beside(*law).is_empty())?;
+    Some((law, model.tau_cool_min.or(law.tau_min())?))
+}
+
+/// On the model's own clock: a robot that stood is as warm as one that has worked since it was cold for some minutes less.
+fn set_warm_minutes(stations: &mut [Station], model: &Identified, stops: &[Standstill]) {
+    let Some((law, tau_cool_min)) = warming(model).filter(|_| !stops.is_empty()) else { return };
+    for station in stations {
+        let warm = |t_min: f64| warm_minutes(law, tau_cool_min, stops, &[t_min]).first().copied();
+        station.t_min = station.t_min.and_then(warm);
+    }
 }
 
 struct Distance {

@@ -1,113 +1,30 @@
 //! The fit of a warm-up: every history of warmth weighed by its evidence, and what the touches say under the likeliest.
 
+use super::doubtful;
+use super::fit_error::FitError;
 use super::fitted::{TouchedPoint, WarmUp};
-use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, taus_min};
+use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, readings, taus_min};
 use super::knocked;
-use super::parameters::{PARAMETERS, signature, tip_m};
+use super::observed::{Observed, observed};
+use super::parameters::PARAMETERS;
 use super::plausible;
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
 use super::touch_residuals::{MOST_ASIDE, accident_lines, false_lines, touch_residuals};
 use crate::diagnose::marginal::log_sum;
 use crate::diagnose::search::ALARM_NATS;
-use measurements::{self, Fault, RegisterError, Station, Touches, register};
+use measurements::Touches;
 use nalgebra::{DMatrix, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::GrowthLaw;
-use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::Robot;
-use robot_model::units::min_from_days;
 use std::collections::BTreeSet;
-
-/// A pose that moved by more than this between two touches of one point is another pose, radians.
-const SAME_POSE_RAD: f64 = 0.02;
 
 /// Histories this much less likely than the likeliest do not count.
 const NEGLIGIBLE_NATS: f64 = 14.0;
 
-/// Nobody touches points for longer, days.
-const LONGEST_DAYS: f64 = 3.0;
 /// Fits without what looked false in the one before, at most.
 const MOST_ROUNDS: usize = 12;
-
-/// Why there is no fit.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum FitError {
-    /// Too few touches of one point.
-    #[error(
-        "{touches} touches of {points} points say too little: at least 6 touches of one point are needed"
-    )]
-    TooFew {
-        /// Touches in the file.
-        touches: usize,
-        /// Of how many points.
-        points: usize,
-    },
-    /// One point, two poses.
-    #[error(
-        "line {line}: point {point} is touched in another pose than before; give each pose a name of its own"
-    )]
-    OtherPose {
-        /// Line in the file.
-        line: u64,
-        /// Name of the touched point.
-        point: String,
-    },
-    /// All at one time.
-    #[error("all touches lie within {span_min:.0} minutes: touch again while the robot warms up")]
-    NoTime {
-        /// Minutes from the first to the last touch.
-        span_min: f64,
-    },
-    /// No history of warmth says more than that nothing moved.
-    #[error(
-        "no drift that these touches can tell: with a drift they are {gain_nats:+.1} nats likelier than without, {ALARM_NATS} are needed"
-    )]
-    NoDrift {
-        /// ln evidence of a drift over none.
-        gain_nats: f64,
-        /// Minutes from the first to the last touch.
-        span_min: f64,
-    },
-    /// The touches contradict themselves or the robot.
-    #[error("{}", .0.reason)]
-    Fault(Box<Fault>),
-    /// The instrument cannot be registered.
-    #[error(transparent)]
-    Register(#[from] RegisterError),
-}
-
-impl FitError {
-    /// Stable code of the message, listed in `docs/MESSAGES.md`.
-    #[must_use]
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::TooFew { .. } => "fit::too-few",
-            Self::OtherPose { .. } => "fit::other-pose",
-            Self::NoTime { .. } => "fit::no-time",
-            Self::NoDrift { .. } => "fit::no-drift",
-            Self::Fault(_) => "measure::fault",
-            Self::Register(error) => error.code(),
-        }
-    }
-}
-
-impl From<FitError> for Diagnostic {
-    fn from(error: FitError) -> Self {
-        let message = Self::error(error.code(), error.to_string());
-        match error {
-            FitError::Fault(_) => return message,
-            FitError::NoDrift { span_min, .. } if span_min > min_from_days(LONGEST_DAYS) => {
-                let days = span_min / min_from_days(1.0);
-                return message.help(format!(
-                    "the touches go over {days:.0} days: t_min counts minutes from the cold start, not seconds"
-                ));
-            }
-            _ => {}
-        }
-        message.help("touch a few fixed points, each always in the same pose, every 5 minutes or so over two to three hours")
-    }
-}
 
 /// What the caller knows beside the touches.
 #[derive(Clone, Debug, Default)]
@@ -131,24 +48,81 @@ struct FittedHistory {
 /// # Errors
 /// Too few touches, a point in two poses, all at one time, poses that cannot be registered.
 pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<WarmUp, FitError> {
-    let chain = Chain::nominal(robot);
     if let Some(fault) = plausible::find_in_joints(touches, robot) {
         return Err(FitError::Fault(Box::new(fault)));
     }
-    let Observed { moved_m: observed, warning } = observed(touches, robot, &chain, options)?;
-    let mut points = grouped(touches, &chain, &observed, &options.tool_m)?;
     let [first_min, last_min] = touches.span_min();
+    let mut stops =
+        Standstill::merged(options.stops.clone().unwrap_or_else(|| history::pauses(&readings(touches))));
+    // Of one after the last touch the touches tell nothing.
+    stops.retain(|stop| stop.from_min < last_min);
+    let Observed { mut points, moved, warnings } = observed(touches, robot, options.tool_m, &stops)?;
     if last_min - first_min < 20.0 {
         return Err(FitError::NoTime { span_min: last_min - first_min });
     }
-    let mut stops = Standstill::merged(options.stops.clone().unwrap_or_else(|| history::pauses(touches)));
-    // Of one after the last touch the touches tell nothing.
-    stops.retain(|stop| stop.from_min < last_min);
     let knocks = knocked::find(&points, &stops, plausible::rounding_sigma_m(touches, robot, options.tool_m));
     for knock in &knocks {
-        points[knock.index].knocked_min = Some(knock.between_min[1]);
+        points[knock.index].moves_at(knock.between_min[1]);
     }
     let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
+    let (found, aside) = without_accidents(of)?;
+    // Asked at the end: false touches hide a drift.
+    let mut gain_nats = found.gain_nats;
+    // And asked of what is left where no drift says which touches are false: those that go against one are not to speak for it by being left out.
+    let names = &touches.points;
+    let without_drift = aside_without_drift(&points, names, &stops);
+    if gain_nats >= ALARM_NATS && without_drift != aside {
+        gain_nats = gain_nats.min(of(&without_drift)?.gain_nats);
+    }
+    if gain_nats < ALARM_NATS {
+        return Err(FitError::NoDrift { gain_nats, span_min: last_min - first_min });
+    }
+    let mut warm_up = found.warm_up;
+    warm_up.moved = moved;
+    warm_up.drop_vague_cooling();
+    if let Some(reason) = doubtful::refusal(&warm_up) {
+        return Err(FitError::Absurd { reason });
+    }
+    let across = across_pauses(touches, &points, &aside, &stops, &warm_up)?;
+    let doubts = doubtful::warnings(&warm_up).into_iter().chain(across);
+    let found_in_touches = plausible::warnings(touches, robot, &warm_up, options.tool_m);
+    let is_touched = touches.touches.iter().all(|touch| touch.measured_m.is_none());
+    let as_fitted =
+        |knock: &knocked::Knock| knock.as_fitted(&points[knock.index], &warm_up.residuals, is_touched);
+    warm_up.knocked = knocks.iter().filter_map(as_fitted).collect();
+    let knocked = warm_up.knocked.iter().map(knocked::warning);
+    warm_up.warnings = warnings.into_iter().chain(found_in_touches).chain(doubts).chain(knocked).collect();
+    warm_up.stops_are_named = options.stops.is_some();
+    Ok(warm_up)
+}
+
+/// The pauses without which nothing tells a drift: where each point has a place of its own on either side, the touches say no more than that
+/// nothing moved.
+fn across_pauses(
+    touches: &Touches,
+    points: &[Point],
+    aside: &BTreeSet<u64>,
+    stops: &[Standstill],
+    warm_up: &WarmUp,
+) -> Result<Vec<Diagnostic>, FitError> {
+    let mut found = Vec::new();
+    for pause in history::pauses(&readings(touches)) {
+        if !doubtful::shows_little_beside(warm_up, &pause) {
+            continue;
+        }
+        let mut apart: Vec<Point> = points.iter().map(|point| point.without(&BTreeSet::new())).collect();
+        apart.iter_mut().for_each(|point| point.moves_at((pause.from_min + pause.to_min) / 2.0));
+        if fit_without(touches, &apart, aside, stops)?.gain_nats < ALARM_NATS {
+            found.push(doubtful::across(&pause));
+        }
+    }
+    Ok(found)
+}
+
+/// The fit without the touches that look false and stand alone, and these.
+fn without_accidents(
+    of: impl Fn(&BTreeSet<u64>) -> Result<DriftFit, FitError>,
+) -> Result<(DriftFit, BTreeSet<u64>), FitError> {
     let mut aside = BTreeSet::new();
     let mut found = of(&aside)?;
     for _ in 0..MOST_ROUNDS {
@@ -167,27 +141,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
             break;
         }
     }
-    // Asked at the end: false touches hide a drift.
-    let mut gain_nats = found.gain_nats;
-    // And asked of what is left where no drift says which touches are false: those that go against one are not to speak for it by being left out.
-    let names = &touches.points;
-    let without_drift = aside_without_drift(&points, names, &stops);
-    if gain_nats >= ALARM_NATS && without_drift != aside {
-        gain_nats = gain_nats.min(of(&without_drift)?.gain_nats);
-    }
-    if gain_nats < ALARM_NATS {
-        return Err(FitError::NoDrift { gain_nats, span_min: last_min - first_min });
-    }
-    let mut warm_up = found.warm_up;
-    let found_in_touches = plausible::warnings(touches, robot, &warm_up, options.tool_m);
-    let is_touched = touches.touches.iter().all(|touch| touch.measured_m.is_none());
-    let as_fitted =
-        |knock: &knocked::Knock| knock.as_fitted(&points[knock.index], &warm_up.residuals, is_touched);
-    warm_up.knocked = knocks.iter().filter_map(as_fitted).collect();
-    let knocked = warm_up.knocked.iter().map(knocked::warning);
-    warm_up.warnings = warning.into_iter().chain(found_in_touches).chain(knocked).collect();
-    warm_up.stops_are_named = options.stops.is_some();
-    Ok(warm_up)
+    Ok((found, aside))
 }
 
 /// The touches that look false where nothing is taken to have moved; none where they are many.
@@ -264,6 +218,7 @@ fn fit_without(
         prior: chosen.prior,
         points: points.iter().map(|p| touched(p, &touches.points, &history, stops)).collect(),
         knocked: Vec::new(),
+        moved: Vec::new(),
         residuals,
         span_min: touches.span_min(),
         touches: touches.touches.len() - aside.len(),
@@ -357,84 +312,4 @@ fn share_of_other_law(weighed: &[WeighedHistory], likeliest: &WeighedHistory) ->
         }
     }
     other / all
-}
-
-/// What touches say of the tip.
-struct Observed {
-    /// How far each touch says the real tool is from where the nominal arm believes it, up to a constant of its point, metres.
-    moved_m: Vec<Vector3<f64>>,
-    /// That the tip is elsewhere than named.
-    warning: Option<Diagnostic>,
-}
-
-fn observed(
-    touches: &Touches,
-    robot: &Robot,
-    chain: &Chain,
-    options: &FitOptions,
-) -> Result<Observed, FitError> {
-    if touches.touches.iter().all(|t| t.measured_m.is_none()) {
-        // The point stands still: what the arm believes has moved is what it really moved by, the other way round.
-        let moved = touches.touches.iter().map(|t| -tip_m(chain, &t.q_rad, &options.tool_m));
-        return Ok(Observed { moved_m: moved.collect(), warning: None });
-    }
-    let stations: Vec<Station> = touches
-        .touches
-        .iter()
-        .enumerate()
-        .map(|(i, t)| {
-            let touch = measurements::Reading::Touch { fixed_point: t.point };
-            let reading =
-                t.measured_m.map_or(touch, |position_m| measurements::Reading::Point { position_m });
-            Station { t_min: Some(t.t_min), rows: vec![i], ..Station::bare(t.point, t.q_rad.into(), reading) }
-        })
-        .collect();
-    let arm = robot.into();
-    let warning = plausible::check_points(&stations, &arm, options.tool_m)
-        .map_err(|fault| FitError::Fault(Box::new(fault)))?;
-    let chain = SerialChain::nominal(&arm);
-    let poses: Vec<_> = stations.iter().map(|s| s.pose(&chain)).collect();
-    let registration = register(&stations, &poses, 1, Some(options.tool_m))?;
-    let moved = stations.iter().zip(&poses).map(|(s, pose)| registration.residual_m(s, pose));
-    Ok(Observed { moved_m: moved.collect(), warning })
-}
-
-fn grouped(
-    touches: &Touches,
-    chain: &Chain,
-    observed: &[Vector3<f64>],
-    tool_m: &Vector3<f64>,
-) -> Result<Vec<Point>, FitError> {
-    let mut points: Vec<Point> = Vec::new();
-    for (touch, observed) in touches.touches.iter().zip(observed) {
-        match points.iter_mut().find(|p| p.index == touch.point) {
-            Some(point) => {
-                let moved = point.q_rad.iter().zip(touch.q_rad).any(|(a, b)| (a - b).abs() > SAME_POSE_RAD);
-                if moved {
-                    return Err(FitError::OtherPose {
-                        line: touch.line,
-                        point: touches.points.get(touch.point).cloned().unwrap_or_default(),
-                    });
-                }
-                point.lines.push(touch.line);
-                point.t_min.push(touch.t_min);
-                point.observed_m.push(*observed);
-            }
-            None => points.push(Point {
-                index: touch.point,
-                q_rad: touch.q_rad,
-                signature: signature(chain, &touch.q_rad, tool_m),
-                lines: vec![touch.line],
-                t_min: vec![touch.t_min],
-                observed_m: vec![*observed],
-                knocked_min: None,
-            }),
-        }
-    }
-    let all = points.len();
-    points.retain(|p| p.t_min.len() >= 6);
-    if points.is_empty() {
-        return Err(FitError::TooFew { touches: touches.touches.len(), points: all });
-    }
-    Ok(points)
 }

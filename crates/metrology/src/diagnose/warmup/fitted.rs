@@ -1,5 +1,6 @@
 //! A fitted warm-up, and its forms for other commands: a deformation, an identified model.
 
+use super::common_motion::CommonStep;
 use super::history::Standstill;
 use super::parameters::PARAMETERS;
 use super::touch_residuals::TouchResidual;
@@ -39,6 +40,8 @@ pub struct WarmUp {
     pub points: Vec<TouchedPoint>,
     /// Those that were knocked: their later touches count from another place.
     pub knocked: Vec<KnockedPoint>,
+    /// When all points moved together: their later touches count from places of their own.
+    pub moved: Vec<CommonStep>,
     /// Every touch that took part, in the order of time.
     pub residuals: Vec<TouchResidual>,
     /// Minutes of the first and last touch.
@@ -72,6 +75,19 @@ pub struct KnockedPoint {
 }
 
 impl WarmUp {
+    /// Leaves the time constant of cooling out where all points moved in each stop and it is known no better than by a quarter: that of warming,
+    /// which stands in for it then, is as good.
+    pub(super) fn drop_vague_cooling(&mut self) {
+        const KNOWN_TO: f64 = 0.25;
+        let moved_in = |stop: &Standstill| {
+            self.moved.iter().any(|m| m.between_min[0] < stop.to_min && stop.from_min < m.between_min[1])
+        };
+        let is_vague = self.tau_cool_min.is_some_and(|[tau_min, sigma_min]| sigma_min > KNOWN_TO * tau_min);
+        if is_vague && self.stops.iter().all(moved_in) {
+            self.tau_cool_min = None;
+        }
+    }
+
     /// The settled deformation as frame offsets.
     #[must_use]
     pub fn offsets(&self) -> FrameOffsets {

@@ -2,6 +2,7 @@
 
 use measurements::Touches;
 use robot_model::deform::{GrowthLaw, Warmth};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// The robot stood from one minute to another.
@@ -27,6 +28,14 @@ impl Standstill {
             }
         }
         merged
+    }
+}
+
+impl Standstill {
+    /// How long it stood, minutes.
+    #[must_use]
+    pub fn length_min(&self) -> f64 {
+        self.to_min - self.from_min
     }
 }
 
@@ -153,15 +162,25 @@ fn grid_about(likeliest: &ThermalHistory, middle: [f64; 2], half: [f64; 2]) -> V
     grid
 }
 
-/// The pauses between touches that are long enough to be stops: the longest, and every other one that is long beside those about it.
-pub(super) fn pauses(touches: &Touches) -> Vec<Standstill> {
-    let times: Vec<f64> = touches.touches.iter().map(|t| t.t_min).collect();
+/// When something was read, minutes, and which point or pose it was of.
+pub type TimedReading = (f64, usize);
+
+/// The readings of touches, in the order of time.
+pub(super) fn readings(touches: &Touches) -> Vec<TimedReading> {
+    touches.touches.iter().map(|touch| (touch.t_min, touch.point)).collect()
+}
+
+/// The pauses between readings, which are in the order of time, that are long enough to be stops: the longest, and every other one that is
+/// long beside those about it.
+#[must_use]
+pub fn pauses(readings: &[TimedReading]) -> Vec<Standstill> {
+    let times: Vec<f64> = readings.iter().map(|reading| reading.0).collect();
     let mut between: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
     between.sort_by(f64::total_cmp);
     let usual_min = between.get(between.len() / 2).copied().unwrap_or(0.0);
     let is_stop = |s: &Standstill| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN);
     let longest = times.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
-    let long = rounds_apart(touches).into_iter().filter_map(|[from_min, to_min]| {
+    let long = rounds_apart(readings).into_iter().filter_map(|[from_min, to_min]| {
         let within = times.windows(2).filter(|w| w[0] >= from_min && w[1] <= to_min);
         within.max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))
     });
@@ -171,14 +190,13 @@ pub(super) fn pauses(touches: &Touches) -> Vec<Standstill> {
     Standstill::merged(stops.filter(is_stop).collect())
 }
 
-/// From when to when the point that is touched most often was not, where that is several times as long as in the rounds before and after:
+/// From when to when the point that is read most often was not, where that is several times as long as in the rounds before and after:
 /// rounds that are further apart in some part of the day are none.
-fn rounds_apart(touches: &Touches) -> Vec<[f64; 2]> {
-    let of = |point: usize| touches.touches.iter().filter(move |touch| touch.point == point);
-    let Some(point) = (0..touches.points.len()).max_by_key(|&point| of(point).count()) else {
-        return Vec::new();
-    };
-    let minutes: Vec<f64> = of(point).map(|touch| touch.t_min).collect();
+fn rounds_apart(readings: &[TimedReading]) -> Vec<[f64; 2]> {
+    let mut times_read: BTreeMap<usize, usize> = BTreeMap::new();
+    readings.iter().for_each(|(_, point)| *times_read.entry(*point).or_default() += 1);
+    let Some((&point, _)) = times_read.iter().max_by_key(|(_, times)| **times) else { return Vec::new() };
+    let minutes: Vec<f64> = readings.iter().filter(|reading| reading.1 == point).map(|r| r.0).collect();
     let apart: Vec<f64> = minutes.windows(2).map(|w| w[1] - w[0]).collect();
     let is_long = |&k: &usize| {
         let about = k.saturating_sub(ROUNDS_ABOUT)..(k + ROUNDS_ABOUT + 1).min(apart.len());
@@ -206,6 +224,15 @@ pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f6
             warmth.share()
         })
         .collect()
+}
+
+/// How warm a robot is that runs but for its stops, as the minute of its growth law at which as much is there; a robot that is settled is at
+/// its last minute.
+#[must_use]
+pub fn warm_minutes(law: GrowthLaw, tau_cool_min: f64, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
+    let history = ThermalHistory { law, tau_cool_min: Some(tau_cool_min) };
+    let shares = warmth(&history, stops, t_min);
+    shares.iter().zip(t_min).map(|(share, clock_min)| law.minute_of(*share).unwrap_or(*clock_min)).collect()
 }
 
 #[cfg(test)]
@@ -251,12 +278,24 @@ mod tests {
         let every = |from: u32, to: u32, step: usize| (from..=to).step_by(step).map(f64::from);
         let two = touched_at(every(0, 60, 5).chain(every(105, 150, 5)).chain(every(200, 240, 5)));
         let tenths = |min: f64| (10.0 * min).round() as u32;
-        let found: Vec<[u32; 2]> = pauses(&two).iter().map(|s| [s.from_min, s.to_min].map(tenths)).collect();
+        let found: Vec<[u32; 2]> =
+            pauses(&readings(&two)).iter().map(|s| [s.from_min, s.to_min].map(tenths)).collect();
         // The second touch of a round comes 0.3 min after the first, which is the usual pause.
         assert_eq!(found, [[603, 1047], [1503, 1997]]);
         let rarer = touched_at(every(0, 60, 5).chain(every(80, 180, 20)));
-        assert_eq!(pauses(&rarer).len(), 1, "the longest alone");
-        assert!(pauses(&touched_at(every(0, 120, 5))).is_empty());
+        assert_eq!(pauses(&readings(&rarer)).len(), 1, "the longest alone");
+        assert!(pauses(&readings(&touched_at(every(0, 120, 5)))).is_empty());
+    }
+
+    /// By hand, one lag of 50 min both ways: 50 min of work give 1 - 1/e = 0.632, as many of rest e^-1 of it, 0.2325, which is there at minute
+    /// -50 ln(1 - 0.2325) = 13.23.
+    #[test]
+    fn a_robot_that_rested_is_as_warm_as_one_that_worked_for_fewer_minutes() {
+        let stops = [Standstill { from_min: 50.0, to_min: 100.0 }];
+        let found = warm_minutes(GrowthLaw::Exp { tau_min: 50.0 }, 50.0, &stops, &[30.0, 50.0, 100.0, 110.0]);
+        for (minute, wanted) in found.iter().zip([30.0, 50.0, 13.234, 23.234]) {
+            assert!((minute - wanted).abs() < 1e-3, "{found:?}");
+        }
     }
 
     #[test]

@@ -3,24 +3,16 @@
 
 use super::course::goes_on;
 use super::fitted::KnockedPoint;
-use super::history::{Standstill, ThermalHistory, warmth};
+use super::history::Standstill;
 use super::point::Point;
-use super::touch_residuals::{FALSE_SIGMAS, MOST_ASIDE, TouchResidual, typical_sigma_m};
-use nalgebra::{DMatrix, RowDVector, RowVector3, Vector3};
+use super::smooth_courses::{
+    FEWEST_FOR_STEP, LAGS_MIN, capped_squares_m2, left_of, sigma_of_left_m, smooth_courses, visible_steps,
+};
+use super::touch_residuals::{FALSE_SIGMAS, MOST_ASIDE, TouchResidual};
+use nalgebra::{DMatrix, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::GrowthLaw;
 use robot_model::units::mm_from_m;
 
-/// Lags whose sums come within a thousandth of every smooth warm-up, of several joints and of two stages, minutes.
-const LAGS_MIN: [f64; 4] = [10.0, 22.0, 48.0, 105.0];
-/// Time constants of cooling tried, in those of warming.
-const COOLINGS: [f64; 6] = [0.6, 0.8, 1.0, 1.3, 1.7, 2.2];
-/// A step is told by so many touches before and after it.
-const FEWEST_BESIDE: usize = 3;
-/// A point with fewer touches is not asked for a step.
-const FEWEST_FOR_STEP: usize = 12;
-/// A step of which the smooth course leaves a smaller part than this, as a sum of squares in touches, cannot be told from it.
-const LEAST_OF_STEP: f64 = 0.05;
 /// A step is sure where twice the logarithm of its likelihood ratio is beyond this: by chance one of three coordinates at any of 36 moments
 /// of five points is in two files of a million (chi-square).
 const SURE_STEP: f64 = 40.0;
@@ -76,8 +68,9 @@ impl Knock {
             let touch = residuals.iter().find(|one| one.line == point.lines[k])?;
             Some((point.observed_m[k] - touch.before_m, touch.point.clone()))
         };
-        let (before_m, name) = place_m(0)?;
-        let (after_m, _) = place_m(point.lines.len() - 1)?;
+        let first = point.t_min.partition_point(|t_min| *t_min < self.between_min[1]);
+        let (before_m, name) = place_m(first.checked_sub(1)?)?;
+        let (after_m, _) = place_m(first)?;
         let step_m = if is_touched { before_m - after_m } else { after_m - before_m };
         Some(KnockedPoint { name, between_min: self.between_min, step_m })
     }
@@ -156,18 +149,8 @@ fn likeliest_step(point: &Point, stops: &[Standstill], rounding_m: f64) -> Optio
 
 impl StepSearch {
     fn new(point: &Point, stops: &[Standstill], rounding_m: f64) -> Self {
-        let course = |cooling: f64| {
-            let mut columns = vec![vec![1.0; point.t_min.len()]];
-            columns.extend(LAGS_MIN.map(|tau_min| {
-                let law = GrowthLaw::Exp { tau_min };
-                let history = ThermalHistory { law, tau_cool_min: Some(cooling * tau_min) };
-                warmth(&history, stops, &point.t_min)
-            }));
-            DMatrix::from_fn(point.t_min.len(), columns.len(), |i, j| columns[j][i])
-        };
-        let coolings = if stops.is_empty() { &COOLINGS[2..3] } else { &COOLINGS[..] };
         Self {
-            courses: coolings.iter().map(|cooling| course(*cooling)).collect(),
+            courses: smooth_courses(&point.t_min, stops),
             moved_m: DMatrix::from_fn(point.t_min.len(), 3, |i, j| point.observed_m[i][j]),
             rounding_m,
         }
@@ -189,10 +172,9 @@ impl StepSearch {
         for _ in 0..MOST_ROUNDS {
             let step = if has_step { Some(self.best_step(course, &kept)?) } else { None };
             let (left_m, step_m) = self.left_m(course, step, &kept)?;
-            let lengths_m: Vec<f64> = left_m.iter().map(Vector3::norm).collect();
-            let per_freedom = (touches as f64 / (touches - numbers) as f64).sqrt();
-            let sigma_m = (per_freedom * typical_sigma_m(&lengths_m)).max(self.rounding_m);
-            let next: Vec<usize> = (0..touches).filter(|&k| lengths_m[k] <= FALSE_SIGMAS * sigma_m).collect();
+            let sigma_m = sigma_of_left_m(&left_m, numbers as f64, self.rounding_m);
+            let next: Vec<usize> =
+                (0..touches).filter(|&k| left_m[k].norm() <= FALSE_SIGMAS * sigma_m).collect();
             let is_last = next == kept;
             kept.clone_from(&next);
             found = Some(CourseFit { step, step_m, left_m, sigma_m, kept: next });
@@ -205,29 +187,10 @@ impl StepSearch {
 
     /// The first touch after the step that takes most of what `course` leaves of the touches that are kept.
     fn best_step(&self, course: &DMatrix<f64>, kept: &[usize]) -> Option<usize> {
-        if kept.len() < course.ncols() + 2 * FEWEST_BESIDE {
-            return None;
-        }
-        let smooth = course.select_rows(kept).qr().q();
-        let moved_m = self.moved_m.select_rows(kept);
-        let left_m = &moved_m - &smooth * (smooth.transpose() * &moved_m);
-        let mut in_smooth = RowDVector::zeros(smooth.ncols());
-        let mut in_left = RowVector3::zeros();
-        let mut best: Option<(usize, f64)> = None;
-        for at in (FEWEST_BESIDE..kept.len()).rev() {
-            in_smooth += smooth.row(at);
-            in_left += left_m.fixed_view::<1, 3>(at, 0);
-            let after = kept.len() - at;
-            let square = after as f64 - in_smooth.norm_squared();
-            if after < FEWEST_BESIDE || square < LEAST_OF_STEP {
-                continue;
-            }
-            let gain_m2 = in_left.norm_squared() / square;
-            if best.is_none_or(|(_, most_m2)| gain_m2 > most_m2) {
-                best = Some((kept[at], gain_m2));
-            }
-        }
-        best.map(|(first, _)| first)
+        let visible = visible_steps(course, &self.moved_m, kept);
+        let gain_m2 = |at: usize| Some(visible[at]?.gain_m2());
+        let best = (0..kept.len()).rev().filter_map(|at| Some((kept[at], gain_m2(at)?)));
+        best.reduce(|best, next| if next.1 > best.1 { next } else { best }).map(|(first, _)| first)
     }
 
     /// What is left of all touches by a fit to those kept, and how long the step is.
@@ -243,17 +206,15 @@ impl StepSearch {
             design = design.insert_column(smooth, 0.0);
             design.view_mut((first, smooth), (course.nrows() - first, 1)).fill(1.0);
         }
-        let fit = design.select_rows(kept).svd(true, true);
-        let values = fit.solve(&self.moved_m.select_rows(kept), 1e-12).ok()?;
-        let left_m = &self.moved_m - &design * &values;
+        let (left_m, values) = left_of(&design, &self.moved_m, kept)?;
         let step_m = step.map_or(0.0, |_| values.row(course.ncols()).norm());
-        Some((left_m.row_iter().map(|row| Vector3::new(row[0], row[1], row[2])).collect(), step_m))
+        Some((left_m, step_m))
     }
 }
 
 impl CourseFit {
     /// Sum of squares, none larger than that of `cut_m`.
     fn cost_m2(&self, cut_m: f64) -> f64 {
-        self.left_m.iter().map(|left_m| left_m.norm_squared().min(cut_m * cut_m)).sum()
+        capped_squares_m2(&self.left_m, cut_m)
     }
 }

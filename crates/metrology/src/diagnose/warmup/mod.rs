@@ -6,29 +6,39 @@
 //! weighed by their evidence on a grid. Knows no RAPID and no files.
 
 mod cold_reference;
+mod common_motion;
+mod common_step;
 mod course;
+mod doubtful;
 mod fit;
+mod fit_error;
 mod fitted;
 mod history;
 mod knocked;
 mod moving_point;
+mod observed;
 mod parameters;
 mod plausible;
 mod point;
 mod posterior;
+mod smooth_courses;
 mod targets;
 mod thermal_run;
 mod thermal_state;
 mod tip;
 mod touch_residuals;
 
-pub use fit::{FitError, FitOptions, fit};
+pub use common_motion::{CommonStep, MovedBody};
+pub use fit::{FitOptions, fit};
+pub use fit_error::FitError;
 pub use fitted::{KnockedPoint, TouchedPoint, WarmUp};
-pub use history::Standstill;
+pub use history::{Standstill, TimedReading, pauses, warm_minutes};
 pub use moving_point::moving_points;
 pub use parameters::{PARAMETERS, signature};
 pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
 pub use thermal_run::{FirstTouchOutlier, StateOptions, TouchState};
-pub use thermal_state::{PlannedInterval, PlannedPoint, RobotState, StateError, WarmingArm, thermal_state};
+pub use thermal_state::{
+    AmountBound, PlannedInterval, PlannedPoint, RobotState, StateError, WarmingArm, thermal_state,
+};
 pub use tip::{TipCheck, check_tip};
 pub use touch_residuals::TouchResidual;

@@ -1,5 +1,6 @@
 //! Touches that contradict themselves, the robot or their units: a fit of them would be a table for another arm.
 
+use super::doubtful::SLOWEST_TAU_MIN;
 use super::fitted::WarmUp;
 use super::parameters::tip_m;
 use measurements::{
@@ -17,8 +18,6 @@ use std::f64::consts::PI;
 /// Poses of two points are apart where a joint is by more than this, degrees: poses in radians are, and no two points are touched in the
 /// zero pose.
 const APART_DEG: f64 = 0.5;
-/// Arms of up to 250 kg settle with time constants of half an hour to two hours; beyond this the minutes are something else, minutes.
-const SLOWEST_TAU_MIN: f64 = 240.0;
 /// A cold start that lies further before the first touch than this share of the time constant is extrapolated.
 const LATE_START: f64 = 0.5;
 /// Angles are written to one of these, degrees; finer ones move no tip that could be seen.

@@ -14,8 +14,8 @@ pub(super) struct Point {
     pub(super) lines: Vec<u64>,
     pub(super) t_min: Vec<f64>,
     pub(super) observed_m: Vec<Vector3<f64>>,
-    /// From this minute on it is in another place, to which it was knocked.
-    pub(super) knocked_min: Option<f64>,
+    /// From each of these minutes on it is in another place, to which it was knocked, or moved together with the others; ascending.
+    pub(super) moved_min: Vec<f64>,
 }
 
 impl Point {
@@ -29,15 +29,23 @@ impl Point {
             lines: kept().map(|i| self.lines[i]).collect(),
             t_min: kept().map(|i| self.t_min[i]).collect(),
             observed_m: kept().map(|i| self.observed_m[i]).collect(),
-            knocked_min: self.knocked_min,
+            moved_min: self.moved_min.clone(),
         }
     }
 
-    /// Its touches by the place in which it stood: all in one, but where it was knocked.
-    pub(super) fn places(&self) -> [Range<usize>; 2] {
-        let all = self.t_min.len();
-        let knocked = self.knocked_min.map_or(all, |knocked| self.t_min.partition_point(|t| *t < knocked));
-        [0..knocked, knocked..all]
+    /// From this minute on it is in another place.
+    pub(super) fn moves_at(&mut self, minute: f64) {
+        self.moved_min.push(minute);
+        self.moved_min.sort_by(f64::total_cmp);
+        self.moved_min.dedup();
+    }
+
+    /// Its touches by the place in which it stood: all in one, but where it moved.
+    pub(super) fn places(&self) -> Vec<Range<usize>> {
+        let first = |minute: &f64| self.t_min.partition_point(|t| t < minute);
+        let from = std::iter::once(0).chain(self.moved_min.iter().map(first));
+        let to = self.moved_min.iter().map(first).chain([self.t_min.len()]);
+        from.zip(to).map(|(from, to)| from..to).collect()
     }
 
     /// What the likelihood needs of them under a history of warmth.

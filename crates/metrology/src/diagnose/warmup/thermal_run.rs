@@ -9,6 +9,8 @@ use std::f64::consts::TAU;
 
 /// A point that moves by less tells nothing of the warmth, metres.
 pub(super) const LEAST_M: f64 = 0.02e-3;
+/// The amount among the numbers of the filter's state.
+pub(super) const AMOUNT: usize = 2;
 /// How often a touch is false, and by how much at most, metres: what the likelihood reckons with.
 const FALSE_SHARE: f64 = 0.05;
 const FALSE_M: f64 = 1e-3;
@@ -18,8 +20,8 @@ const FALSE_M: f64 = 1e-3;
 pub struct StateOptions {
     /// The tip in the flange's frame, metres.
     pub tool_m: Vector3<f64>,
-    /// When the robot stood; else it worked.
-    pub stops: Vec<Standstill>,
+    /// When the robot stood; else it worked. `None`: in the long pauses between touches, where the touches are likelier so.
+    pub stops: Option<Vec<Standstill>>,
     /// One standard deviation of a coordinate of a touch, metres.
     pub sigma_m: f64,
     /// Time constant of cooling to begin with, minutes.
@@ -94,6 +96,8 @@ pub(super) struct ThermalRun {
     pub filter: ThermalFilter,
     /// Every touch after the first of each point.
     pub touches: Vec<TouchState>,
+    /// The amount after each of them.
+    pub amounts: Vec<f64>,
     /// ln of how likely the touches are, nats.
     pub log_likelihood: f64,
     steps: Vec<FilterInterval>,
@@ -125,9 +129,11 @@ impl ThermalRun {
     pub(super) fn new(mut filter: ThermalFilter, points: &TouchedPoints, options: &StateOptions) -> Self {
         let mut now_min = points.touches.first().map_or(0.0, |touch| touch.t_min);
         let (mut seen, mut steps, mut pending) = (Vec::new(), Vec::new(), Transition::identity());
-        let mut log_likelihood = 0.0;
+        let (mut log_likelihood, mut amounts) = (0.0, Vec::new());
         for touch in &points.touches {
-            pending = advance(&mut filter, now_min, touch.t_min, &options.stops) * pending;
+            pending =
+                advance(&mut filter, now_min, touch.t_min, options.stops.as_deref().unwrap_or_default())
+                    * pending;
             now_min = touch.t_min;
             let Some(cold) = &points.cold[touch.point] else { continue };
             let square = cold.along_m.norm_squared();
@@ -155,6 +161,7 @@ impl ThermalRun {
                 left: StateEstimate::of(&filter),
                 begins_anew: outcome == Some(TouchOutcome::Reset),
             });
+            amounts.push(filter.state[AMOUNT]);
             let after = [filter.share(), filter.sigma()];
             let (line, point, t_min) = (touch.line, touch.point, touch.t_min);
             seen.push(TouchState {
@@ -168,7 +175,12 @@ impl ThermalRun {
                 smoothed: after,
             });
         }
-        Self { filter, touches: seen, log_likelihood, steps }
+        Self { filter, touches: seen, amounts, log_likelihood, steps }
+    }
+
+    /// How often the state began anew.
+    pub(super) fn begun_anew(&self) -> usize {
+        self.steps.iter().filter(|step| step.begins_anew).count()
     }
 
     /// Rauch, Tung and Striebel 1965: from the last touch back; not beyond one at which the state begins anew.

@@ -1,13 +1,18 @@
 //! The thermal state of one robot from touches of fixed points: the filter that a corrected program runs, with smoothing.
 
 use super::cold_reference;
+use super::history::{Standstill, pauses, readings};
 use super::parameters::tip_m;
 use super::plausible;
-use super::thermal_run::{FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints};
+use super::thermal_run::{
+    AMOUNT, FirstTouchOutlier, LEAST_M, StateOptions, ThermalRun, TouchState, TouchedPoints,
+};
 use super::touch_residuals::MOST_ASIDE;
 use measurements::{Fault, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
-use robot_model::deform::thermal_filter::{Covariance, StateVector, ThermalFilter, TouchOutcome};
+use robot_model::deform::thermal_filter::{
+    Covariance, LEAST_AMOUNT, MOST_SHARE, StateVector, ThermalFilter, TouchOutcome,
+};
 use robot_model::deform::{Conditions, DeformedArm, GrowthLaw};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
@@ -17,6 +22,10 @@ use thiserror::Error;
 const SHIFT_MIN: f64 = 480.0;
 /// So many refused touches are no many, whatever their share.
 const FEW: usize = 2;
+/// So much likelier, one of two histories is the right one in 19 of 20 cases, nats.
+const DECIDED_NATS: f64 = 3.0;
+/// What it costs a history that the state begins anew, nats: two touches in a row that are beyond three sigma, and a share of its own.
+const ANEW_NATS: f64 = 15.0;
 /// Between touches, minutes: what a plan compares.
 const INTERVALS_MIN: [f64; 5] = [10.0, 15.0, 30.0, 60.0, 120.0];
 
@@ -82,6 +91,37 @@ pub struct PlannedPoint {
     pub intervals: Vec<PlannedInterval>,
 }
 
+/// Where a filter holds the amount of drift.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AmountBound {
+    /// It falls to no less ([`LEAST_AMOUNT`]).
+    Least,
+    /// It grows to no more ([`MOST_SHARE`]).
+    Most,
+}
+
+impl AmountBound {
+    /// The bound that the amount was held at in some touch, and that it is no further from at the end than it is known.
+    fn of(run: &ThermalRun) -> Option<Self> {
+        let amount = run.filter.state[AMOUNT];
+        let sigma = run.filter.covariance[(AMOUNT, AMOUNT)].max(0.0).sqrt();
+        let is_held = |bound: f64| run.amounts.contains(&bound) && (amount - bound).abs() < sigma;
+        [(Self::Least, LEAST_AMOUNT), (Self::Most, MOST_SHARE)]
+            .into_iter()
+            .find(|(_, bound)| is_held(*bound))
+            .map(|(held, _)| held)
+    }
+
+    /// The word in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Least => "least",
+            Self::Most => "most",
+        }
+    }
+}
+
 /// What touches told of a robot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobotState {
@@ -95,8 +135,12 @@ pub struct RobotState {
     pub covariance: Covariance,
     /// The law of growth.
     pub law: GrowthLaw,
-    /// The robot stood in between, so that something is known of its cooling.
-    pub stood: bool,
+    /// When it stood between the touches, so that something is known of its cooling.
+    pub stops: Vec<Standstill>,
+    /// Whether that was named; otherwise it is by the long pauses between touches.
+    pub stops_are_named: bool,
+    /// At which of the filter's bounds the amount is held, if it is: this robot's lies beyond.
+    pub held_at: Option<AmountBound>,
     /// The points, the one that tells most first.
     pub plan: Vec<PlannedPoint>,
     /// What a person should look at in the touches.
@@ -164,6 +208,8 @@ pub fn thermal_state(
         cold - settled
     };
     let touched = cold_reference::placed(touches, tip_m, along_m);
+    let pauses = Pauses::of(touches, &touched, &first, options);
+    let options = &StateOptions { stops: Some(pauses.stops.clone()), ..options.clone() };
     let ReferencedRun { points, first, false_first, mut run } = ReferencedRun::new(touched, first, options);
     if run.touches.is_empty() {
         let moved = points.cold.iter().flatten().any(|place| place.along_m.norm() >= LEAST_M);
@@ -175,22 +221,92 @@ pub fn thermal_state(
     }
     run.smooth();
     run.widen(&cold_reference::errors_m(&points, &false_first, options), &first, &points, options);
-    let largest_m = points.cold.iter().flatten().map(|place| place.along_m.norm()).fold(0.0, f64::max);
-    let mut plan: Vec<PlannedPoint> = points
-        .cold
-        .iter()
-        .zip(&touches.points)
-        .filter_map(|(place, name)| Some((place.as_ref()?.along_m.norm(), name)))
-        .filter(|(settled_m, _)| *settled_m >= LEAST_M)
-        .map(|(settled_m, name)| planned(name, [settled_m, largest_m], law, options))
-        .collect();
-    plan.sort_by(|a, b| b.settled_m.total_cmp(&a.settled_m));
+    let plan = plan(&points, &touches.points, law, options);
     let [begin_min, end_min] =
         [points.touches.first(), points.touches.last()].map(|touch| touch.map_or(0.0, |t| t.t_min));
-    let stood = options.stops.iter().any(|stop| stop.to_min > begin_min && stop.from_min < end_min);
+    let mut stops = pauses.stops;
+    stops.retain(|stop| stop.to_min > begin_min && stop.from_min < end_min);
     let (state, covariance) = (run.filter.state, run.filter.covariance);
-    let warnings = law.tau_min().map_or_else(Vec::new, |tau_min| plausible::state_warnings(touches, tau_min));
-    Ok(RobotState { touches: run.touches, false_first, state, covariance, law, stood, plan, warnings })
+    let held_at = AmountBound::of(&run);
+    let of_minutes =
+        law.tau_min().map_or_else(Vec::new, |tau_min| plausible::state_warnings(touches, tau_min));
+    let warnings = of_minutes.into_iter().chain(pauses.warning).chain(held_at.map(held)).collect();
+    let stops_are_named = pauses.are_named;
+    Ok(RobotState {
+        touches: run.touches,
+        false_first,
+        state,
+        covariance,
+        law,
+        stops,
+        stops_are_named,
+        held_at,
+        plan,
+        warnings,
+    })
+}
+
+/// What follows where the amount is held.
+fn held(bound: AmountBound) -> Diagnostic {
+    let (at, than, end) = match bound {
+        AmountBound::Least => (LEAST_AMOUNT, "less", "least"),
+        AmountBound::Most => (MOST_SHARE, "more", "most"),
+    };
+    Diagnostic::warning(
+        "state::amount-held",
+        format!(
+            "the amount is held at {at:.1} times the table's settled drift, the {end} that a corrected program goes to: this robot drifts {than}, and \
+             amount, time constants and their standard deviations hold for no such robot"
+        ),
+    )
+    .help("is the table, or the model, another arm's, or its unit another? `driftpost fit` makes a table of these touches")
+}
+
+/// When the robot stood, as it was named or as the touches have it.
+struct Pauses {
+    stops: Vec<Standstill>,
+    are_named: bool,
+    warning: Option<Diagnostic>,
+}
+
+impl Pauses {
+    fn of(touches: &Touches, touched: &TouchedPoints, first: &ThermalFilter, options: &StateOptions) -> Self {
+        if let Some(named) = &options.stops {
+            return Self { stops: named.clone(), are_named: true, warning: None };
+        }
+        let found = pauses(&readings(touches));
+        let Some(longest) = found.iter().max_by(|a, b| a.length_min().total_cmp(&b.length_min())).copied()
+        else {
+            return Self { stops: found, are_named: false, warning: None };
+        };
+        let run = |stops: &[Standstill]| {
+            let options = StateOptions { stops: Some(stops.to_vec()), ..options.clone() };
+            // By the first touches as they are: a history that is wrong makes them look false, and goes well without them.
+            ThermalRun::new(first.clone(), touched, &options)
+        };
+        let [resting, working] = [run(&found), run(&[])];
+        // A history with which the state has to begin anew is the wrong one, however well the touches go on from there.
+        let anew_nats = ANEW_NATS * (working.begun_anew() as f64 - resting.begun_anew() as f64);
+        let gain_nats = resting.log_likelihood - working.log_likelihood + anew_nats;
+        let stops = if gain_nats > 0.0 { found } else { Vec::new() };
+        let warning = (gain_nats.abs() < DECIDED_NATS).then(|| undecided(longest, gain_nats > 0.0));
+        Self { stops, are_named: false, warning }
+    }
+}
+
+/// That nothing tells whether the robot stood in a pause.
+fn undecided(pause: Standstill, is_stop: bool) -> Diagnostic {
+    let history = if is_stop { "stood" } else { "worked" };
+    Diagnostic::warning(
+        "state::pause",
+        format!(
+            "nothing was touched for {:.0} minutes from minute {:.0} on, and the touches do not tell whether the robot worked or stood: it is \
+             taken to have {history}",
+            pause.length_min(),
+            pause.from_min
+        ),
+    )
+    .help("--stop FROM:TO says when it stood, --stop none that it worked")
 }
 
 /// A run of the filter over touches, and what it took for cold.
@@ -218,6 +334,26 @@ impl ReferencedRun {
         let run = ThermalRun::new(first.clone(), &touched, options);
         Self { points: touched, first, false_first: Vec::new(), run }
     }
+}
+
+/// How well touches of each point keep the state, the point that tells most first.
+fn plan(
+    points: &TouchedPoints,
+    names: &[String],
+    law: GrowthLaw,
+    options: &StateOptions,
+) -> Vec<PlannedPoint> {
+    let largest_m = points.cold.iter().flatten().map(|place| place.along_m.norm()).fold(0.0, f64::max);
+    let mut all: Vec<PlannedPoint> = points
+        .cold
+        .iter()
+        .zip(names)
+        .filter_map(|(place, name)| Some((place.as_ref()?.along_m.norm(), name)))
+        .filter(|(settled_m, _)| *settled_m >= LEAST_M)
+        .map(|(settled_m, name)| planned(name, [settled_m, largest_m], law, options))
+        .collect();
+    all.sort_by(|a, b| b.settled_m.total_cmp(&a.settled_m));
+    all
 }
 
 /// How well touches of a point keep the state over a shift.

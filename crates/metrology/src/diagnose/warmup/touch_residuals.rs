@@ -5,6 +5,7 @@ use super::parameters::PARAMETERS;
 use super::point::Point;
 use nalgebra::{SVector, Vector3};
 use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 /// The median length of a vector of three normal coordinates, in their standard deviation (the root of chi-square's median at 3).
 const MEDIAN_LENGTH: f64 = 1.538_172_3;
@@ -52,14 +53,15 @@ pub(super) fn touch_residuals(
         let settled_m = &point.signature * settled;
         let drift_m = |i: usize| settled_m * grown[i];
         let n = point.t_min.len();
-        let cold_m = point.places().map(|place| {
+        let cold_at = |place: Range<usize>| {
             let kept: Vec<usize> = place.filter(|&i| !aside.contains(&point.lines[i])).collect();
             let sum_m: Vector3<f64> = kept.iter().map(|&i| point.observed_m[i] - drift_m(i)).sum();
             sum_m / kept.len().max(1) as f64
-        });
-        let moved_at = point.places()[0].end;
+        };
+        let of_place = |place: Range<usize>| std::iter::repeat_n(cold_at(place.clone()), place.len());
+        let cold_m: Vec<Vector3<f64>> = point.places().into_iter().flat_map(of_place).collect();
         all.extend((0..n).map(|i| {
-            let before_m = point.observed_m[i] - cold_m[usize::from(i >= moved_at)];
+            let before_m = point.observed_m[i] - cold_m[i];
             TouchResidual {
                 line: point.lines[i],
                 point: names.get(point.index).cloned().unwrap_or_default(),
