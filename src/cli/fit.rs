@@ -1,6 +1,7 @@
 //! `driftpost fit`: a deformation table from fixed points touched over a warm-up.
 
 use super::measured::MeasurementArgs;
+use super::overwriting;
 use super::page::ReportArgs;
 use super::program_input::ProgramInput;
 use super::sealed::{Language, Sealed};
@@ -77,9 +78,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (touches, given) = args.source.touches(console)?;
     args.stop.check_before(touches.span_min()[1])?;
     console.explain(&LocatedDiagnostic::all(no_tool(args.tool.as_deref(), &touches), &[]), true);
-    let sealed = |path, language| Sealed::new(path, language, args.force);
-    let table_out = args.table_out.as_deref().map(|path| sealed(path, Language::Csv)).transpose()?;
-    let model_out = args.model_out.as_deref().map(|path| sealed(path, Language::Toml)).transpose()?;
+    if let Some(table) = args.table_out.as_deref().filter(|_| !args.force) {
+        overwriting::check_table(table)?;
+    }
+    let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
+    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
+    let model_out = args.model_out.as_deref().map(sealed).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
@@ -91,7 +95,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let found = at_work(args, fitted)?;
 
     if let Some(file) = table_out {
-        file.write(&found.table_csv())?;
+        file.write(found.table_csv().as_bytes())?;
     }
     if let Some(file) = model_out {
         file.write(&found.model(&given.name, &given.sha256).to_toml())?;

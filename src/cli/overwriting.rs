@@ -3,6 +3,7 @@
 use super::copies::Copies;
 use super::files::{self, PENDING};
 use crate::application::EarlierResult;
+use crate::report::fit as report;
 use rapid_program::MEASURING_MODULE;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
@@ -116,6 +117,33 @@ pub fn check_page(path: &Path) -> Result<(), Diagnostic> {
     }
     let text = format!("{} is no page, and a page would be written over it", path.display());
     Err(Diagnostic::error("output::changed", text).help("name another place with --report, or take it away"))
+}
+
+/// Refuses to overwrite anything but a deformation table as `fit --table-out` prints it: a table is read by other programs too and holds
+/// no digest, but a number that was typed has seldom all of its decimals.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_table(path: &Path) -> Result<(), Diagnostic> {
+    let Some(there) = bytes_of_file(path).filter(|there| !there.is_empty()) else { return Ok(()) };
+    let text = String::from_utf8_lossy(&there);
+    let mut lines = text.lines();
+    let is_table = lines.next() == Some(report::TABLE_HEADER);
+    let decimals = |cell: &str| cell.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let is_as_printed = |line: &str| {
+        let cells: Vec<&str> = line.split(',').collect();
+        matches!(cells.as_slice(), [t_min, _, values @ ..]
+            if decimals(t_min) == report::TIME_DECIMALS
+                && values.iter().all(|value| decimals(value) == report::VALUE_DECIMALS))
+    };
+    let against = match (is_table, lines.all(is_as_printed)) {
+        (true, true) => return Ok(()),
+        (true, false) => "was changed since it was written",
+        (false, _) => "is no table that fit wrote",
+    };
+    let text = format!("{} {against}", path.display());
+    Err(Diagnostic::error("output::changed", text)
+        .help("name another place with --table-out, or say --force"))
 }
 
 /// Refuses to overwrite anything but poses as `plan --csv` lists them.

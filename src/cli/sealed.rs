@@ -1,4 +1,4 @@
-//! Files that a person may correct by hand: robots, models, deformation tables, modules that measure. A line of theirs holds the digest of all others, so that
+//! Files that a person may correct by hand: robots, models, modules that measure. A line of theirs holds the digest of all others, so that
 //! what was changed since is not overwritten.
 
 use super::files::Pending;
@@ -15,8 +15,6 @@ const MARK: &str = "Digest of all other lines, by driftpost: ";
 pub enum Language {
     /// The line stands at the end.
     Toml,
-    /// The same, in a table of which a reader leaves such lines out.
-    Csv,
     /// The line stands behind the module's head.
     Rapid,
 }
@@ -39,7 +37,7 @@ impl Sealed {
             (Some(false), _) => Some("was changed since it was written"),
             // What a module of somebody else's is, is looked at where it is to be replaced.
             (None, Language::Rapid) => None,
-            (None, Language::Toml | Language::Csv) => Some("is no file that this program wrote"),
+            (None, Language::Toml) => Some("is no file that this program wrote"),
         });
         if let Some(against) = against {
             let text = format!("{} {against}", path.display());
@@ -65,7 +63,7 @@ impl Sealed {
 /// The text with its digest in a line of its own.
 fn seal(text: &str, language: Language) -> String {
     let (at, comment) = match language {
-        Language::Toml | Language::Csv => (text.len(), "# "),
+        Language::Toml => (text.len(), "# "),
         Language::Rapid => (text.find('\n').map_or(text.len(), |end| end + 1), "  ! "),
     };
     let (before, behind) = text.split_at(at);
@@ -88,7 +86,7 @@ mod tests {
     #[test]
     fn a_change_of_any_line_is_seen_and_a_file_without_a_digest_is_nobodys() {
         let text = "MODULE A\n  ! of somebody\nENDMODULE\n";
-        for language in [Language::Toml, Language::Csv, Language::Rapid] {
+        for language in [Language::Toml, Language::Rapid] {
             let sealed = seal(text, language);
             assert_eq!(is_as_written(sealed.as_bytes()), Some(true), "{sealed}");
             for (of, by) in [("MODULE A", "MODULE B"), ("somebody", "me"), ("ENDMODULE\n", "ENDMODULE\n\n")] {

@@ -227,16 +227,23 @@ fn minutes(w: &WarmUp) -> Vec<f64> {
     all
 }
 
+/// The first line of a deformation table by warm-up time.
+pub const TABLE_HEADER: &str = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg";
+/// Decimals of its minutes.
+pub const TIME_DECIMALS: usize = 3;
+/// Decimals of its millimetres and degrees.
+pub const VALUE_DECIMALS: usize = 8;
+
 /// The deformation table in the scheduled long form.
 #[must_use]
 pub fn table_csv(w: &WarmUp) -> String {
     let deformation: Deformation = w.deformation();
-    let mut out = String::from("t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n");
+    let mut out = format!("{TABLE_HEADER}\n");
     for t_min in minutes(w) {
         for (joint, row) in deformation.offsets_at(t_min).0.iter().take(6).enumerate() {
-            let _ = write!(out, "{t_min:.3},{}", Axis::at(joint));
+            let _ = write!(out, "{t_min:.TIME_DECIMALS$},{}", Axis::at(joint));
             for (k, value) in row.iter().enumerate() {
-                let _ = write!(out, ",{:.8}", unit(k).1(*value));
+                let _ = write!(out, ",{:.VALUE_DECIMALS$}", unit(k).1(*value));
             }
             out.push('\n');
         }

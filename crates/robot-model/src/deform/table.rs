@@ -20,7 +20,7 @@ impl Deformation {
     /// [`DeformError::GrowthNotUsed`] for a scheduled one with it.
     pub fn from_csv(bytes: &[u8], growth: Option<GrowthLaw>) -> Result<Self, DeformError> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-        let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
+        let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(bytes);
         let lines = LineIndex::new(bytes);
         let csv_error = |error: csv::Error| {
             let (line, message) = crate::csv_lines::line_and_problem(&lines, bytes, &error, false);
