@@ -307,18 +307,7 @@ impl Term {
                     *turn_rad += kg * v(j + 1) * loads.unit_torque_n_m[j];
                 }
             }
-            EffectKind::BaseTilt => {
-                let mut turn = Vector3::new(v(0), v(1), 0.0).component_mul(&loads.base_moment_n_m);
-                for (k, moment) in loads.link_base_moment_n_m.iter().enumerate().take(joints) {
-                    turn += moment * v(k + 2);
-                }
-                to.offsets.0[0][3] += turn.x;
-                to.offsets.0[0][4] += turn.y;
-                // A turn about what lies below joint 1's origin carries that along: x under a turn about y, and -y about x.
-                let [x, y] = TILT_SHIFT;
-                to.offsets.0[0][0] += v(x) * loads.base_moment_n_m.y;
-                to.offsets.0[0][1] -= v(y) * loads.base_moment_n_m.x;
-            }
+            EffectKind::BaseTilt => self.add_tilt(joints, loads, &mut to.offsets.0[0]),
             EffectKind::LinkBending => {
                 let link = joint.min(joints - 2);
                 let ends = [frames[link].translation.vector, frames[link + 1].translation.vector];
@@ -344,5 +333,21 @@ impl Term {
             }
             _ => {}
         }
+    }
+
+    /// Turns and shifts the base, whose row of offsets is `base`, under the arm's moment.
+    fn add_tilt(&self, joints: usize, loads: &Loads, base: &mut [f64; 6]) {
+        let v = |i: usize| self.value(i);
+        let moment = &loads.base_moment_n_m;
+        let mut turn = Vector3::new(v(0), v(1), 0.0).component_mul(moment);
+        for (k, of_link) in loads.link_base_moment_n_m.iter().enumerate().take(joints) {
+            turn += of_link * v(k + 2);
+        }
+        base[3] += turn.x;
+        base[4] += turn.y;
+        // A turn about what lies below joint 1's origin carries that along: x under a turn about y, and -y about x.
+        let [x, y] = TILT_SHIFT;
+        base[0] += v(x) * moment.y;
+        base[1] -= v(y) * moment.x;
     }
 }
