@@ -37,7 +37,8 @@ impl Sealed {
             (Some(false), _) => Some("was changed since it was written"),
             // What a module of somebody else's is, is looked at where it is to be replaced.
             (None, Language::Rapid) => None,
-            (None, Language::Toml) => Some("is no file that this program wrote"),
+            // One of an earlier version or of somebody's own hand is replaced, as its name asks; what is no such file is not.
+            (None, Language::Toml) => (!is_toml(&bytes)).then_some("is no file that this program wrote"),
         });
         if let Some(against) = against {
             let text = format!("{} {against}", path.display());
@@ -58,6 +59,10 @@ impl Sealed {
     pub fn write(self, text: &str) -> Result<(), Diagnostic> {
         self.file.write(seal(text, self.language).as_bytes())
     }
+}
+
+fn is_toml(bytes: &[u8]) -> bool {
+    std::str::from_utf8(bytes).is_ok_and(|text| text.parse::<toml::Table>().is_ok())
 }
 
 /// The text with its digest in a line of its own.
