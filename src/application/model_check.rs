@@ -92,7 +92,7 @@ impl ModelCheck {
         let readings = readings(measurements);
         let worked = check(&[])?;
         let stops = pauses(&readings);
-        let Some(longest) = stops.iter().max_by(|a, b| a.length_min().total_cmp(&b.length_min())) else {
+        let Some(longest) = Standstill::longest(&stops) else {
             let first_min = readings.first().map_or(0.0, |reading| reading.0);
             let is_late = law.tau_min().is_some_and(|tau_min| first_min > LATE_START * tau_min);
             let warning = is_late.then(|| late(first_min));
@@ -100,7 +100,7 @@ impl ModelCheck {
         };
         let with_stops = check(&stops)?;
         let [left_mm, left_worked_mm] = [&with_stops, &worked].map(|one| one.all.model.rms_mm);
-        let warning = pause(*longest, left_mm, left_worked_mm);
+        let warning = pause(longest, left_mm, left_worked_mm);
         Ok(if left_mm <= left_worked_mm {
             WithStops { validation: with_stops, stops, warning }
         } else {

@@ -103,6 +103,11 @@ pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
     Err(Diagnostic::error("output::changed", text).help("name another place for the sheet, or say --force"))
 }
 
+/// That what stands at `path` is kept, and why.
+fn kept(path: &Path, why: &str, help: &'static str) -> Diagnostic {
+    Diagnostic::error("output::changed", format!("{} {why}", path.display())).help(help)
+}
+
 /// Refuses to overwrite anything but a page for a browser.
 ///
 /// # Errors
@@ -115,8 +120,11 @@ pub fn check_page(path: &Path) -> Result<(), Diagnostic> {
     if there.is_empty() || there.get(..PAGE.len()).is_some_and(|head| head.eq_ignore_ascii_case(PAGE)) {
         return Ok(());
     }
-    let text = format!("{} is no page, and a page would be written over it", path.display());
-    Err(Diagnostic::error("output::changed", text).help("name another place with --report, or take it away"))
+    Err(kept(
+        path,
+        "is no page, and a page would be written over it",
+        "name another place with --report, or take it away",
+    ))
 }
 
 /// Refuses to overwrite anything but a deformation table as `fit --table-out` prints it: a table is read by other programs too and holds
@@ -160,8 +168,7 @@ pub fn check_poses(path: &Path) -> Result<(), Diagnostic> {
     {
         return Ok(());
     }
-    let text = format!("{} is no list of poses that a plan wrote", path.display());
-    Err(Diagnostic::error("output::changed", text).help("name another place with --csv, or say --force"))
+    Err(kept(path, "is no list of poses that a plan wrote", "name another place with --csv, or say --force"))
 }
 
 /// The columns of a sheet that are filled in by hand.

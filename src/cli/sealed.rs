@@ -26,7 +26,7 @@ pub struct Sealed {
 }
 
 impl Sealed {
-    /// Makes sure that `path` can be written, and that what stands there was not changed since it was, and is none of somebody else's.
+    /// Makes sure that `path` can be written, and that what stands there was not changed since it was written, and is a file of its kind.
     ///
     /// # Errors
     /// `output::unwritable`; `output::changed` without `force`.

@@ -3,6 +3,7 @@
 use super::model;
 use super::number::positive;
 use crate::application::joints_rad;
+use measurements::Touches;
 use metrology::diagnose::DiagnosisOptions;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -161,4 +162,16 @@ pub fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
         [x, y, z] if numbers.iter().all(|n| n.is_finite()) => Ok(Vector3::new(x, y, z).map(m_from_mm)),
         _ => Err(wrong()),
     }
+}
+
+/// That the tip is taken to be at the flange's centre, where nothing names it and touches do not tell it by themselves.
+pub fn no_tool(tool: Option<&str>, touches: &Touches) -> Option<Diagnostic> {
+    let are_touched = touches.touches.iter().all(|touch| touch.measured_m.is_none());
+    (tool.is_none() && are_touched).then(|| {
+        Diagnostic::warning(
+            "fit::no-tool",
+            "no --tool: the tip is taken to be at the flange's centre, and the drift of that is what the touches are read as",
+        )
+        .help("--tool X,Y,Z names its place in the flange's frame, mm, to about a millimetre; --tool 0,0,0 says that it is there")
+    })
 }

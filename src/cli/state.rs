@@ -3,8 +3,8 @@
 use super::measured::MeasurementArgs;
 use super::number::{minutes, positive};
 use super::other_robot::OtherRobotArgs;
-use super::shared::{RobotName, tool};
-use super::stops::{StopArgs, no_tool};
+use super::shared::{RobotName, no_tool, tool};
+use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::StateEstimation;

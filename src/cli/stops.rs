@@ -1,6 +1,5 @@
 //! `--stop`: when a robot stood while it was touched or measured.
 
-use measurements::Touches;
 use metrology::diagnose::warmup::Standstill;
 use rapid_syntax::diagnostic::Diagnostic;
 
@@ -75,18 +74,6 @@ pub fn one_stop(text: &str) -> Result<Standstill, String> {
 
 fn refused(text: &str, why: &str) -> Diagnostic {
     Diagnostic::error("fit::stop", format!("--stop {text} {why}"))
-}
-
-/// That the tip is taken to be at the flange's centre, where nothing names it and touches do not tell it by themselves.
-pub fn no_tool(tool: Option<&str>, touches: &Touches) -> Option<Diagnostic> {
-    let are_touched = touches.touches.iter().all(|touch| touch.measured_m.is_none());
-    (tool.is_none() && are_touched).then(|| {
-        Diagnostic::warning(
-            "fit::no-tool",
-            "no --tool: the tip is taken to be at the flange's centre, and the drift of that is what the touches are read as",
-        )
-        .help("--tool X,Y,Z names its place in the flange's frame, mm, to about a millimetre; --tool 0,0,0 says that it is there")
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What every emitted program keeps to, and the way back to the original.
 
 mod line_ends;
+mod long;
 mod pages;
 mod real;
 pub mod tokens;
@@ -487,17 +488,4 @@ fn what_is_not_ours_or_was_edited_beyond_is_said() {
 #[test]
 fn the_same_input_gives_the_same_bytes() {
     assert_eq!(lone(NAMED), lone(NAMED));
-}
-
-/// Those that take seconds: `cargo test --test it -- --ignored long::`.
-mod long {
-    use super::*;
-
-    #[test]
-    #[ignore = "long"]
-    fn fixtures_keep_all_else_and_come_back() {
-        let mut programs = folders::modules_below(&folders::fixtures());
-        programs.retain(|path| !path.components().any(|part| part.as_os_str() == "expected"));
-        assert!(check_files(&programs) > 20);
-    }
 }

@@ -54,13 +54,13 @@ impl Original {
 /// A motion's target as the source has it.
 #[derive(Clone, Copy)]
 pub(super) struct TargetText<'a> {
-    /// The text.
+    /// The argument as it is written in the source.
     pub(super) text: &'a [u8],
     /// Where the motion's target stands.
     pub(super) range: TextRange,
     /// The text stands there; else an array does, and the comment block holds the text.
     pub(super) is_there: bool,
-    /// What corrects it.
+    /// Its first correction, as [`corrected_by`] has it.
     pub(super) by: Chained,
 }
 
@@ -112,9 +112,9 @@ impl<'d, 't> Originals<'d, 't> {
         if is_value(text) {
             return each(Original::of_value(range, None, by));
         }
-        let mut reader = ExpressionReader { originals: self, routine, each: &mut each, by, said: by };
+        let mut reader = ExpressionReader { originals: self, routine, each: &mut each, by, content: by };
         reader.read(text, is_there.then_some(range.start), DEPTH);
-        let whose = reader.said;
+        let whose = reader.content;
         let is_name_alone = is_name(text.trim_ascii()) && whose == by.and_word(text.trim_ascii());
         if !is_name_alone && self.expressions.insert(whose) {
             each(Original { is_expression: true, ..Original::of_value(range, None, whose) });
@@ -163,8 +163,8 @@ struct ExpressionReader<'r, 'd, 't> {
     each: &'r mut dyn FnMut(Original),
     /// What corrects it, with a number for each target that is written out.
     by: Chained,
-    /// Words, signs and numbers, with those of the constants that are named.
-    said: Chained,
+    /// Words, signs and numbers of the expression, with the numbers of the constants that it names.
+    content: Chained,
 }
 
 impl ExpressionReader<'_, '_, '_> {
@@ -184,7 +184,7 @@ impl ExpressionReader<'_, '_, '_> {
             if matches!(byte, b'0'..=b'9' | b'!') || byte == b'[' && length > 1 || white(byte) {
                 continue;
             }
-            self.said = self.said.and_word(token);
+            self.content = self.content.and_word(token);
             // What stands behind a point or a backslash is a component or a parameter.
             if word_length(token) > 0 && !matches!(before, b'.' | b'\\') {
                 self.name(token, depth);
@@ -193,7 +193,7 @@ impl ExpressionReader<'_, '_, '_> {
         }
     }
 
-    /// An aggregate of numbers: a target is an original, of any other its numbers are said. Gives its length, or that of its bracket.
+    /// An aggregate of numbers: a target is an original, of any other its numbers are content. Gives its length, or that of its bracket.
     fn aggregate(&mut self, rest: &[u8], at: Option<u32>) -> usize {
         let mut open = 0_u32;
         let end = rest.iter().position(|byte| {
@@ -207,8 +207,9 @@ impl ExpressionReader<'_, '_, '_> {
         let Some(text) = end.and_then(|end| rest.get(..=end)).filter(|text| is_plain(text)) else { return 1 };
         if !is_target(text) {
             let numbers = singles(text).unwrap_or_default();
-            self.said =
-                numbers.into_iter().fold(self.said, |said, number| said.and_number(six_digits(number)));
+            self.content = numbers
+                .into_iter()
+                .fold(self.content, |content, number| content.and_number(six_digits(number)));
         } else if let Some(at) = at.filter(|at| self.originals.seen.insert(*at)) {
             let value = TextRange::new(at, at + text.len() as u32);
             self.by = self.by.and_number(1.0);
@@ -217,7 +218,7 @@ impl ExpressionReader<'_, '_, '_> {
         text.len()
     }
 
-    /// A number is said; gives its length.
+    /// Takes a number into the content; gives its length.
     fn number(&mut self, rest: &[u8]) -> usize {
         let is_part = |at: usize| {
             let before = at.checked_sub(1).and_then(|before| rest.get(before));
@@ -226,9 +227,9 @@ impl ExpressionReader<'_, '_, '_> {
         };
         let length = (0..rest.len()).find(|at| !is_part(*at)).unwrap_or(rest.len());
         let (text, _) = rest.split_at(length);
-        self.said = match fast_float2::parse::<f32, _>(text) {
-            Ok(number) => self.said.and_number(six_digits(number)),
-            Err(_) => self.said.and_word(text),
+        self.content = match fast_float2::parse::<f32, _>(text) {
+            Ok(number) => self.content.and_number(six_digits(number)),
+            Err(_) => self.content.and_word(text),
         };
         length
     }
@@ -241,7 +242,7 @@ impl ExpressionReader<'_, '_, '_> {
         match declarations.declared(name, self.routine) {
             Declared::Value { name, init, is_persistent } if is_value(init.of(bytes)) => {
                 let is_new = self.originals.seen.insert(name.start);
-                let (mut whose, mut loose) = (whose, self.said);
+                let (mut whose, mut loose) = (whose, self.content);
                 each_target(bytes, init, &mut |value, is_part| {
                     if !is_part {
                         let number = singles(value.of(bytes)).and_then(|numbers| numbers.first().copied());
@@ -252,7 +253,7 @@ impl ExpressionReader<'_, '_, '_> {
                     whose = whose.and_number(1.0);
                 });
                 if !is_persistent {
-                    self.said = loose;
+                    self.content = loose;
                 }
             }
             Declared::Value { init, is_persistent: false, .. } if depth > 0 => {
@@ -261,7 +262,7 @@ impl ExpressionReader<'_, '_, '_> {
             Declared::Array(number) => {
                 let Some(array) = declarations.array(number) else { return };
                 if let Some(numbers) = array.numbers {
-                    self.said = self.said.and_word(&numbers);
+                    self.content = self.content.and_word(&numbers);
                 }
                 if !self.originals.seen.insert(array.name.start) {
                     return;

@@ -53,7 +53,7 @@ impl PrincipalDirections {
         ])
     }
 
-    /// Of one parameter.
+    /// A candidate of one parameter, which is its own direction.
     pub(super) fn of_one(eigenvalue: f64, with_y: f64) -> Self {
         Self::Few([PrincipalDirection { eigenvalue, with_y }, PrincipalDirection::MISSING])
     }

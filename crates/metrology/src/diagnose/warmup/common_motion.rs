@@ -41,7 +41,7 @@ impl MovedBody {
 pub struct CommonStep {
     /// The last touch before and the first after it, minutes since the cold start.
     pub between_min: [f64; 2],
-    /// What moved.
+    /// Whether the points moved as one body, or the tip did.
     pub body: MovedBody,
     /// How far the points moved, rms in space, metres.
     pub shift_m: f64,

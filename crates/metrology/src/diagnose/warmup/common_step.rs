@@ -27,7 +27,7 @@ const LEAST_OF_DRIFT: f64 = 0.02;
 /// Steps below so many standard deviations of rounding are one or two of the last digit's.
 const ROUNDINGS: f64 = 12.0;
 /// An instrument that is moved more often within one warm-up is none that was set up.
-const MOST_STEPS: usize = 4;
+pub(super) const MOST_STEPS: usize = 4;
 /// Fits without what looked false in the one before, at most.
 const MOST_ROUNDS: usize = 6;
 
@@ -77,7 +77,7 @@ struct StepSearch {
 /// What a course, with a motion or without, leaves of all touches.
 struct CourseFit {
     motion: Option<Motion>,
-    /// By point.
+    /// What is left of each touch, metres, point by point.
     left_m: Vec<Vec<Vector3<f64>>>,
     kept: Vec<Vec<usize>>,
     sigma_m: f64,

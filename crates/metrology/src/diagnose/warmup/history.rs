@@ -37,6 +37,12 @@ impl Standstill {
     pub fn length_min(&self) -> f64 {
         self.to_min - self.from_min
     }
+
+    /// The longest of several.
+    #[must_use]
+    pub fn longest(stops: &[Self]) -> Option<Self> {
+        stops.iter().max_by(|a, b| a.length_min().total_cmp(&b.length_min())).copied()
+    }
 }
 
 impl fmt::Display for Standstill {

@@ -2,7 +2,7 @@
 //! of the instrument and one place of the tip see it.
 
 use super::common_motion::{CommonStep, MovedBody};
-use super::common_step::{self, FoundStep};
+use super::common_step::{self, FoundStep, MOST_STEPS};
 use super::fit_error::FitError;
 use super::history::Standstill;
 use super::parameters::{signature, tip_m};
@@ -22,10 +22,8 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 const SAME_POSE_RAD: f64 = 0.02;
 /// Points that are touched less often tell no course.
 const FEWEST_TOUCHES: usize = 6;
-/// An instrument that is moved more often within one warm-up is none that was set up.
-const MOST_MOVES: usize = 4;
 
-/// What touches show.
+/// What touches show of the arm's drift, and of what moved beside it.
 pub(super) struct Observed {
     /// Each with its touches: how far the real tool is from where the nominal arm believes it, up to a constant of each place, metres.
     pub(super) points: Vec<Point>,
@@ -185,7 +183,7 @@ impl Seen {
 
     /// Readings of stands that are further apart than an arm errs, in the frame of the first.
     fn bring_into_one_frame(&mut self, arm: &SerialArm, tool_m: Vector3<f64>) {
-        for _ in 0..MOST_MOVES {
+        for _ in 0..MOST_STEPS {
             let row = |(station, pose): (&Station, &Isometry3<f64>)| PosedRow {
                 station: station.clone(),
                 pose: *pose,

@@ -275,8 +275,7 @@ impl Pauses {
             return Self { stops: named.clone(), are_named: true, warning: None };
         }
         let found = pauses(&readings(touches));
-        let Some(longest) = found.iter().max_by(|a, b| a.length_min().total_cmp(&b.length_min())).copied()
-        else {
+        let Some(longest) = Standstill::longest(&found) else {
             return Self { stops: found, are_named: false, warning: None };
         };
         let run = |stops: &[Standstill]| {

@@ -56,7 +56,7 @@ impl AddedNames {
         for name in self.ours.iter().chain(&self.public) {
             begins.iter_mut().zip(name).for_each(|(begins, &letter)| begins[usize::from(letter)] = true);
         }
-        let mut look = |word: &[u8]| {
+        let mut check = |word: &[u8]| {
             let may_be = word.len() > 2
                 && begins
                     .iter()
@@ -73,7 +73,7 @@ impl AddedNames {
                 public.push(named());
             }
         };
-        code_parts(restored, |part| words(part, &mut look));
+        code_parts(restored, |part| words(part, &mut check));
         ours.map_or(Ok(public), Err)
     }
 }
