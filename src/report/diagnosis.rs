@@ -202,14 +202,13 @@ fn note(channel: MissingChannel) -> &'static str {
 
 /// Whether an effect cannot be tested at all, for the file lacks what drives it.
 fn misses_a_channel(d: &Findings) -> bool {
-    let whole = d.untestable_detail.iter().filter(|entry| entry.joints.is_empty());
-    whole.map(|entry| entry.effect).any(|effect| effect != EffectKind::InstrumentScale)
+    d.untestable_detail.iter().any(|entry| entry.lacks_channel)
 }
 
 /// Whether play is named in a file that has no directions.
 fn play_or_spring(d: &Findings) -> bool {
     d.causes.iter().any(|c| c.effect == EffectKind::Backlash)
-        && d.untestable_detail.iter().any(|u| u.effect == EffectKind::Backlash && u.joints.is_empty())
+        && d.untestable_detail.iter().any(|u| u.effect == EffectKind::Backlash && u.lacks_channel)
 }
 
 /// What the one cause means, in brackets.

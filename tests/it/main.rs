@@ -23,6 +23,7 @@ mod controller;
 mod corpus;
 mod corpus_table;
 mod deformed_inverse;
+mod detection_limits;
 mod diagnose;
 mod docs_commands;
 mod emit;

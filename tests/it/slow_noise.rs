@@ -108,6 +108,26 @@ fn slow_noise_on_top_of_what_is_stated_hides_no_cause() {
     assert_eq!(found["verdict"], "nothing_above_noise", "{}", found["reason"]);
 }
 
+/// Noise that is 1.6 times what is stated passes for noise; that it is larger is then worth a word, and noise that is stated as it is is not.
+#[test]
+fn noise_larger_than_stated_is_warned_of() {
+    let csv = rows_of(Recipe { repeats: 0, ..crate::recipe::planted(vec![], 100) }, 5);
+    let warning = |stated_mm: f64| {
+        let found = diagnose(&csv, &["--sigma-mm", &stated_mm.to_string()]);
+        assert_eq!(found["verdict"], "nothing_above_noise", "{}", found["reason"]);
+        let warnings = found["warnings"].as_array().unwrap();
+        let of_noise = warnings.iter().find(|warning| warning["code"] == "diagnose::noise");
+        of_noise.map(|warning| warning["message"].as_str().unwrap().to_owned())
+    };
+    assert_eq!(warning(SIGMA_MM), None);
+    let message = warning(SIGMA_MM / 1.6).unwrap();
+    // The sigma of 300 coordinates is known to a twenty-fifth.
+    assert!(
+        message.contains("1.6 times") || message.contains("1.5 times") || message.contains("1.7 times"),
+        "{message}"
+    );
+}
+
 /// Errors of all frames that make seven eighths of the gap are no noise because noise is slow beside them.
 #[test]
 fn geometry_beside_slow_noise_is_geometry() {

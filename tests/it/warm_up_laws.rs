@@ -1,13 +1,11 @@
 //! How large a drift settles where its time constant is none of those that a search tries first.
 
-use exam::rng::Rng;
+use crate::recipe::rows_each_minute;
 use measurements::Measurements;
 use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
-use nalgebra::{Point3, Vector3};
+use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
-use robot_model::kinematics::Chain;
 use robot_model::robot::{Robot, SerialArm};
-use std::fmt::Write as _;
 
 const TOOL_M: [f64; 3] = [0.06, 0.04, 0.1];
 const DRIFT_RAD: f64 = 4e-4;
@@ -15,27 +13,10 @@ const SIGMA_MM: f64 = 0.02;
 
 /// A pose a minute for so long; joint 2 stands further by 0.4 mrad (1 - e^(-t / tau)) than the file says.
 fn warming(minutes: usize, tau_min: f64, seed: u64) -> Findings {
-    let robot = Robot::built_in("irb140").unwrap();
-    let (chain, mut rng) = (Chain::nominal(&robot), Rng::new(seed, 0));
-    let mut csv = "t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
-    for t_min in 0..minutes {
-        let q_deg = [
-            (-120.0, 120.0),
-            (-55.0, 80.0),
-            (-100.0, 45.0),
-            (-119.0, 119.0),
-            (-110.0, 110.0),
-            (-119.0, 119.0),
-        ]
-        .map(|(low, high)| rng.uniform(low, high));
-        let mut stood_rad = q_deg.map(f64::to_radians);
-        stood_rad[1] += DRIFT_RAD * (1.0 - (-(t_min as f64) / tau_min).exp());
-        let point_mm = (chain.forward(&stood_rad) * Point3::from(Vector3::from(TOOL_M))).coords * 1e3;
-        let seen_mm = point_mm + SIGMA_MM * Vector3::from(rng.normal3());
-        let joints = q_deg.map(|q| format!("{q:.6}")).join(",");
-        writeln!(csv, "{t_min},{joints},{:.5},{:.5},{:.5}", seen_mm.x, seen_mm.y, seen_mm.z).unwrap();
-    }
+    let drift_rad = |t_min: f64| [0.0, DRIFT_RAD * (1.0 - (-t_min / tau_min).exp()), 0.0, 0.0, 0.0, 0.0];
+    let csv = rows_each_minute(minutes, TOOL_M, SIGMA_MM, seed, drift_rad);
     let options = DiagnosisOptions { tool_m: Some(Vector3::from(TOOL_M)), sigma_m: Some(1e-3 * SIGMA_MM) };
+    let robot = Robot::built_in("irb140").unwrap();
     diagnose(&Measurements::from_csv(csv.as_bytes()).unwrap(), &SerialArm::from(&robot), &options)
 }
 

@@ -4,7 +4,7 @@
 
 use super::balancing::balancing;
 use super::dataset::Twist;
-use super::evidence::NuisanceModel;
+use super::detection_limit::DetectionLimits;
 use super::false_row::false_rows;
 use super::finer_taus::with_finer_taus;
 use super::heldout;
@@ -20,16 +20,14 @@ use super::next_measurements::next_measurements;
 use super::no_model::{NoModel, only_cause_beyond};
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
-use super::outcome::{
-    Detectable, ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning,
-};
+use super::outcome::{ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning};
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
-use super::search::{ALARM_NATS, cause_columns};
+use super::stated_noise::understated_noise;
 use super::step_fault::impossible_step;
 use super::tool_apart::tool_elsewhere;
 use super::verdict::{Judgement, judge, worse_elsewhere};
-use super::visible::{INVISIBLE, visible};
+use super::visible::visible;
 use super::zeros::zeros;
 use measurements::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
@@ -124,11 +122,7 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
         }
     });
     let mut diagnosis = consequences(prepared, shrink, &mut fitted, judgement);
-    diagnosis.untestable_detail = visible.untestable;
-    diagnosis.untestable_detail.extend(hidden_scale(&diagnosis, &fitted));
-    diagnosis.untestable = diagnosis.untestable_detail.iter().map(|d| d.effect).collect();
-    diagnosis.untestable.sort_by_key(|kind| kind.name());
-    diagnosis.untestable.dedup();
+    name_untestable(&mut diagnosis, visible.untestable, &fitted);
     let Some(identification) = identification else {
         let why = misses_stated(&fitted, prepared.options).or_else(|| only_cause_beyond(&fitted));
         diagnosis.no_model = why.map(|why| why.to_string());
@@ -137,6 +131,18 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     diagnosis.warnings.splice(0..0, identification.warnings());
     diagnosis.no_model = identification.no_model();
     Evaluation { diagnosis, identified: identification.found.ok() }
+}
+
+/// Puts what base and target take whole before what would have to be too large to be seen.
+fn name_untestable(diagnosis: &mut Findings, hidden: Vec<Untestable>, fitted: &FittedModel<'_>) {
+    let too_small = std::mem::take(&mut diagnosis.untestable_detail);
+    let hidden: Vec<Untestable> = hidden.into_iter().chain(hidden_scale(diagnosis, fitted)).collect();
+    // An effect that other joints show is not one that these data cannot show.
+    let of_whole_arm = too_small.iter().filter(|entry| entry.joints.is_empty());
+    diagnosis.untestable = hidden.iter().chain(of_whole_arm).map(|entry| entry.effect).collect();
+    diagnosis.untestable.sort_by_key(|kind| kind.name());
+    diagnosis.untestable.dedup();
+    diagnosis.untestable_detail = hidden.into_iter().chain(too_small).collect();
 }
 
 /// The arm about the joints as the causes of `fitted` have turned them, where that is another one.
@@ -162,16 +168,18 @@ fn consequences(
     let zeros_alone = (geometry_tolerances > BEYOND).then(|| zeros(fitted)).flatten();
     let next = next_measurements(measured.robot, fitted, &judgement, options);
     let false_rows = false_rows(measured, fitted);
+    let limits = DetectionLimits::of(fitted);
     Findings {
         warnings: region_warning(&shrink, fitted)
             .into_iter()
+            .chain(understated_noise(fitted, &judgement))
             .chain(play_ahead(fitted, &judgement.causes))
             .chain(tool_elsewhere(linear, measured.stations.targets, options))
             .chain(balancing(linear.dataset.may_be_balanced, &judgement.causes))
             .collect(),
         shrink,
         zeros_alone,
-        noise: noise_estimate(prepared, fitted, judgement.reduced_chi_square),
+        noise: noise_estimate(prepared, fitted, judgement.reduced_chi_square.map(|chi| chi.value)),
         next_measurements: next.measurements,
         next_reason: next.step.reason.clone(),
         next_step: next.step,
@@ -179,7 +187,8 @@ fn consequences(
         alternatives: judgement.alternatives,
         location: judgement.location,
         missing_channel: judgement.missing_channel,
-        detectable: detectable(fitted),
+        detectable: limits.detectable,
+        untestable_detail: limits.untestable,
         false_lines: false_rows.iter().map(|row| row.line).collect(),
         false_rows,
         residuals: residuals(measured, fitted),
@@ -241,36 +250,8 @@ fn hidden_scale(diagnosis: &Findings, fitted: &FittedModel<'_>) -> Option<Untest
         joints: Vec::new(),
         reason: "the links' lengths are free within their tolerance, and a small scale lies inside them: a scale bar tells"
             .to_owned(),
+        lacks_channel: false,
     })
-}
-
-/// For each effect and joint the size that would have passed the alarm.
-fn detectable(fitted: &FittedModel<'_>) -> Vec<Detectable> {
-    let FittedModel { model, workspace, .. } = fitted;
-    let groups = workspace.design.all_groups();
-    let also = cause_columns(&model.chosen, None);
-    let nuisance = NuisanceModel::new(&workspace.design, &groups, &also, model.noise);
-    let mut seen: Vec<Detectable> = Vec::new();
-    for (candidate, products) in workspace.library.candidates.iter().zip(&workspace.library.products) {
-        let effect = candidate.effect();
-        let joint = candidate.variant.joint;
-        let known = seen.iter().any(|d| d.effect == effect.kind() && d.joint == joint);
-        let is_rival_alone = candidate.kind == EffectKind::JointCompliance && candidate.of_all_joints();
-        if known || is_rival_alone || candidate.variant.joint_b.is_some() {
-            continue;
-        }
-        let sums = products.sum(&groups);
-        let strength = nuisance.strength(&nuisance.project(&sums), model.peak.geometry_ratio);
-        // Less is what rounding leaves of a signal that lies wholly in base and target.
-        if strength * strength > INVISIBLE * sums.own[(0, 0)] {
-            // Half the squared signal over noise must pass the alarm and the price of its parameters.
-            let needed = (2.0 * (ALARM_NATS + 3.0)).sqrt() * model.peak.sigma_m;
-            let prior_sigma = candidate.prior_sigma.first().copied().unwrap_or(0.0);
-            let size = needed / strength * prior_sigma * candidate.display_scale;
-            seen.push(Detectable { effect: effect.kind(), joint, size, unit: candidate.unit() });
-        }
-    }
-    seen
 }
 
 /// Residuals of every row, with registration alone and with the model.

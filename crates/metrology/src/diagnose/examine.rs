@@ -8,17 +8,16 @@ use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
+use super::stated_noise::{contradicted_noise, overstated_noise};
 use measurements::{
-    Fault, MIDDLE_OF_3D, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, StandError,
-    Stations, check_rows, find_pose_names, from_one_stand, gather, turned,
+    Fault, Measurements, OneStand, RegisterError, RowCheck, StandError, Stations, check_rows,
+    find_pose_names, from_one_stand, gather, turned,
 };
 use robot_model::deform::identified::{FoundBy, Identified};
 use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
 use std::collections::BTreeSet;
 
-/// Noise that is stated as so many times what is left without any cause is none.
-const OVERSTATED: f64 = 2.0;
 /// Fewer stations or poses than these say nothing.
 const FEWEST_STATIONS: usize = 12;
 const FEWEST_POSES: usize = 8;
@@ -144,44 +143,6 @@ fn usable_stations(
         )));
     }
     Ok(stations)
-}
-
-/// Where the repeats speak against the noise that was stated.
-fn contradicted_noise(stations: &Stations, options: &DiagnosisOptions) -> Option<Warning> {
-    let seen = stations.repeats?;
-    NoisePrior::contradicted(Some(&seen), options.sigma_m).then(|| {
-        let so = if options.sigma_m.is_some_and(|stated_m| stated_m > seen.sigma_m) {
-            "less than the noise that was stated; they are believed, and what is slow may be as large as stated"
-        } else {
-            "which is not the noise that was stated; the repeats are believed"
-        };
-        let seen_mm = mm_from_m(seen.sigma_m);
-        Warning {
-            code: "diagnose::noise",
-            message: format!("the repeats scatter by {seen_mm:.4} mm in one coordinate, {so}"),
-        }
-    })
-}
-
-/// Where base and tool alone leave less than the noise that was stated.
-fn overstated_noise(
-    stations: &Stations,
-    registration: &Registration,
-    options: &DiagnosisOptions,
-) -> Option<Warning> {
-    let stated_m = options.sigma_m.filter(|_| stations.repeats.is_none())?;
-    let are_points = stations.stations.iter().all(|s| matches!(s.reading, Reading::Point { .. }));
-    let left_m = registration.median_m / MIDDLE_OF_3D;
-    (are_points && OVERSTATED * left_m < stated_m).then(|| {
-        let [stated_mm, left_mm] = [stated_m, left_m].map(mm_from_m);
-        Warning {
-            code: "diagnose::noise",
-            message: format!(
-                "with base and tool fitted and nothing else the points scatter by {left_mm:.4} mm in one coordinate, less than the noise of \
-                 {stated_mm:.4} mm that was stated: no noise is taken as known"
-            ),
-        }
-    })
 }
 
 /// That what sags was weighed with masses that nobody stated.

@@ -108,6 +108,9 @@ pub struct Untestable {
     pub joints: Vec<Axis>,
     /// Why these data cannot show it.
     pub reason: String,
+    /// Whether the file lacks the column that drives it: no pose would show it.
+    #[serde(skip)]
+    pub lacks_channel: bool,
 }
 
 /// What size of an effect would have been seen.

@@ -92,7 +92,10 @@ pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) ->
         let reason = "its signal lies wholly inside base and target, which are unknown".to_owned();
         match untestable.iter_mut().find(|h| h.effect == effect) {
             Some(h) => h.joints.extend(joint.filter(|j| !h.joints.contains(j))),
-            None => untestable.push(Untestable { effect, joints: joint.into_iter().collect(), reason }),
+            None => {
+                let joints = joint.into_iter().collect();
+                untestable.push(Untestable { effect, joints, reason, lacks_channel: false });
+            }
         }
     }
     share_weights(&mut candidates);
@@ -104,7 +107,12 @@ pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) ->
         hidden.joints.retain(|joint| !is_shown(effect, Some(*joint)));
         if of_joints { !hidden.joints.is_empty() } else { !is_shown(effect, None) }
     });
-    let of_kind = |UntestableEffect { kind, reason }| Untestable { effect: kind, joints: Vec::new(), reason };
+    let of_kind = |UntestableEffect { kind, reason }| Untestable {
+        effect: kind,
+        joints: Vec::new(),
+        reason,
+        lacks_channel: true,
+    };
     untestable.extend(testable.untestable.into_iter().map(of_kind));
     VisibleCandidates { candidates, untestable }
 }

@@ -39,7 +39,7 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
     {
         judgement.overrule(told);
     }
-    judgement.reduced_chi_square = chi.map(|chi| chi.value);
+    judgement.reduced_chi_square = chi;
     at_most_one(&mut judgement.causes);
     // Behind it: what it takes from one slot, a cause of another may have.
     never_rising(&mut judgement.causes);

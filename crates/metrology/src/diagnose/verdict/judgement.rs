@@ -1,6 +1,7 @@
 //! A verdict with what it rests on; knows nothing of how it was reached.
 
 use super::cause_group::OpenSlot;
+use super::noise::ReducedChiSquare;
 use crate::diagnose::cause::Cause;
 use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::outcome::{Location, Verdict};
@@ -45,8 +46,8 @@ pub(crate) struct Judgement {
     pub missing_channel: Option<MissingChannel>,
     /// The slots of the model with the causes that may stand there.
     pub open: Vec<OpenSlot>,
-    /// Residual variance over the variance of the repeats.
-    pub reduced_chi_square: Option<f64>,
+    /// Residual variance over the variance of the repeats, or over the one stated.
+    pub reduced_chi_square: Option<ReducedChiSquare>,
 }
 
 impl Judgement {

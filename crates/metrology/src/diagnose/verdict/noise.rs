@@ -125,11 +125,13 @@ fn excess_m(fitted: &FittedModel<'_>) -> f64 {
 
 /// Scatter about a model over what the noise as known allows, as a variance.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ReducedChiSquare {
+pub(in crate::diagnose) struct ReducedChiSquare {
     /// Squares left per degree of freedom, over the noise's variance.
     pub value: f64,
     /// Above this it is no chance, for as many repeats as there are.
     pub limit: f64,
+    /// Degrees of freedom that the model leaves.
+    pub freedom: f64,
 }
 
 impl ReducedChiSquare {
@@ -137,6 +139,12 @@ impl ReducedChiSquare {
     #[must_use]
     pub(super) fn is_exceeded(&self) -> bool {
         self.value > self.limit
+    }
+
+    /// Whether chance would hardly give it if the noise were just as it is known.
+    #[must_use]
+    pub(in crate::diagnose) fn is_no_chance(&self) -> bool {
+        self.value > variance_ratio(BY_CHANCE, self.freedom, f64::INFINITY)
     }
 }
 
@@ -170,7 +178,7 @@ pub(super) fn reduced_chi_square(
     } else {
         STATED_SCATTER + spread
     };
-    Some(ReducedChiSquare { value: sum / free, limit })
+    Some(ReducedChiSquare { value: sum / free, limit, freedom: free })
 }
 
 /// What slow noise means beside `chosen`.
