@@ -4,6 +4,7 @@ mod calls;
 mod external_axes;
 mod instruction;
 mod never_runs;
+mod unread_blocks;
 
 use super::const_eval::{ConstEvaluator, Constant};
 use super::errors::{Recovery, any_handled, expression_may_fail, may_fail};
@@ -116,20 +117,6 @@ impl<'a> CfgBuilder<'_, 'a> {
 
     fn label(&self, range: TextRange) -> Option<Sym> {
         self.index().names.find(self.text(range))
-    }
-
-    fn body(&mut self, body: &'a [Stmt]) -> Vec<Node<'a>> {
-        let mut out = Vec::new();
-        let mut before = None;
-        for stmt in body {
-            self.before = before;
-            self.statement(stmt, &mut out);
-            if !matches!(stmt.kind, StmtKind::Comment | StmtKind::Empty) {
-                before = Some(stmt);
-            }
-        }
-        out.shrink_to_fit();
-        out
     }
 
     fn statement(&mut self, stmt: &'a Stmt, out: &mut Vec<Node<'a>>) {

@@ -1,7 +1,7 @@
 //! What is declared where: modules, routines and data of all files, and which of them a name means.
 //!
 //! RAPID's scopes: the variable of a FOR inside its loop, before data and parameters of the routine, before
-//! those of its module, `LOCAL` or not, before the global ones of all modules of the task. A folder `TASKn` in a file's path is a task of its own;
+//! those of its module, `LOCAL` or not, before the global ones of all modules of the task. A folder `TASKn` or `T_ROBn` in a file's path is a task of its own;
 //! files outside such a folder share one.
 
 mod declare;

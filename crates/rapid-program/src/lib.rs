@@ -82,7 +82,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// `[TRUE,[[x,y,z],[q1,q2,q3,q4]],...]`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Overrides {
-    /// The one task (a backup's folder `TASKn`) whose motions are read; what the other tasks' modules change is heeded all the same.
+    /// The one task (a folder as [`is_task_folder`] knows it) whose motions are read; what the other tasks' modules change is heeded all the same.
     pub task: Option<String>,
     /// Tools, as the option `--tool` gives them.
     pub tools: Vec<(String, String)>,
@@ -126,13 +126,24 @@ pub struct Program {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// The folder `TASKn` in a path: what a controller's backup holds of one task.
+/// The folder of a task in the path of a file, as [`is_task_folder`] knows it.
 #[must_use]
 pub fn task_of(path: &str) -> Option<&str> {
-    path.split('/').find(|part| {
-        let digits = part.get(..4).filter(|head| head.eq_ignore_ascii_case("task")).and(part.get(4..));
-        digits.is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
-    })
+    let (folders, _) = path.rsplit_once('/')?;
+    folders.split('/').find(|name| is_task_folder(name))
+}
+
+/// Whether a folder of this name holds the modules of one task: `TASKn` in a controller's backup, the task's own name where modules were
+/// saved by that (`T_ROB1`, `T_ROB_L`: names of tasks begin so as they are delivered).
+#[must_use]
+pub fn is_task_folder(name: &str) -> bool {
+    let behind = |start: &str| {
+        let head = name.get(..start.len()).filter(|head| head.eq_ignore_ascii_case(start));
+        head.and(name.get(start.len()..)).map(str::as_bytes)
+    };
+    let is_numbered = |rest: &[u8]| !rest.is_empty() && rest.iter().all(u8::is_ascii_digit);
+    behind("task").is_some_and(is_numbered)
+        || behind("t_").and_then(<[u8]>::first).is_some_and(u8::is_ascii_alphanumeric)
 }
 
 /// Whether a file is one of a task's, where one is named.
@@ -142,12 +153,13 @@ pub fn is_of_task(path: &str, task: Option<&str>) -> bool {
 }
 
 impl Program {
-    /// The tasks that hold motion, by their folders, each with a robot of its own; `None` is what stands in no such folder.
+    /// The tasks that move an arm, by their folders, each with a robot of its own; `None` is what stands in no such folder. A task that
+    /// moves external axes alone, as of a positioner, needs no robot.
     #[must_use]
     pub fn motion_tasks(&self) -> Vec<Option<&str>> {
         let mut tasks: Vec<Option<&str>> = Vec::new();
-        for routine in &self.routines {
-            let task = task_of(&self.file(routine.file).path);
+        for motion in self.motions.iter().filter(|motion| motion.setup.moves_arm()) {
+            let task = task_of(&self.file(motion.file).path);
             let same = |known: &Option<&str>| match (known, task) {
                 (Some(known), Some(task)) => known.eq_ignore_ascii_case(task),
                 (known, task) => known.is_none() && task.is_none(),

@@ -133,6 +133,7 @@ const HARMLESS: &[&str] = &[
     "pathrecstart",
     "pathrecstop",
     "pathresol",
+    "pdispadd",
     "pdispoff",
     "pdispon",
     "pdispset",

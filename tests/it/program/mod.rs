@@ -16,6 +16,7 @@ mod robodk;
 mod searches;
 mod state;
 mod targets;
+mod unread_blocks;
 
 use rapid_program::motion::Motion;
 use rapid_program::{Overrides, Program};

@@ -338,6 +338,7 @@ fn displacements_keep_motion_until_they_are_off() {
     for (on, off, expected) in [
         ("PDispOn p,tool0;", "PDispOff;", "keep::displacement"),
         ("PDispSet [[0,0,1],[1,0,0,0]];", "PDispOff;", "keep::displacement"),
+        ("PDispAdd [[0,0,1],[1,0,0,0]];", "PDispOff;", "keep::displacement"),
         ("PDispSet [[0,0,1],[1,0,0,0]];", "PDispSet [[0,0,0],[1,0,0,0]];", "keep::displacement"),
         ("EOffsSet [1,0,0,0,0,0];", "EOffsOff;", "keep::external-offset"),
         ("SoftAct 1,50;", "SoftDeact;", "keep::soft-servo"),

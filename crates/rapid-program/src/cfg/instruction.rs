@@ -49,7 +49,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             "confj" => FlowStep::ConfJ(on),
             "gripload" => FlowStep::Grip(self.gripped(call)),
             "pdispset" if displaces_nothing => FlowStep::Blocker(Blocker::Displacement, None),
-            "pdispon" | "pdispset" => {
+            "pdispon" | "pdispset" | "pdispadd" => {
                 FlowStep::Blocker(Blocker::Displacement, active(self.displacement(&lower, call)))
             }
             "pdispoff" => FlowStep::Blocker(Blocker::Displacement, None),
@@ -219,7 +219,9 @@ impl<'a> CfgBuilder<'_, 'a> {
                 "confl" => FlowStep::ConfL(None),
                 "confj" => FlowStep::ConfJ(None),
                 "gripload" => FlowStep::Grip(None),
-                "pdispon" | "pdispset" | "pdispoff" => FlowStep::Blocker(Blocker::Displacement, named()),
+                "pdispon" | "pdispset" | "pdispadd" | "pdispoff" => {
+                    FlowStep::Blocker(Blocker::Displacement, named())
+                }
                 "eoffson" | "eoffsset" | "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, named()),
                 "softact" | "softdeact" | "cssact" | "fcact" | "fcpress1lstart" => {
                     FlowStep::Blocker(Blocker::SoftServo, named())

@@ -4,24 +4,20 @@
 
 use super::{Ctx, Datum, DatumKind, Index, ModuleEntry, NameScope, RoutineEntry, ScopedName};
 use crate::ids::DatumId;
-use crate::names::{ByNumber, Sym, lower_case};
+use crate::is_task_folder;
+use crate::names::{ByNumber, Sym};
 use crate::record;
 use crate::statements::{bodies, every_statement};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Module, ModuleItem, Routine, Scope, StmtKind};
 
-/// The part of a path that names its task: up to a folder `TASKn`, as in a controller's backup.
+/// The part of a path that names its task: up to the folder of the task.
 pub(super) fn task_of(path: &str) -> String {
     let mut upto = 0;
     for part in path.split_inclusive('/') {
         upto += part.len();
-        let digits = part.trim_end_matches('/').as_bytes();
-        let is_task = part.ends_with('/')
-            && digits.len() > 4
-            && lower_case(&digits[..4]) == "task"
-            && digits[4..].iter().all(u8::is_ascii_digit);
-        if is_task {
+        if part.strip_suffix('/').is_some_and(is_task_folder) {
             return path[..upto].to_owned();
         }
     }
@@ -173,6 +169,10 @@ mod tests {
     fn a_task_folder_is_a_task_of_its_own() {
         assert_eq!(task_of("b/RAPID/TASK1/PROGMOD/a.mod"), "b/RAPID/TASK1/");
         assert_eq!(task_of("b/RAPID/task12/SYSMOD/a.sys"), "b/RAPID/task12/");
+        assert_eq!(task_of("RAPID/T_ROB1/a.mod"), "RAPID/T_ROB1/");
+        assert_eq!(task_of("t_rob_l/PROGMOD/a.mod"), "t_rob_l/");
+        assert_eq!(task_of("T_pick.mod"), "");
+        assert_eq!(task_of("RAPID/T_/a.mod"), "");
         assert_eq!(task_of("TASKS/a.mod"), "");
         assert_eq!(task_of("TASK1"), "");
         assert_eq!(task_of("a.mod"), "");
