@@ -9,6 +9,7 @@ use rapid_program::motion::SkipReason;
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::Deformation;
 use robot_model::robot::Robot;
+use serde_json::Value;
 use std::io::{self, Write};
 use std::sync::Arc;
 
@@ -116,7 +117,7 @@ impl Compensated<'_> {
 
     /// The JSON of the contract.
     #[must_use]
-    pub fn json(&self) -> serde_json::Value {
+    pub fn json(&self) -> Value {
         report::value(&self.object())
     }
 
@@ -133,23 +134,24 @@ impl Compensated<'_> {
         CompensationJson { program, plan, messages, shown: None, without_nulls: false }
     }
 
-    /// What happened, for scripts: of one robot the object of the contract, of several tasks a list of them, `{"tasks": [...]}`.
+    /// What happened, for scripts: of one robot the object of the contract, of several tasks a list of them, `{"tasks": [...]}`, those
+    /// that stay as they are ([`Refusal::of_task`]) behind the others.
     ///
     /// # Errors
     /// Those of writing to `out`.
-    pub fn write_json_of(all: &[Self], out: &mut dyn Write) -> io::Result<()> {
+    pub fn write_json_of(all: &[Self], left_alone: &[Value], out: &mut dyn Write) -> io::Result<()> {
         if let [made] = all
             && made.task.is_none()
         {
             return made.write_json(out);
         }
-        let one = |made: &Self| -> serde_json::Value {
+        let one = |made: &Self| -> Value {
             let mut json = made.json();
             json["task"] = made.task.as_deref().into();
             json["robot"] = made.robot.name.as_str().into();
             json
         };
-        let tasks: Vec<_> = all.iter().map(one).collect();
+        let tasks: Vec<Value> = all.iter().map(one).chain(left_alone.iter().cloned()).collect();
         report::write_pretty(out, &serde_json::json!({ "tasks": tasks }))
     }
 
@@ -272,6 +274,33 @@ impl Refusal {
         let mut all = self.messages.iter().map(|message| &message.diagnostic);
         all.find(|message| message.severity == Severity::Error)
             .map_or("compensate::nothing", |error| error.code)
+    }
+
+    /// Whether it is only that no motion can be corrected, or that there is none: of one of several tasks no reason to leave the others.
+    #[must_use]
+    pub fn has_nothing_to_correct(&self) -> bool {
+        let mut errors = self.messages.iter().filter(|m| m.diagnostic.severity == Severity::Error);
+        errors.all(|m| ["compensate::nothing", "compensate::no-motion"].contains(&m.diagnostic.code))
+    }
+
+    /// What was found of a task that stays as it is beside others, for scripts.
+    #[must_use]
+    pub fn of_task(&self, task: &str) -> Value {
+        let mut json = report::refusal(&self.program, &self.kept, &self.messages);
+        json["task"] = task.into();
+        json
+    }
+
+    /// The same as warnings, none of which keeps the other tasks from being written.
+    #[must_use]
+    pub fn as_warnings(&self, task: &str) -> Vec<LocatedDiagnostic> {
+        let as_warning = |message: &LocatedDiagnostic| match message.diagnostic.severity {
+            Severity::Error => {
+                message.clone().as_warning("task::left-alone", &format!("{task} stays as it is: "))
+            }
+            _ => message.clone(),
+        };
+        self.messages.iter().map(as_warning).collect()
     }
 
     /// What was found, for scripts.

@@ -67,7 +67,7 @@ impl ProgramFiles {
         names
     }
 
-    /// The tasks (folders `TASKn`) that modules stand in, in the order of the files.
+    /// The tasks (folders `TASKn` or `T_ROBn`) that modules stand in, in the order of the files.
     #[must_use]
     pub fn tasks(&self) -> Vec<String> {
         let mut tasks: Vec<String> = Vec::new();

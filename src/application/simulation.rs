@@ -36,7 +36,7 @@ pub struct Simulation {
     pub robot: TrueRobot,
     /// Where to start, and how far to go.
     pub options: SessionOptions,
-    /// The task (a backup's folder `TASKn`) that runs; `None` = the first.
+    /// The task (a backup's folder `TASKn` or `T_ROBn`) that runs; `None` = the first.
     pub task: Option<String>,
     /// Files on the controller's disk: path and bytes.
     pub disk: Vec<(String, Vec<u8>)>,
@@ -198,7 +198,7 @@ impl Simulation {
         (!data.is_empty()).then(|| format!("MODULE tcGivenData\n{data}ENDMODULE\n"))
     }
 
-    /// The files of one task: those of its folder `TASKn`, and those outside of any.
+    /// The files of one task: those of its folder `TASKn` or `T_ROBn`, and those outside of any.
     fn loaded<'p>(&self, program: &'p ProgramFiles) -> Vec<ProgramFile<'p>> {
         let first = program.iter().find_map(|(path, _)| task_of(path));
         let wanted = self.task.as_deref().or(first);

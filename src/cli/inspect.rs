@@ -45,6 +45,7 @@ pub enum Format {
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let given = ProgramInput::read(&args.program)?;
+    console.explain(&given.warnings(), args.all);
     let inspected = match Inspection::new().run(&given.program()) {
         Ok(inspected) => inspected,
         Err(why) => {

@@ -2,13 +2,13 @@
 
 use super::shared::{JointAngles, joint_angles};
 use crate::application::configured_tasks;
-use rapid_program::task_of;
+use rapid_program::is_task_folder;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The tasks that stand beside those of the given files: folders `TASKn` that hold files, and where the files stand in no such
+/// The tasks that stand beside those of the given files: folders of tasks that hold files, and where the files stand in no such
 /// folder those that the backup's SYS.cfg lists beyond the one.
 #[must_use]
 pub fn beside(given: &[PathBuf]) -> Vec<String> {
@@ -35,7 +35,7 @@ pub fn beside(given: &[PathBuf]) -> Vec<String> {
 /// A motion task of a backup with its robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TaskRobot {
-    /// The task's folder, `TASKn`.
+    /// The task's folder, `TASKn` or `T_ROBn`.
     pub task: String,
     /// Name or file of the robot.
     pub robot: String,
@@ -136,7 +136,7 @@ pub fn task_robot(text: &str) -> Result<TaskRobot, String> {
 
 fn is_task(folder: &Path) -> bool {
     let name = folder.file_name().unwrap_or_default().to_string_lossy();
-    task_of(&name).is_some() && folder.is_dir()
+    is_task_folder(&name) && folder.is_dir()
 }
 
 fn holds_files(folder: &Path) -> bool {

@@ -2,6 +2,7 @@
 
 use super::files;
 use crate::application::check_text;
+use crate::report::LocatedDiagnostic;
 use driftpost::application::{PlacedProgram, ProgramFiles};
 use rapid_program::modules_of_pgf;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -40,8 +41,12 @@ pub struct ProgramInput {
     pub bytes: Vec<Arc<[u8]>>,
     /// Files that are no modules: path and place. They are copied as they are.
     pub others: Vec<(PathBuf, PathBuf)>,
+    /// Modules of a folder that are encoded, as packages of options are: they stand among `others`.
+    pub encoded: Vec<PathBuf>,
     /// It is one module that came from standard input.
     pub is_standard: bool,
+    /// It is a folder, with all that lies in it.
+    is_folder: bool,
 }
 
 /// What the module of standard input is called.
@@ -59,10 +64,22 @@ impl ProgramInput {
             [one] => Self::list(Shape::One, one, std::slice::from_ref(one)),
             several => Self::several(several)?,
         };
-        for path in &given.paths {
-            let bytes = files::read(path, "program")?;
+        let mut modules = Vec::with_capacity(given.paths.len());
+        for (path, place) in given.paths.drain(..).zip(given.places.drain(..)) {
+            let bytes = files::read(&path, "program")?;
+            if given.is_folder && is_encoded(&bytes) {
+                given.encoded.push(path.clone());
+                given.others.push((path, place));
+                continue;
+            }
             check_text(&path.display().to_string(), &bytes)?;
             given.bytes.push(bytes.into());
+            modules.push((path, place));
+        }
+        (given.paths, given.places) = modules.into_iter().unzip();
+        if let ([], [first, ..]) = (given.paths.as_slice(), given.encoded.as_slice()) {
+            let text = format!("{} is encoded, as is every module beside it", first.display());
+            return Err(Diagnostic::error("input::binary", text).help("give a RAPID module as text"));
         }
         if let ([path], Shape::One) = (given.paths.as_mut_slice(), given.shape)
             && files::is_standard(path)
@@ -102,6 +119,20 @@ impl ProgramInput {
         }
     }
 
+    /// That encoded modules are not read, where there are any.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<LocatedDiagnostic> {
+        let warning = |path: &PathBuf| {
+            let text = format!(
+                "{} is encoded: it is left as it is, and what it declares is not known",
+                path.display()
+            );
+            let help = "what calls it may move the arm or set data: such motions are kept; its text, where the supplier gives it, would tell";
+            LocatedDiagnostic::new(Diagnostic::warning("input::encoded", text).help(help), &[])
+        };
+        self.encoded.iter().map(warning).collect()
+    }
+
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
     ///
     /// # Errors
@@ -113,6 +144,7 @@ impl ProgramInput {
         for folder in folders.iter().filter(|folder| folder.is_dir()) {
             walk(folder, &mut found)?;
         }
+        found.retain(|path| !self.encoded.contains(path));
         found.sort();
         found.dedup();
         let modules = found.into_iter().filter(|path| has_extension(path, &MODULES));
@@ -131,7 +163,9 @@ impl ProgramInput {
             paths: paths.to_vec(),
             bytes: Vec::new(),
             others: Vec::new(),
+            encoded: Vec::new(),
             is_standard: false,
+            is_folder: false,
         }
     }
 
@@ -172,7 +206,9 @@ impl ProgramInput {
             others: others.iter().map(|path| (path.clone(), place(path))).collect(),
             paths: modules,
             bytes: Vec::new(),
+            encoded: Vec::new(),
             is_standard: false,
+            is_folder: true,
         })
     }
 
@@ -197,6 +233,17 @@ impl ProgramInput {
 /// Whether a file's extension is one of `known` (lower case).
 fn has_extension(path: &Path, known: &[&str]) -> bool {
     path.extension().is_some_and(|e| known.contains(&e.to_string_lossy().to_ascii_lowercase().as_str()))
+}
+
+/// Whether bytes are no text: a module that was encoded. Text in UTF-16, whose every second byte is zero as a rule, is text.
+fn is_encoded(bytes: &[u8]) -> bool {
+    let zeros = |parity: usize| bytes.iter().skip(parity).step_by(2).filter(|b| **b == 0).count();
+    let is_wide = bytes.starts_with(&[0xff, 0xfe])
+        || bytes.starts_with(&[0xfe, 0xff])
+        || [0, 1].into_iter().any(|parity| 4 * zeros(parity) > bytes.len());
+    let is_control =
+        |b: &u8| b.is_ascii_control() && !matches!(b, b'\t' | b'\n' | b'\r' | 0x0b | 0x0c | 0x1a);
+    !is_wide && bytes.iter().any(is_control)
 }
 
 /// Whether a path is called as a RAPID module is.
@@ -264,6 +311,16 @@ pub fn slashed(path: &Path) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn encoded_is_what_is_no_text() {
+        let wide: Vec<u8> = "MODULE m".bytes().flat_map(|b| [b, 0]).collect();
+        let encoded: &[u8] = &[0x44, 0x20, 0x82, 0x3c, 0xfd, 0x0e, 0x00, 0xc2, 0x6b];
+        assert!(is_encoded(encoded));
+        for text in [&wide, b"MODULE m\r\n\tPROC \xfcber()\x1a".as_slice(), b""] {
+            assert!(!is_encoded(text), "{text:?}");
+        }
+    }
 
     #[test]
     fn places_are_relative_to_the_folder_that_all_stand_in() {

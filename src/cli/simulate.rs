@@ -35,7 +35,7 @@ pub struct Args {
     #[arg(long, value_name = "NAME", help_heading = "What is executed")]
     pub entry: Option<String>,
 
-    /// The task of a controller's backup (a folder TASKn) [default: the first].
+    /// The task of a controller's backup (a folder TASKn or T_ROBn) [default: the first].
     #[arg(long, value_name = "TASK", help_heading = "What is executed")]
     pub task: Option<String>,
 
@@ -154,6 +154,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     positive(&[("--tolerance-mm", Some(args.tolerance_mm)), ("--gap-min", args.gap_min)])?;
     at_least_one("--passes", args.passes)?;
     let given = ProgramInput::read(&args.program)?;
+    console.explain(&given.warnings(), true);
     let original = if args.original.is_empty() { None } else { Some(ProgramInput::read(&args.original)?) };
     let program = given.program();
     let mut job = simulation(args, &program, console)?;

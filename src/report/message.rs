@@ -60,6 +60,17 @@ impl LocatedDiagnostic {
     }
 }
 
+impl LocatedDiagnostic {
+    /// As a warning of another code, `before` put before its text.
+    #[must_use]
+    pub fn as_warning(mut self, code: &'static str, before: &str) -> Self {
+        let Diagnostic { severity, code: of, message, .. } = &mut self.diagnostic;
+        (*severity, *of) = (Severity::Warning, code);
+        message.insert_str(0, before);
+        self
+    }
+}
+
 impl From<Diagnostic> for Box<LocatedDiagnostic> {
     /// A message about the whole run, or of files that are not at hand.
     fn from(diagnostic: Diagnostic) -> Self {

@@ -25,7 +25,7 @@ pub struct Args {
     #[command(flatten)]
     pub robot: RobotName,
 
-    /// Of a backup with several robots: the robot of a motion task (folder TASKn), and its deformation table; once for each.
+    /// Of a backup with several robots: the robot of a motion task (folder TASKn or T_ROBn), and its deformation table; once for each.
     #[arg(
         long,
         value_name = "TASK=ROBOT[,DEFORMATION]",

@@ -66,12 +66,25 @@ fn write_results(
 
     let mut writing = Writing::default();
     let (mut all_made, mut reviews) = (Vec::with_capacity(jobs.len()), Vec::with_capacity(jobs.len()));
+    let mut left_alone: Option<Box<Refusal>> = None;
     for job in jobs.iter() {
         let emit = || emitted(job, &program, (&given, &destination), results, &mut writing);
-        let (made, review) = console.while_busy("compensating", emit)?;
+        let (made, review) = match (console.while_busy("compensating", emit), &job.overrides.task) {
+            // What other tasks can be corrected by is no worse for it.
+            (Err(refusal), Some(task)) if jobs.len() > 1 && refusal.has_nothing_to_correct() => {
+                console.explain(&refusal.as_warnings(task), args.all);
+                results.leave_alone(refusal.of_task(task));
+                left_alone.get_or_insert(refusal);
+                continue;
+            }
+            (emitted, _) => emitted?,
+        };
         console.explain(&made.messages, args.all);
         all_made.push(made);
         reviews.push(review);
+    }
+    if let Some(refusal) = left_alone.filter(|_| all_made.is_empty()) {
+        return Err(refusal);
     }
     // A recording is asked for of one robot alone.
     let [made, ..] = all_made.as_slice() else { return Ok(Ok(())) };
@@ -98,6 +111,7 @@ fn settle(
     program: &ProgramFiles,
     console: &mut Console,
 ) -> Result<(), Diagnostic> {
+    console.explain(&given.warnings(), args.all);
     let named: Vec<&str> = args.task.iter().map(|of| of.task.as_str()).collect();
     check_tasks(&named, program)?;
     if let Some(moved) = given.paths.first().map(|path| model::base_beside(path)).transpose()?.flatten() {

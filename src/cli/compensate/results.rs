@@ -11,6 +11,7 @@ use driftpost::application::{Compensated, Compensation, Refusal};
 use rapid_compensation::emit::EmittedFile;
 use rapid_program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
+use serde_json::Value;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -20,6 +21,8 @@ pub(super) struct Results {
     page: Option<Pending>,
     joints: Output,
     diff: DiffTo,
+    /// The tasks in which nothing can be corrected, for the JSON.
+    left_alone: Vec<Value>,
     /// Standard output holds a result and nothing else.
     is_quiet: bool,
 }
@@ -35,6 +38,7 @@ impl Results {
             page: args.report.as_deref().map(Pending::new).transpose()?,
             joints: Output::Nowhere,
             diff: DiffTo::Nowhere,
+            left_alone: Vec::new(),
             is_quiet: false,
         })
     }
@@ -48,6 +52,11 @@ impl Results {
         self.is_quiet = is_quiet || self.json.is_standard() || self.joints.is_standard();
         self.diff = DiffTo::new(&args.diff, self.is_quiet)?;
         Ok(())
+    }
+
+    /// Takes what is to be said of a task that stays as it is beside others.
+    pub fn leave_alone(&mut self, task: Value) {
+        self.left_alone.push(task);
     }
 
     /// Takes what changes in an emitted file, which goes to `path`; `review` is the page's.
@@ -85,7 +94,8 @@ impl Results {
             error.downcast().unwrap_or_else(|error| no_output(&io::Error::other(error)))
         };
         self.joints.fill(|out| Ok(Compensated::write_joints(all_made, out)?)).map_err(filled)?;
-        self.json.fill(|out| Ok(Compensated::write_json_of(all_made, out)?)).map_err(filled)?;
+        let left_alone = &self.left_alone;
+        self.json.fill(|out| Ok(Compensated::write_json_of(all_made, left_alone, out)?)).map_err(filled)?;
         let Some(page) = &mut self.page else { return Ok(()) };
         let mut out = BufWriter::with_capacity(1 << 16, page.out());
         let written = Compensated::write_page_of(all_made, reviews, &mut out);
@@ -141,7 +151,7 @@ impl Results {
         written: &Written,
     ) -> anyhow::Result<()> {
         let files = written_line(written, all_made.iter().map(Compensated::warnings).sum());
-        let is_quiet = self.is_quiet;
+        let (is_quiet, left_alone) = (self.is_quiet, &self.left_alone);
         let [joints, json] =
             [&mut self.joints, &mut self.json].map(|output| std::mem::replace(output, Output::Nowhere));
         let shown = (|| -> anyhow::Result<()> {
@@ -150,7 +160,7 @@ impl Results {
                 console.out().write_all(module)?;
             }
             joints.stream(console, |out| Ok(Compensated::write_joints(all_made, out)?))?;
-            json.stream(console, |out| Ok(Compensated::write_json_of(all_made, out)?))?;
+            json.stream(console, |out| Ok(Compensated::write_json_of(all_made, left_alone, out)?))?;
             if !is_quiet {
                 write_reviews(console, all_made, args, &files)?;
             }
@@ -180,9 +190,9 @@ fn write_reviews(
     args: &Args,
     files: &str,
 ) -> anyhow::Result<()> {
-    for (k, made) in all_made.iter().enumerate() {
-        if let Some(of) = args.task.get(k) {
-            writeln!(console.out(), "{}: {}", of.task, made.robot.name)?;
+    for made in all_made {
+        if let Some(task) = &made.task {
+            writeln!(console.out(), "{task}: {}", made.robot.name)?;
         }
         made.write_review(console.out(), args.all)?;
     }

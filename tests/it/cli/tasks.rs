@@ -196,6 +196,108 @@ fn tasks_that_are_not_named_or_hold_no_motion_are_refused() {
     assert!(both.contains("cannot be used with"), "{both}");
 }
 
+/// Modules saved by their tasks' names are tasks as those of a backup are: two robots are never corrected as one.
+#[test]
+fn folders_by_the_names_of_tasks_are_tasks() {
+    let bench = Bench::default();
+    bench.file("cell/T_ROB1/Cube45.mod", fs::read_to_string(CUBE).unwrap());
+    bench.file("cell/T_ROB2/Press.mod", PRESS);
+    let source = bench.path("cell").display().to_string();
+    let to = bench.path("made").display().to_string();
+    let run = |words: &[&str]| {
+        driftpost(&[&["compensate", &source, "-o", &to, "--diff", "none", "--form", "auto"], words].concat())
+    };
+    let refused = run(&["--robot", LARGE, "--deformation", &bench.file("drift2.csv", TABLE)]);
+    assert_eq!(refused.status.code(), Some(2), "{}", out(&refused));
+    assert!(err(&refused).contains("emit::several-tasks"), "{}", err(&refused));
+    assert!(!bench.path("made").exists());
+    let second = format!("T_ROB2={LARGE},{}", bench.path("drift2.csv").display());
+    let made = run(&["--task", "T_ROB1=irb140", "--task", &second]);
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    for place in ["made/T_ROB1/Cube45.mod", "made/T_ROB2/Press.mod"] {
+        assert!(bench.text(place).contains("tcAt("), "{place}");
+    }
+}
+
+const POSITIONER: &str = "MODULE Turn
+  CONST jointtarget jLoad:=[[9E9,9E9,9E9,9E9,9E9,9E9],[0,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    ActUnit STN1;
+    MoveExtJ jLoad,vrot50,fine;
+  ENDPROC
+ENDMODULE
+";
+const READING: &str = "MODULE Here
+  PROC main()
+    VAR robtarget pNow;
+    pNow:=CRobT(\\Tool:=tool0);
+    MoveL pNow,v100,fine,tool0;
+  ENDPROC
+ENDMODULE
+";
+
+/// A positioner's task needs no robot, and a task in which nothing can be corrected keeps no other from it.
+#[test]
+fn a_task_that_stays_as_it_is_keeps_no_other_from_being_corrected() {
+    let bench = Bench::default();
+    let cube = fs::read_to_string(CUBE).unwrap();
+    bench.file("cell/RAPID/TASK1/PROGMOD/Here.mod", READING);
+    bench.file("cell/RAPID/TASK2/PROGMOD/Cube45.mod", &cube);
+    bench.file("cell/RAPID/TASK3/PROGMOD/Turn.mod", POSITIONER);
+    let source = bench.path("cell").display().to_string();
+    let [to, report] = ["made", "report.json"].map(|name| bench.path(name).display().to_string());
+    let run = |words: &[&str]| {
+        let rest = ["-o", &to, "--diff", "none", "--form", "ramp", "--json", &report];
+        driftpost(&[["compensate", &source].as_slice(), words, &rest].concat())
+    };
+    let made = run(&["--task", "TASK1=irb140", "--task", "TASK2=irb140"]);
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    assert!(
+        err(&made).contains("task::left-alone") && err(&made).contains("TASK1 stays as it is"),
+        "{}",
+        err(&made)
+    );
+    assert!(out(&made).contains("TASK2: ABB IRB 140") && !out(&made).contains("TASK1: "), "{}", out(&made));
+    assert!(bench.text("made/RAPID/TASK2/PROGMOD/Cube45.mod").contains("tcAt("));
+    let found = json(&bench, "report.json");
+    let tasks: Vec<&str> =
+        found["tasks"].as_array().unwrap().iter().map(|t| t["task"].as_str().unwrap()).collect();
+    assert_eq!(tasks, ["TASK2", "TASK1"]);
+    assert_eq!(found["tasks"][1]["motions"][0]["status"], "kept", "{}", found["tasks"][1]);
+    // The positioner's has no arm.
+    let named = run(&["--task", "TASK2=irb140", "--task", "TASK3=irb140"]);
+    assert!(err(&named).contains("task::no-motion"), "{}", err(&named));
+    // Where no task can be corrected, nothing is written.
+    bench.file("cell/RAPID/TASK2/PROGMOD/Cube45.mod", READING);
+    fs::remove_dir_all(&to).unwrap();
+    let none = run(&["--task", "TASK1=irb140", "--task", "TASK2=irb140"]);
+    assert_eq!(none.status.code(), Some(2), "{}", out(&none));
+    assert!(err(&none).contains("compensate::nothing") && !bench.path("made").exists(), "{}", err(&none));
+}
+
+/// A module that was encoded, as those of packages of options, is copied as it is; what it declares is not known.
+#[test]
+fn an_encoded_module_stays_as_it_is() {
+    let bench = Bench::default();
+    let encoded: Vec<u8> = (0..200_u32).map(|k| (k * 197 % 251) as u8).collect();
+    assert!(encoded.contains(&0));
+    let library = bench.path("cell/RAPID/TASK1/SYSMOD/Library.sys");
+    bench.file("cell/RAPID/TASK1/PROGMOD/Cube45.mod", fs::read_to_string(CUBE).unwrap());
+    bench.file("cell/RAPID/TASK1/SYSMOD/Library.sys", "");
+    fs::write(&library, &encoded).unwrap();
+    let source = bench.path("cell").display().to_string();
+    let to = bench.path("made").display().to_string();
+    let made = driftpost(&["compensate", &source, "-o", &to, "--diff", "none", "--form", "ramp"]);
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    assert!(err(&made).contains("input::encoded") && err(&made).contains("Library.sys"), "{}", err(&made));
+    assert_eq!(fs::read(bench.path("made/RAPID/TASK1/SYSMOD/Library.sys")).unwrap(), encoded);
+    assert!(bench.text("made/RAPID/TASK1/PROGMOD/Cube45.mod").contains("tcAt("));
+    // By itself it is nothing to correct.
+    let alone = driftpost(&["compensate", &library.display().to_string(), "-o", &to]);
+    assert_eq!(alone.status.code(), Some(2), "{}", out(&alone));
+    assert!(err(&alone).contains("input::binary"), "{}", err(&alone));
+}
+
 /// A row of the hint belongs to the task that its file stands in, and is looked up there alone.
 #[test]
 fn joints_known_from_outside_are_a_tasks_own() {
