@@ -137,8 +137,13 @@ fn usable_stations(
     }
     let poses: BTreeSet<usize> = stations.stations.iter().map(|s| s.pose).collect();
     if stations.stations.len() < FEWEST_STATIONS || poses.len() < FEWEST_POSES {
+        let repeated = if stations.stations.len() >= FEWEST_STATIONS {
+            "; how these repeat, and drift, is judged by driftpost accuracy"
+        } else {
+            ""
+        };
         return Err(Unusable::TooLittle(format!(
-            "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot",
+            "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot{repeated}",
             poses.len()
         )));
     }

@@ -65,6 +65,8 @@ pub(super) enum GpAlternative {
     LoadedTarget,
     /// Zeros of all joints that shift as the payload is on.
     LoadedZeros,
+    /// A joint that stands by the way in which it turned last, the further the more gravity pulls at it, or less far: friction, not play.
+    LoadedPlay(Axis),
     /// An instrument whose scale wanders over time.
     WanderingScale,
     /// The cause in this place of the model, growing or fading over the measurement.
@@ -214,8 +216,29 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
         GpAlternative::ToolSag => tool_sag_columns(design, dataset),
         GpAlternative::LoadedTarget => loaded_target_columns(design, dataset),
         GpAlternative::LoadedZeros => loaded_zeros_columns(design, dataset),
+        GpAlternative::LoadedPlay(j) => loaded_play_columns(design, dataset, j),
         GpAlternative::WanderingScale | GpAlternative::TimeVaryingCause(_) => DMatrix::zeros(0, 0),
     }
+}
+
+/// Length of what play does by the torque, over the largest.
+const PLAY_SHARE: f64 = 0.5;
+
+/// A joint that stands to the side that it came from by a function of gravity's torque on it; none where no torque is on it.
+fn loaded_play_columns(design: &Design, dataset: &Dataset, axis: Axis) -> DMatrix<f64> {
+    let j = axis.index();
+    let torque_n_m = |observation: &Observation| observation.loads.torque_n_m[j];
+    let largest_n_m = dataset.observations.iter().map(|o| torque_n_m(o).abs()).fold(0.0, f64::max);
+    if largest_n_m < 1.0 {
+        return DMatrix::zeros(0, 0);
+    }
+    let centres: Vec<Vec<f64>> = evenly(5).into_iter().map(|at| vec![2.0 * at[0] - 1.0]).collect();
+    compress(&design.stack(dataset, centres.len(), |_, observation, out| {
+        let side = f64::from(observation.direction.map_or(0, |direction| direction[j]));
+        let turn = observation.jacobian_column(j);
+        let share = torque_n_m(observation) / largest_n_m;
+        out.extend(bumps(&[share], &centres, PLAY_SHARE).into_iter().map(|f| scaled(turn, side * f)));
+    }))
 }
 
 /// A joint that turns by a function of time of this length, a share of the measurement.

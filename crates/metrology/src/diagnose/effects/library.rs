@@ -1,6 +1,7 @@
 //! All effects, and the candidates that a data set lets them have.
 
 use super::effect::{Candidate, Effect};
+use super::step_moment::StepMoment;
 use super::*;
 use crate::diagnose::dataset::{DataPoint, Dataset, Twist, scaled};
 use crate::diagnose::size_unit::SizeUnit;
@@ -97,12 +98,14 @@ pub(crate) struct TestableEffects {
 pub(crate) fn testable_effects(dataset: &Dataset) -> TestableEffects {
     let mut candidates = Vec::new();
     let mut untestable = Vec::new();
+    let moment = StepMoment::new(dataset);
     for effect in LIBRARY {
         if let Some(reason) = effect.untestable(dataset) {
             untestable.push(UntestableEffect { kind: effect.kind(), reason });
             continue;
         }
         let mut variants = effect.candidates(dataset);
+        variants.iter_mut().for_each(|candidate| moment.weigh(candidate));
         let total: f64 = variants.iter().map(|c| c.weight).sum();
         for candidate in &mut variants {
             candidate.weight /= total;

@@ -22,6 +22,7 @@ mod payload_mass;
 mod rigid;
 mod rigid_drift;
 mod rigid_step;
+mod step_moment;
 mod swapped_axes;
 mod thermal;
 mod thermal_joint_drift;

@@ -29,7 +29,7 @@ const AS_STATED: std::ops::Range<f64> = 0.72..1.5;
 /// the row's before to a share of .6 to .95, a fifth and more is quick.
 pub(super) const MOSTLY_SLOW: f64 = 2.0;
 /// ln of 20 to 1: what is slow is clearly a function of time or, the other way round, noise that is slow itself.
-const SMOOTH_NATS: f64 = 3.0;
+pub(super) const SMOOTH_NATS: f64 = 3.0;
 /// All scatter over the variance stated, from which on what is slow is not of it.
 const ON_TOP: f64 = 1.35;
 /// The reason that [`slow_noise`] gives.
@@ -248,7 +248,8 @@ fn beyond_statement(fitted: &FittedModel<'_>, chosen: &[ChosenCause], total: f64
 }
 
 /// ln of how much likelier what `chosen` leave is of a smooth function of time beside white noise than of noise that is slow itself.
-fn smoothness_nats(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
+#[must_use]
+pub(super) fn smoothness_nats(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> f64 {
     smooth_over_rough_nats(&fitted.linear.dataset, &fitted.residuals_beside(chosen), &fitted.model.outliers)
 }
 

@@ -167,6 +167,10 @@ pub(super) fn add_gp_alternatives(fitted: &mut FittedModel<'_>) {
                 .map(|one| one.weighing(WITH_LOAD_WEIGHT)),
         );
     }
+    let plays = chosen.iter().map(|cause| &workspace.library.candidates[cause.candidate]);
+    let plays =
+        plays.filter(|cause| cause.kind == EffectKind::Backlash).filter_map(|cause| cause.variant.joint);
+    list.extend(plays.map(|joint| GpAlternative::LoadedPlay(joint).weighing(WITH_LOAD_WEIGHT)));
     let cycles = cycles::significant_peaks(dataset, &model.residuals, &model.outliers);
     list.extend(
         cycles
@@ -312,6 +316,7 @@ pub(super) fn location_of_gp(
             | GpAlternative::Pair(_, _, j)
             | GpAlternative::JointTime(j)
             | GpAlternative::JointTimeFine(j)
+            | GpAlternative::LoadedPlay(j)
             | GpAlternative::Periodic(j, _)
             | GpAlternative::SquareWave(j, _) => Some(j),
             _ => None,

@@ -4,7 +4,8 @@ use super::cause_group::{OpenSlot, SlotScan, spoken_for};
 use super::judgement::Judgement;
 use super::listing::WORTH_SAYING;
 use super::noise::{
-    MAX_RESIDUAL_SHARE, MOSTLY_SLOW, SLOW_AS_NOISE, SLOW_NOISE, Scatter, Slowness, slow_noise, slowness,
+    MAX_RESIDUAL_SHARE, MOSTLY_SLOW, SLOW_AS_NOISE, SLOW_NOISE, SMOOTH_NATS, Scatter, Slowness, slow_noise,
+    slowness, smoothness_nats,
 };
 use super::size::cause;
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
@@ -73,12 +74,16 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
     judgement
 }
 
-/// Whether what is slow is structure over time: not where it is small against what `geometry` takes, and no more than noise may have.
+/// Whether what is slow is structure over time: not where it is small against what `geometry` takes, and no more than noise may have, unless
+/// it is more than the noise that is known and clearly a function of time.
 fn is_structure(fitted: &FittedModel<'_>, slowness: Slowness, geometry: bool) -> bool {
-    let Slowness::Structure { rms_m: slow_m, .. } = slowness else { return false };
+    let Slowness::Structure { rms_m: slow_m, noise_known } = slowness else { return false };
     let FittedModel { model, linear, .. } = fitted;
     let before_m = rms_m(&linear.nominal, |i| !model.outliers[i]);
     let of_geometry_m = (before_m.powi(2) - 3.0 * model.noise_m().powi(2)).max(0.0).sqrt();
     let mostly_slow = model.slow.is_some_and(|slow| slow.size > MOSTLY_SLOW);
-    !geometry || mostly_slow || slow_m > MAX_RESIDUAL_SHARE * of_geometry_m
+    !geometry
+        || mostly_slow
+        || slow_m > MAX_RESIDUAL_SHARE * of_geometry_m
+        || noise_known && smoothness_nats(fitted, &[]) > SMOOTH_NATS
 }

@@ -95,6 +95,11 @@ pub(super) fn structure_reason(gp_alternative: GpAlternative, timed: bool) -> St
         GpAlternative::LoadedZeros => {
             "the payload: joints stand elsewhere under load, whatever their torque".to_owned()
         }
+        GpAlternative::LoadedPlay(j) => {
+            format!(
+                "the way in which joint {j} turned last, and gravity's torque on it: friction that winds the joint up under load, not play"
+            )
+        }
         GpAlternative::WanderingScale => {
             format!("the distance from the instrument, over {time}: its scale wanders")
         }
