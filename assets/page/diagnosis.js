@@ -2,10 +2,10 @@
 
 import { NONE, count, h, mm, number, plural, store } from './dom.js';
 import { bars } from './bars.js';
-import { figure, figures, later, messages, record, section } from './layout.js';
+import { figure, figures, messages, notes, printed, record, section } from './layout.js';
 import { table } from './table.js';
 import { residualSection } from './diagnosis_residuals.js';
-import { poseSection } from './diagnosis_arm.js';
+import { nextSection, poseSection } from './diagnosis_arm.js';
 import { gearSection } from './diagnosis_gears.js';
 
 const VERDICTS = {
@@ -40,6 +40,7 @@ export function diagnosis({ data, view, version }) {
     () => gearSection(data, view),
     () => hasRows && residualSection(scene),
     () => view.robot && (hasRows || data.next_measurements.length > 0) && poseSection(scene),
+    () => !view.robot && nextSection(scene),
     () => data.false_rows?.length > 0 && falseSection(data),
     () => limitSection(data),
     () => record([...(view.provenance ?? []), ...(view.robot ? [['robot', view.robot.name]] : [])], version),
@@ -64,19 +65,21 @@ function overview(data, view, tone) {
     h('p', { class: `reason ${tone}`, text: sentence(data.reason) }),
     view.mostly && h('p', { class: 'notice', 'data-name': 'mostly', text: view.mostly }),
     view.next && h('p', { class: 'next', 'data-name': 'next-step' }, h('b', { text: 'Next: ' }), `${view.next}.`),
+    view.from_json && notes(data.notes),
     data.fault && messages([{ code: 'data fault', message: typeof data.fault === 'string' ? data.fault : Object.values(data.fault).map(String).join('; ') }], 'bad'),
     data.warnings.length > 0 && messages(data.warnings, 'warn'),
     figures(
       figure('Rows', count(data.rows), '', plural(data.stations, 'station')),
       shrink.ratio !== null && figure('The gap shrinks to', `${(100 * shrink.ratio).toFixed(0)} %`, '', shrink.ci90 && `${(100 * shrink.ci90[0]).toFixed(0)} to ${(100 * shrink.ci90[1]).toFixed(0)} %, nine times in ten`, 'after'),
       noise?.repeats_sigma_mm !== undefined && noise.repeats_sigma_mm !== null && figure('Noise in repeats', mm(noise.repeats_sigma_mm), 'mm', 'of one coordinate'),
-      noise?.model_sigma_mm !== undefined && noise.model_sigma_mm !== null && figure('Noise about the best model', mm(noise.model_sigma_mm), 'mm', 'of one coordinate'),
+      noise?.shared_sigma_mm !== undefined && noise.shared_sigma_mm !== null && figure('Shared by the targets of a pose', mm(noise.shared_sigma_mm), 'mm', 'where the arm stood: a pose tells once'),
+      noise?.model_sigma_mm !== undefined && noise.model_sigma_mm !== null && figure('Noise about the best model', mm(noise.model_sigma_mm), 'mm', noise.repeats_sigma_mm === null ? 'of one coordinate; nothing was repeated, so this cannot be checked' : 'of one coordinate'),
       data.where?.joint && figure('Where', `joint ${data.where.joint}`, '', data.where.time ?? undefined),
     ),
     shrink.before_rms_mm !== null && [h('h3', { class: 'apart', text: 'How much better the robot gets, on poses held out (rms, 3-D)' }), bars({ label: 'Error on held-out poses', rows, most })],
     blocks.map(([name, block]) => h('p', { class: 'calm', text: `${name} held out whole: ${mm(block.before_rms_mm, 3)} mm before, ${mm(block.after_rms_mm, 3)} mm after` })),
     view.from_json && h('p', { class: 'notice', text: 'Made from JSON alone: residuals and the arm are on the page that `diagnose --report` writes.' }),
-    view.text && later('The report as printed', () => h('pre', { class: 'report', tabIndex: 0, text: view.text })));
+    printed(view));
 }
 
 const sentence = (text) => (text ? text[0].toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.') : '');
@@ -106,8 +109,16 @@ function causeSection(data) {
         bars({ label: 'Probability', most: 1, rows: rows.slice(0, 12).map((cause) => ({ label: short(cause), value: cause.posterior, text: percent(cause.posterior), colour: 'after' })) })];
     }),
     table({ caption: 'Causes', name: 'causes', columns, rows: data.causes, searchable: false }).element,
+    data.zeros_alone && h('p', { class: 'notice', 'data-name': 'zeros', text: zeros(data) }),
     h('p', { class: 'notice', text: 'Seen: what is left of it where base and target, which are fitted, stand as well as they can beside it.' }),
     data.rivals?.length > 0 && [h('h3', { class: 'apart', text: 'What it is not, as far as these data tell' }), table({ caption: 'Rivals', name: 'rivals', columns, rows: data.rivals }).element]);
+}
+
+/** What the offsets of the joints would do alone: first of all, of an arm that was never calibrated. */
+function zeros({ zeros_alone: alone, causes }) {
+  const deg = (rad) => `${rad < 0 ? '−' : '+'}${Math.abs((180 / Math.PI) * rad).toFixed(3)} deg`;
+  const apart = causes.some((cause) => cause.effect === 'joint_offset') ? '' : '; beside geometry as wide as this arm\'s they are not told from it';
+  return `Joint offsets alone would take the gap from ${mm(alone.before_rms_mm, 3)} to ${mm(alone.after_rms_mm, 3)} mm: ${alone.joints.map((one) => `joint ${one.joint} ${deg(one.offset_rad)}`).join(', ')}${apart}.`;
 }
 
 const short = (cause) => causeName(cause).replace(' of joint ', ', J').replace('compliance', 'compl.').replace('eccentricity', 'ecc.').replace('second harmonic', '2nd harm.');

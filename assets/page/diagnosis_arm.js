@@ -77,6 +77,9 @@ function look(view3, residuals, size) {
   view3.lookAt(low, high);
 }
 
+/** The poses to measure, where there is no arm to show them with. */
+export const nextSection = ({ data, view, state }) => (data.next_measurements.length > 0 ? section('next', 'What to measure next', 'Next', nextTable(data, view, state)) : null);
+
 function nextTable(data, view, state) {
   if (data.next_measurements.length === 0) return null;
   const rows = data.next_measurements.map((pose, i) => ({ ...pose, i }));
@@ -86,6 +89,6 @@ function nextTable(data, view, state) {
     { key: 'kg', label: 'payload kg', number: true, value: (row) => row.payload_kg, text: (row) => number(row.payload_kg) },
     { key: 'dir', label: `approach J1 to J${rows[0].dir.length}`, value: (row) => row.dir.join(), text: (row) => row.dir.map((sign) => (sign < 0 ? '−' : '+')).join(' ') },
   ];
-  const list = table({ caption: 'What to measure next', name: 'next', columns, rows, searchable: false, onRow: (row) => { list.choose(row); state.set({ pose: row.i }); } });
+  const list = table({ caption: 'What to measure next', name: 'next', columns, rows, searchable: false, onRow: view.robot && ((row) => { list.choose(row); state.set({ pose: row.i }); }) });
   return h('div', {}, h('h3', { class: 'apart', text: `What to measure next, ${data.next_reason}` }), list.element);
 }

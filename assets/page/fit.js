@@ -4,8 +4,7 @@ import { NONE, count, h, mm, number, plural, store } from './dom.js';
 import { bars } from './bars.js';
 import { curves } from './curves.js';
 import { rowsOf, touchPlots, touchTable } from './fit_touches.js';
-import { figure, figures, record, section } from './layout.js';
-import { printed } from './parts.js';
+import { figure, figures, messages, notes, printed, record, section } from './layout.js';
 import { table } from './table.js';
 import { listOf } from './plain.js';
 
@@ -43,6 +42,7 @@ export function fitted({ data, view, version }) {
   const chosen = store({ row: null });
   const sections = [
     section('overview', 'Overview', 'Overview',
+      data.warnings?.length > 0 && messages(data.warnings, 'warn'),
       figures(
         figure('Growth', data.growth.split(':')[0], '', `the other law has ${(100 * data.other_law).toFixed(1)} %`),
         figure('τ', tau.toFixed(1), 'min', `± ${number(data.tau_sigma_min)}`),
@@ -51,7 +51,7 @@ export function fitted({ data, view, version }) {
         figure('Noise of one coordinate', mm(data.sigma_mm), 'mm'),
         there && figure('Drift at the targets', mm(there.drift_rms_mm), 'mm', 'rms, uncorrected', 'before'),
         there && figure('The table would leave', mm(there.left_rms_mm), 'mm', `rms; one shift of the work object ${mm(there.shift_left_rms_mm)}`, 'after')),
-      printed(view)),
+      notes(data.notes), printed(view)),
     section('curves', 'How it grows, and how far each point goes', 'Curves', h('div', { class: 'plots' },
       curves({
         title: 'Share of the settled deformation', x: minutes, xLabel: 'warm-up minute', yLabel: 'share', height: 240, text: `${data.growth}`,
@@ -67,7 +67,7 @@ export function fitted({ data, view, version }) {
     section('parameters', `What the touches tell: ${told.length} of ${data.parameters.length} parameters`, 'Parameters',
       told.length > 0 && bars({ label: 'Share that the data tell', most: 1, rows: told.slice(0, 16).map((one) => ({ label: `joint ${one.joint} ${one.parameter}: ${sized(one, one.value)} ± ${sized(one, one.sigma)} ${one.unit}`, value: one.told, text: percent(one.told), colour: 'after' })) }),
       parameterTable(data.parameters)),
-    there && section('targets', 'At the targets', 'Targets', listOf('targets', there.each),
+    there && section('targets', 'At the targets', 'Targets', listOf('targets', there.each.map((one) => ({ target: one.target, 'moves by (mm)': Math.hypot(...one.drift_mm), 'known to (mm)': Math.hypot(...one.sigma_mm), 'moves x, y, z (mm)': one.drift_mm, 'sigma x, y, z (mm)': one.sigma_mm }))),
       there.next && h('p', { class: 'notice', text: `Touch next at joints ${there.next.q_deg.map((q) => q.toFixed(1)).join(', ')} deg (${there.next.at_mm.map((value) => value.toFixed(0)).join(', ')} mm): ${mm(there.next.left_rms_mm)} mm would be left.` })),
     record(view.provenance ?? [], version),
   ].map((one) => () => one);

@@ -32,6 +32,7 @@ export const figure = (label, value, unit, note, tone = '') => h('div', { class:
 export const figures = (...all) => h('dl', { class: 'figures' }, all);
 
 const SHOWN = 8;
+const SENTENCES = 12;
 
 /** The last part of a path. */
 export const nameOfFile = (path) => path.split('/').pop();
@@ -46,16 +47,32 @@ export function messages(list, tone) {
   const rest = list.slice(SHOWN);
   return [
     h('ul', { class: 'messages' }, first),
-    rest.length > 0 && later(`${plural(rest.length, 'more message')}`, () => h('ul', { class: 'messages' }, rest.slice(0, 500).map(one), rest.length > 500 && h('li', { class: 'message', text: `and ${rest.length - 500} more: see the JSON` }))),
+    rest.length > 0 && later(`${plural(rest.length, 'more message')}`, () => h('ul', { class: 'messages' }, rest.slice(0, 500).map(one), rest.length > 500 && h('li', { class: 'message', text: `and ${rest.length - 500} more: see the JSON` })), { printed: true }),
   ];
 }
 
-/** A part that is made when it is opened. */
-export function later(summary, make) {
+/** Sentences of a report, in its order; a long list opens. */
+export function notes(list) {
+  const items = (some) => h('ul', { class: 'notes' }, some.map((text) => h('li', { text })));
+  if (!list || list.length === 0) return null;
+  return [items(list.slice(0, SENTENCES)), list.length > SENTENCES && later(plural(list.length - SENTENCES, 'more sentence'), () => items(list.slice(SENTENCES)), { printed: true })];
+}
+
+/** A part that is made when it is opened; `printed` is open on paper. */
+export function later(summary, make, { printed: isPrinted = false } = {}) {
   const details = h('details', {}, h('summary', { text: summary }));
-  details.addEventListener('toggle', () => { if (details.open && details.children.length === 1) details.append(make()); });
+  const fill = () => { if (details.children.length === 1) details.append(...[make()].flat()); };
+  details.addEventListener('toggle', () => { if (details.open) fill(); });
+  if (isPrinted) {
+    let wasOpen = false;
+    addEventListener('beforeprint', () => { wasOpen = details.open; fill(); details.open = true; });
+    addEventListener('afterprint', () => { details.open = wasOpen; });
+  }
   return details;
 }
+
+/** The report as a terminal has it. */
+export const printed = (view) => view.text && later('The report as printed', () => h('pre', { class: 'report', tabIndex: 0, text: view.text }));
 
 /** Names and values. */
 export const facts = (pairs) => h('dl', { class: 'facts' }, pairs.map(([name, value]) => h('div', {}, h('dt', { text: name }), h('dd', { text: value }))));

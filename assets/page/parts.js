@@ -1,10 +1,8 @@
 // What pages of results have in common.
 
-import { count, h } from './dom.js';
-import { later, section } from './layout.js';
+import { count } from './dom.js';
+import { section } from './layout.js';
 import { listOf } from './plain.js';
-
-export const printed = (view) => view.text && later('The report as printed', () => h('pre', { class: 'report', tabIndex: 0, text: view.text }));
 
 /** Lists of the JSON as tables, those that hold anything. */
 export const lists = (data, names) => Object.entries(names).filter(([key]) => data[key]?.length > 0)

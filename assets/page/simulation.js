@@ -2,8 +2,8 @@
 
 import { count, h, mm, number, plural } from './dom.js';
 import { curves } from './curves.js';
-import { figure, figures, nameOfFile, record, section } from './layout.js';
-import { lists, ordered, printed } from './parts.js';
+import { figure, figures, nameOfFile, notes, printed, record, section } from './layout.js';
+import { lists, ordered } from './parts.js';
 import { listOf } from './plain.js';
 
 const shortFile = (row) => ({ ...row, file: row.file ? nameOfFile(row.file) : row.file });
@@ -72,7 +72,7 @@ export function simulation({ data, view, version }) {
         figure('Motions executed', count(data.executed.motions), '', `of ${count(data.executed.of)} in the program`),
         figure(one ? 'Minute' : 'Passes', one ? number(t[0]) : count(passes.length)),
         data.switches.length > 0 && figure('Largest step at a switch', mm(Math.max(...data.switches.map((one_) => one_.jump_mm))), 'mm', plural(data.switches.length, 'switch').replace('switchs', 'switches'))),
-      printed(view)),
+      notes(data.notes), printed(view)),
     passes.length > 0 && section('curves', 'Errors at each minute', 'Curves',
       h('div', { class: 'plots' }, overTime(passes, marks)),
       marks.length > 0 && listOf('steps', marks.map((mark) => ({ step: mark.words, 'from (min)': mark.from_min, 'to (min)': mark.to_min, 'the robot stands': mark.standing }))),

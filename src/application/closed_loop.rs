@@ -5,6 +5,7 @@ use super::compensation::Compensation;
 use super::diagnosis::Diagnosis;
 use super::named::Named;
 use super::program_files::ProgramFiles;
+use crate::report::notes;
 use exam::generate::{DataSet, data_set};
 use exam::recipe::{Recipe, RequestedEffect};
 use exam::rng::Rng;
@@ -164,6 +165,12 @@ impl LoopClosed {
     /// What happened, and whether it ended within `times` the noise floor, for people.
     #[must_use]
     pub fn text(&self, times: f64) -> String {
+        let verdict = if self.is_within(times) { "within" } else { "NOT within" };
+        self.found_and_left() + &format!("{verdict} {times} times the noise floor\n")
+    }
+
+    /// What was found of what was withheld, and what is left at the targets.
+    fn found_and_left(&self) -> String {
         let Self { withheld, n, floor_mm, findings, .. } = self;
         let mut text = format!("withheld: {withheld}\nfound in {n} poses: {}\n", findings.reason);
         text += &format!("noise floor {floor_mm:.4} mm, rms in space\n");
@@ -179,15 +186,14 @@ impl LoopClosed {
                 "{kept} kept uncorrected: `driftpost compensate --model` with --model-out's file says why\n"
             );
         }
-        let verdict = if self.is_within(times) { "within" } else { "NOT within" };
-        text + &format!("{verdict} {times} times the noise floor\n")
+        text
     }
 
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> Value {
         json!({
-            "withheld": self.withheld, "verdict": self.findings.verdict,
+            "notes": notes(&self.found_and_left()), "withheld": self.withheld, "verdict": self.findings.verdict,
             "causes": self.findings.causes.iter().map(diagnose::describe).collect::<Vec<_>>(),
             "targets": self.before.n, "kept": self.kept, "floor_rms_mm": self.floor_mm,
             "before": self.before.json(), "after": self.after.json(),

@@ -70,6 +70,14 @@ impl Diagnosis {
     }
 }
 
+/// What was found, and what the report says of it beside its lists.
+#[derive(serde::Serialize)]
+struct DiagnosisJson<'d> {
+    #[serde(flatten)]
+    findings: &'d diagnose::Findings,
+    notes: Vec<String>,
+}
+
 impl Diagnosed {
     /// The same with the file's own names of its columns, where a column map has given it ours.
     #[must_use]
@@ -95,7 +103,7 @@ impl Diagnosed {
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        value(&self.findings)
+        value(&self.with_notes())
     }
 
     /// The same as its file holds it, verdict first.
@@ -103,7 +111,14 @@ impl Diagnosed {
     /// # Errors
     /// Those of writing to `out`.
     pub fn write_json(&self, out: &mut dyn Write) -> io::Result<()> {
-        write_pretty(out, &self.findings)
+        write_pretty(out, &self.with_notes())
+    }
+
+    fn with_notes(&self) -> DiagnosisJson<'_> {
+        DiagnosisJson {
+            findings: &self.findings,
+            notes: diagnosis::in_sentences(&self.findings, &self.robot),
+        }
     }
 
     /// The model of what was found; `name` and `sha256` are those of the measurements. `None` where none was asked for, or none can

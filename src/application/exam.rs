@@ -1,6 +1,7 @@
 //! The blind exam: sets of measurements whose truth is sealed, put to the diagnosis and scored.
 
 use super::diagnosis::{Diagnosis, DiagnosisError};
+use crate::report::value;
 use exam::answer::Answer;
 use exam::generate::Task;
 use exam::measure::Measure;
@@ -156,7 +157,23 @@ impl Scored {
     pub fn json(&self) -> serde_json::Value {
         let set = |set: &AnsweredSet| serde_json::json!({ "truth": set.truth, "answer": set.answer });
         let sets: Vec<_> = self.answered.iter().map(set).collect();
-        serde_json::json!({ "measures": self.measures, "sets": sets })
+        let measure = |measure: &Measure| {
+            let mut row = value(measure);
+            row["judgement"] = judgement(measure).into();
+            row
+        };
+        let measures: Vec<_> = self.measures.iter().map(measure).collect();
+        serde_json::json!({ "measures": measures, "sets": sets })
+    }
+}
+
+/// How good a value is, in a word.
+fn judgement(measure: &Measure) -> &'static str {
+    match measure.value {
+        None => "not asked",
+        Some(_) if measure.reaches(measure.world_class) => "world-class",
+        Some(_) if measure.reaches(measure.pass) => "passes",
+        Some(_) => "falls short",
     }
 }
 
@@ -164,12 +181,7 @@ impl Scored {
 fn row(measure: &Measure) -> String {
     let value = measure.value.map_or_else(|| "-".to_owned(), |v| format!("{v:.3}"));
     let interval = measure.ci90.map_or_else(String::new, |[low, high]| format!("[{low:.2}, {high:.2}]"));
-    let mark = match measure.value {
-        None => "not asked",
-        Some(_) if measure.reaches(measure.world_class) => "world-class",
-        Some(_) if measure.reaches(measure.pass) => "passes",
-        Some(_) => "falls short",
-    };
+    let mark = judgement(measure);
     format!(
         "{:<48} {value:>6} {interval:<13} {:>4} sets   pass {:<4} world-class {:<4}  {mark}",
         measure.name, measure.sets, measure.pass, measure.world_class

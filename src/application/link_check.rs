@@ -1,12 +1,13 @@
 //! A program's targets put to the controller's own kinematics: nothing moves, it calculates.
 
 use super::loading::link_message;
+use crate::report::notes;
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion};
 use rapid_compensation::compensate::CompensateError;
 use rapid_compensation::compensate::commanded::{Commanded, CommandedTargets, commanded};
 use rapid_program::Program;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, counted, first_few};
-use robot_link::{Configuration, Frame, LinkError, Session, Unit};
+use robot_link::{Configuration, Frame, Identity, LinkError, Session, Unit};
 use robot_model::robot::Robot;
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::BTreeMap;
@@ -107,6 +108,9 @@ pub enum LinkChecked {
         found: Vec<TargetCheck>,
         /// File and line of motions whose targets the arm does not reach by nominal kinematics.
         unreached: Vec<String>,
+        /// Elements that it does not reach of targets of which it reaches others, places of a pallet that are not in use, say: file
+        /// and line, and which, from 1. They are no part of an agreement or a difference.
+        unreached_elements: Vec<(String, usize)>,
         /// The arm that is meant.
         robot: String,
         /// Motions whose targets only run time knows.
@@ -172,6 +176,11 @@ impl LinkCheck {
         Ok(LinkChecked::Asked {
             found,
             unreached: targets.unreached.iter().map(place).collect(),
+            unreached_elements: targets
+                .unreached_elements
+                .iter()
+                .map(|(at, element)| (place(at), element + 1))
+                .collect(),
             robot: robot.to_owned(),
             unknown: targets.unknown,
             display_mm,
@@ -298,14 +307,23 @@ impl LinkChecked {
     #[must_use]
     pub fn text(&self, all: bool) -> String {
         match self {
+            Self::Asked { found, .. } => {
+                let shown = found.iter().filter(|found| all || !found.agrees);
+                shown.map(TargetCheck::line).collect::<String>() + &self.result_text()
+            }
+            Self::NotOffered(_) | Self::NoConclusion { .. } => self.result_text(),
+        }
+    }
+
+    /// The worst, what was not asked for, and the verdict.
+    fn result_text(&self) -> String {
+        match self {
             Self::NotOffered(what) => format!("not offered: {what}\n"),
             Self::NoConclusion { apart_mm } => format!(
                 "no conclusion: for the joints that it shows the controller calculates a flange {apart_mm:.4} mm from the one that it shows\n"
             ),
-            Self::Asked { found, unreached, robot, unknown, display_mm } => {
-                let shown = found.iter().filter(|found| all || !found.agrees);
-                let mut text: String = shown.map(TargetCheck::line).collect();
-                text += &worst_line(found, *display_mm);
+            Self::Asked { found, unreached, unreached_elements, robot, unknown, display_mm } => {
+                let mut text = worst_line(found, *display_mm);
                 if *unknown > 0 {
                     text += &format!(
                         "not asked for: {}, whose targets only the running program knows\n",
@@ -319,6 +337,17 @@ impl LinkChecked {
                         first_few(unreached, LISTED)
                     );
                 }
+                if !unreached_elements.is_empty() {
+                    let names: Vec<String> = unreached_elements
+                        .iter()
+                        .map(|(at, element)| format!("{at} element {element}"))
+                        .collect();
+                    text += &format!(
+                        "not asked for: {} of targets of several, out of reach of {robot} (places that are not in use?): {}\n",
+                        counted(names.len(), "element"),
+                        first_few(&names, LISTED)
+                    );
+                }
                 text + &verdict_line(found, unreached.len())
             }
         }
@@ -328,19 +357,39 @@ impl LinkChecked {
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
         match self {
-            Self::NotOffered(what) => serde_json::json!({"verdict": "not_offered", "why": what}),
-            Self::NoConclusion { apart_mm } => {
-                serde_json::json!({"verdict": "no_conclusion", "display_mm": apart_mm})
+            Self::NotOffered(what) => {
+                serde_json::json!({"verdict": "not_offered", "why": what, "notes": notes(&self.result_text())})
             }
-            Self::Asked { found, unreached, robot, unknown, display_mm } => serde_json::json!({
-                "verdict": self.verdict(),
-                "display_mm": display_mm,
-                "robot": robot,
-                "not_known": unknown,
-                "out_of_reach": unreached,
-                "targets": found.iter().map(TargetCheck::json).collect::<Vec<_>>(),
-            }),
+            Self::NoConclusion { apart_mm } => {
+                serde_json::json!({"verdict": "no_conclusion", "display_mm": apart_mm, "notes": notes(&self.result_text())})
+            }
+            Self::Asked { found, unreached, unreached_elements, robot, unknown, display_mm } => {
+                serde_json::json!({
+                    "notes": notes(&self.result_text()),
+                    "verdict": self.verdict(),
+                    "display_mm": display_mm,
+                    "robot": robot,
+                    "not_known": unknown,
+                    "out_of_reach": unreached,
+                    "elements_out_of_reach": unreached_elements
+                        .iter()
+                        .map(|(at, element)| serde_json::json!({"at": at, "element": element}))
+                        .collect::<Vec<_>>(),
+                    "targets": found.iter().map(TargetCheck::json).collect::<Vec<_>>(),
+                })
+            }
         }
+    }
+
+    /// The same with the controller that was asked: its address and what it is.
+    #[must_use]
+    pub fn json_of(&self, host: &str, identity: &Identity) -> serde_json::Value {
+        let mut data = self.json();
+        data["host"] = host.into();
+        data["controller"] = serde_json::json!({
+            "robot": identity.robot, "dialect": identity.dialect.to_string(), "absolute_accuracy": identity.absolute_accuracy,
+        });
+        data
     }
 
     /// The verdict on what was asked for, in a word.

@@ -1,7 +1,7 @@
 //! An identified model on measurements that it has not seen.
 
 use super::other_robot::model_of_another_robot;
-use crate::report::validation as report;
+use crate::report::{notes, validation as report};
 use measurements::{
     Channels, Fault, FaultKind, MeasurementRow, Measurements, OneStand, check_rows, find_pose_names,
     from_sound_file,
@@ -257,6 +257,8 @@ impl ModelChecked {
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        report::json(&self.validation, &self.stops)
+        let mut data = report::json(&self.validation, &self.stops);
+        data["notes"] = notes(&self.text()).into();
+        data
     }
 }

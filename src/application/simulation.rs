@@ -2,7 +2,7 @@
 
 use super::emitted_settings::EmittedSettings;
 use super::program_files::{ProgramFiles, check_names};
-use crate::report::simulation;
+use crate::report::{notes, simulation};
 use rapid_compensation::compensate::CompensateError;
 use rapid_compensation::emit::renamed;
 use rapid_program::{Overrides, task_of};
@@ -239,7 +239,11 @@ impl Simulated {
     /// The JSON of the contract.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        simulation::json(&self.report)
+        let (mut data, mut text) = (simulation::json(&self.report), Vec::new());
+        let _ = self.write(&mut text); // writing to memory cannot fail
+        data["notes"] = notes(&String::from_utf8_lossy(&text)).into();
+        data["within"] = self.is_within().into();
+        data
     }
 
     /// Pass by pass, as CSV.

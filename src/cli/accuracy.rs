@@ -59,6 +59,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, base and tool that cannot be fitted, a limit that nothing was measured for.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    console.keep_warnings();
     positive(&[
         ("--limit-ap-mm", args.limit_ap_mm),
         ("--limit-rp-mm", args.limit_rp_mm),
@@ -89,7 +90,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         true,
     );
     let takes_standard_output = json.is_standard();
-    let (data, mut text) = (found.json(), Vec::new());
+    let (mut data, mut text) = (found.json(), Vec::new());
+    console.add_warnings(&mut data);
     found.write(&mut text)?;
     page.write("accuracy", &[(given.name, given.sha256)], &data, &String::from_utf8_lossy(&text))?;
     json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;

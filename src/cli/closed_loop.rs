@@ -96,11 +96,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         file.write(&model.to_toml())?;
     }
     let closed = closed.map_err(Diagnostic::from)?;
-    let answer = closed.json();
-    page.write("closed-loop", &hashes(&given.program()), &answer, &closed.findings.reason)?;
+    let (mut answer, text) = (closed.json(), closed.text(args.limit));
+    answer["within"] = closed.is_within(args.limit).into();
+    answer["limit_of_floor"] = args.limit.into();
+    page.write("closed-loop", &hashes(&given.program()), &answer, &text)?;
     let takes_standard_output = json.is_standard();
     json.write(console, || Ok(format!("{answer:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(closed.text(args.limit).as_bytes())?;
+    to.write_all(text.as_bytes())?;
     Ok(if closed.is_within(args.limit) { Outcome::Done } else { Outcome::Difference })
 }

@@ -52,6 +52,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, too few poses in both.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    console.keep_warnings();
     positive(&[("--limit-mm", args.limit_mm)])?;
     let mut job = ChangeCheck::new(args.robot.load_arm()?);
     job.options = args.known.options()?;
@@ -71,7 +72,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         console.explain(&LocatedDiagnostic::all(of_file, &[]), true);
     }
     let takes_standard_output = json.is_standard();
-    let (data, mut text) = (found.json(), Vec::new());
+    let (mut data, mut text) = (found.json(), Vec::new());
+    console.add_warnings(&mut data);
     found.write(&mut text)?;
     let hashed = |path: &PathBuf| {
         let bytes = files::read(path, "measurement file")?;

@@ -19,6 +19,8 @@ pub struct Console {
     is_quiet: bool,
     /// The errors that were told, where somebody collects them.
     errors: Option<Vec<LocatedDiagnostic>>,
+    /// The warnings that were told, where a result carries them along.
+    warnings: Option<Vec<LocatedDiagnostic>>,
     /// Whether a person sees standard output, in colours.
     is_coloured: bool,
 }
@@ -35,6 +37,7 @@ impl Console {
             err_is_coloured: io::stderr().is_terminal() && colours,
             is_quiet: false,
             errors: None,
+            warnings: None,
             is_coloured: io::stdout().is_terminal() && colours,
         }
     }
@@ -48,6 +51,7 @@ impl Console {
             err_is_coloured: false,
             is_quiet: false,
             errors: Some(Vec::new()),
+            warnings: None,
             is_coloured: false,
         }
     }
@@ -55,6 +59,19 @@ impl Console {
     /// The errors that were told.
     pub(super) fn take_errors(&mut self) -> Vec<LocatedDiagnostic> {
         self.errors.take().unwrap_or_default()
+    }
+
+    /// From here on warnings are kept for [`add_warnings`](Self::add_warnings).
+    pub(super) fn keep_warnings(&mut self) {
+        self.warnings = Some(Vec::new());
+    }
+
+    /// Adds the warnings that were told to the JSON of a result, as `warnings` beside those which it has.
+    pub(super) fn add_warnings(&mut self, data: &mut serde_json::Value) {
+        let mut all = data["warnings"].as_array().cloned().unwrap_or_default();
+        let kept = report::messages(&self.warnings.take().unwrap_or_default());
+        all.extend(kept.as_array().cloned().unwrap_or_default());
+        data["warnings"] = all.into();
     }
 
     /// From here on nothing but errors is said.
@@ -101,6 +118,9 @@ impl Console {
         let is_error = |m: &&LocatedDiagnostic| m.diagnostic.severity == Severity::Error;
         if let Some(errors) = &mut self.errors {
             errors.extend(messages.iter().filter(is_error).cloned());
+        }
+        if let Some(warnings) = &mut self.warnings {
+            warnings.extend(messages.iter().filter(|message| !is_error(message)).cloned());
         }
         let errors: Vec<LocatedDiagnostic>;
         let messages = if self.is_quiet {

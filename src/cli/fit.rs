@@ -70,6 +70,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, touches that say too little.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    console.keep_warnings();
     let mut job = Fit::new(args.robot.load()?);
     job.options = FitOptions {
         tool_m: args.tool.as_deref().map(tool).transpose()?.unwrap_or_else(Vector3::zeros),
@@ -101,7 +102,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         file.write(&found.model(&given.name, &given.sha256).to_toml())?;
     }
     let takes_standard_output = json.is_standard();
-    let (data, text) = (found.json(), found.text());
+    let (mut data, text) = (found.json(), found.text());
+    console.add_warnings(&mut data);
     page.write("fit", &[(given.name, given.sha256)], &data, &text)?;
     json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };

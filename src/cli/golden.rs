@@ -51,16 +51,17 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let actual = result_of(&case)?;
         let folder = case.join("expected");
         let expected = if folder.is_dir() { read_all(&folder)? } else { Files::new() };
-        let same = actual == expected;
+        let files = different_files(&expected, &actual);
+        let same = files.is_empty();
         if !same && args.update {
             write_all(&folder, &expected, &actual)?;
             console.note(format_args!("{}: updated", case.display()));
         } else if !same && !json.is_standard() {
             show(console, &folder, &expected, &actual)?;
         }
-        cases.push((case.display().to_string(), same));
+        cases.push((case.display().to_string(), files));
     }
-    let different = cases.iter().filter(|(_, same)| !same).count();
+    let different = cases.iter().filter(|(_, files)| !files.is_empty()).count();
     console.note(format_args!("{}, {different} different", report::counted(cases.len(), "case")));
     json.write(console, || Ok(report::golden_json(&cases, args.update).into_bytes()))?;
     Ok(if different == 0 || args.update { Outcome::Done } else { Outcome::Difference })
@@ -207,6 +208,15 @@ fn write_all(folder: &Path, old: &Files, new: &Files) -> Result<(), Diagnostic> 
         Pending::new(&folder.join(place))?.write(bytes)?;
     }
     Ok(())
+}
+
+/// The files that one of both does not have, or has otherwise, in order of name.
+fn different_files(expected: &Files, actual: &Files) -> Vec<String> {
+    let mut places: Vec<String> = expected.keys().chain(actual.keys()).cloned().collect();
+    places.sort();
+    places.dedup();
+    places.retain(|place| expected.get(place) != actual.get(place));
+    places
 }
 
 fn show(console: &mut Console, folder: &Path, expected: &Files, actual: &Files) -> std::io::Result<()> {

@@ -107,6 +107,7 @@ fn written(place_mm: &[f64]) -> String {
 /// # Errors
 /// A file that cannot be written, an option that cannot be, a robot without room.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    console.keep_warnings();
     let robot = args.robot.load_arm()?;
     let job = Planning { robot, options: options(args)?, with_rapid: args.rapid_out.is_some() };
     job.check().map_err(Diagnostic::from)?;
@@ -136,7 +137,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         file.write(&text)?;
     }
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", planned.json()).into_bytes()))?;
+    let mut data = planned.json();
+    console.add_warnings(&mut data);
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     planned.write(if takes_standard_output { console.err() } else { console.out() })?;
     Ok(Outcome::Done)
 }

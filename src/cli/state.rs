@@ -70,6 +70,7 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read or written, touches that say nothing.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    console.keep_warnings();
     positive(&[("--sigma-mm", Some(args.sigma_mm))])?;
     minutes(&[("--tau-cool", args.tau_cool)])?;
     let robot = args.robot.load()?;
@@ -102,7 +103,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         true,
     );
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
+    let mut data = found.json();
+    console.add_warnings(&mut data);
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     to.write_all(found.text(args.plan).as_bytes())?;
     Ok(Outcome::Done)

@@ -61,6 +61,7 @@ pub enum RefitScopeName {
 /// # Errors
 /// A file that cannot be read or written, or a registration that cannot be had.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
+    console.keep_warnings();
     positive(&[("--limit-mm", args.limit_mm)])?;
     let robot = args.robot.load_arm()?;
     let mut job = ModelCheck::new(robot, model::identified(&args.model)?.model);
@@ -85,7 +86,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         true,
     );
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
+    let mut data = found.json();
+    console.add_warnings(&mut data);
+    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
     let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
     to.write_all(found.text().as_bytes())?;
     Ok(if found.holds() { Outcome::Done } else { Outcome::Difference })

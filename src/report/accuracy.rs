@@ -1,7 +1,7 @@
 //! Performance after ISO 9283 for people and as JSON.
 
-use super::counted;
 use super::table::{Align, Table};
+use super::{counted, notes};
 use measurements::{Performance, Repeatability};
 use robot_model::robot::SerialArm;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -119,8 +119,10 @@ pub fn json(found: &Performance, within: Option<bool>, robot: &SerialArm) -> Val
         })
         .collect();
     let all = found.worst();
+    let mut text = Vec::new();
+    let _ = write_rest(&mut text, found); // writing to memory cannot fail
     json!({
-        "poses": poses, "within": within,
+        "notes": notes(&String::from_utf8_lossy(&text)), "poses": poses, "within": within,
         "worst": { "ap_mm": all.ap_m.map(mm_from_m), "rp_mm": all.rp_m.map(mm_from_m), "drift_ap_mm": all.drift_m.map(mm_from_m) },
         "multi_directional_mm": found.multi_directional_m.map(mm_from_m),
         "lines_left_out": found.lines_left_out,

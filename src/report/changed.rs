@@ -1,6 +1,6 @@
 //! What has changed between two measurements, for people and as JSON.
 
-use super::counted;
+use super::{counted, notes};
 use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
@@ -11,6 +11,21 @@ use std::io::{self, Write};
 /// # Errors
 /// Those of writing to `out`.
 pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
+    opening(out, found, is_changed)?;
+    for cause in &found.diagnosis.causes {
+        let size = cause.size.map_or_else(String::new, |size| format!(", {size:.3e} {}", cause.unit));
+        writeln!(out, "  {}{size}, probability {:.1} %", describe(cause), 100.0 * cause.posterior)?;
+    }
+    writeln!(out, "largest changes")?;
+    for moved in &found.worst {
+        let [before, after] = moved.lines;
+        writeln!(out, "  line {before} before, line {after} after: {:.4} mm", mm_from_m(moved.by_m))?;
+    }
+    Ok(())
+}
+
+/// The verdict, and what has moved by how much.
+fn opening(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
     writeln!(out, "{}", verdict(found, is_changed))?;
     let [before, after] = found.alone;
     let poses = counted(found.pairs, "pose");
@@ -44,15 +59,6 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
     }
     if found.beyond.is_scattered {
         writeln!(out, "all points together have moved by more than noise alone would move them")?;
-    }
-    for cause in &found.diagnosis.causes {
-        let size = cause.size.map_or_else(String::new, |size| format!(", {size:.3e} {}", cause.unit));
-        writeln!(out, "  {}{size}, probability {:.1} %", describe(cause), 100.0 * cause.posterior)?;
-    }
-    writeln!(out, "largest changes")?;
-    for moved in &found.worst {
-        let [before, after] = moved.lines;
-        writeln!(out, "  line {before} before, line {after} after: {:.4} mm", mm_from_m(moved.by_m))?;
     }
     Ok(())
 }
@@ -102,8 +108,10 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
             json!({ "line_before": before, "line_after": after, "mm": mm_from_m(*by_m) })
         })
         .collect();
+    let mut text = Vec::new();
+    let _ = opening(&mut text, found, is_changed); // writing to memory cannot fail
     json!({
-        "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
+        "notes": notes(&String::from_utf8_lossy(&text)), "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
         "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
         "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
                   "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved,

@@ -2,7 +2,7 @@
 
 use super::comparison_figures::{Figures, Worst, bucket, held, sentence};
 use super::motion_rows::target_name;
-use super::{Align, Table, counted, plural};
+use super::{Align, Table, counted, notes, plural};
 use rapid_compensation::compensate::compare::{ComparedMotion, Comparison, TargetChange};
 use rapid_compensation::emit::{Difference, HeldMode};
 use rapid_program::motion::Motion;
@@ -61,6 +61,14 @@ impl Compared<'_> {
         self.write_motions(out, all)?;
         self.write_figures(out)?;
         self.write_verdict(out)
+    }
+
+    /// What is said beside the rows: the figures and the verdict.
+    pub(super) fn notes(&self) -> Vec<String> {
+        let mut text = Vec::new();
+        // writing to memory cannot fail
+        let _ = self.write_verdict(&mut text).and_then(|()| self.write_figures(&mut text));
+        notes(&String::from_utf8_lossy(&text))
     }
 
     /// Whether a motion of the second program is corrected by a function that knows more than its text.

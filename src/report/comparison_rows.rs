@@ -88,6 +88,7 @@ impl Serialize for Compared<'_> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("same", &self.is_same())?;
         map.serialize_entry("same_elsewhere", &self.is_same_elsewhere())?;
+        map.serialize_entry("notes", &self.notes())?;
         map.serialize_entry("worst", &Figures::of(self.comparison).json())?;
         let elsewhere = self.elsewhere.iter().map(sentence).chain(self.other_files.iter().cloned());
         map.serialize_entry("elsewhere", &elsewhere.collect::<Vec<_>>())?;

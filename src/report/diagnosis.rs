@@ -1,8 +1,8 @@
 //! A diagnosis as a page for people, and its residuals as CSV. Computes nothing.
 
 use super::cause_rows::plainly;
-use super::counted;
-use super::diagnosis_sections::{evidence, false_rows, limits, line, noise};
+use super::diagnosis_sections::{evidence, false_rows, limits, line, noise, zeros};
+use super::{counted, notes};
 use metrology::diagnose::{Cause, Findings, MissingChannel, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
@@ -12,6 +12,25 @@ const WORTH_A_LINE_MM: f64 = 5e-4;
 /// The page in the terminal.
 #[must_use]
 pub fn text(d: &Findings, arm: &SerialArm) -> String {
+    let mut page = opening(d, arm);
+    evidence(&mut page, d);
+    false_rows(&mut page, d);
+    limits(&mut page, d);
+    gain(&mut page, d);
+    next(&mut page, d, arm);
+    page
+}
+
+/// What the text says beside its lists, sentence by sentence.
+#[must_use]
+pub fn in_sentences(d: &Findings, arm: &SerialArm) -> Vec<String> {
+    let mut page = opening(d, arm);
+    zeros(&mut page, d);
+    notes(&page)
+}
+
+/// The verdict, what is left, what to do next, and how good the data are.
+fn opening(d: &Findings, arm: &SerialArm) -> String {
     let robot = &arm.name;
     let mut page = String::new();
     if let Some(summary) = summary(d) {
@@ -23,11 +42,6 @@ pub fn text(d: &Findings, arm: &SerialArm) -> String {
     line(&mut page, "");
     line(&mut page, &format!("{robot}, {}, {}.", counted(d.rows, "row"), counted(d.stations, "station")));
     noise(&mut page, d);
-    evidence(&mut page, d);
-    false_rows(&mut page, d);
-    limits(&mut page, d);
-    gain(&mut page, d);
-    next(&mut page, d, arm);
     page
 }
 

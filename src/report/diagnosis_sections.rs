@@ -68,7 +68,7 @@ pub(super) fn false_rows(page: &mut String, d: &Findings) {
 }
 
 /// First of all, of an arm that was never calibrated.
-fn zeros(page: &mut String, d: &Findings) {
+pub(super) fn zeros(page: &mut String, d: &Findings) {
     let Some(zeros) = &d.zeros_alone else { return };
     let all: Vec<String> = zeros
         .joints

@@ -1,6 +1,6 @@
 //! A fitted warm-up for people, as table and as JSON.
 
-use super::counted;
+use super::{counted, notes};
 use metrology::diagnose::warmup::TipCheck;
 use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
@@ -21,6 +21,31 @@ fn unit(i: usize) -> (&'static str, fn(f64) -> f64) {
 /// The fit as text.
 #[must_use]
 pub fn text(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) -> String {
+    let mut out = opening(w, tip);
+    out.push_str("\nHow far each point moves when settled (its own touches), mm\n");
+    for point in &w.points {
+        let [x, y, z] = [point.settled_m.x, point.settled_m.y, point.settled_m.z].map(mm_from_m);
+        let _ = writeln!(out, "  {:12} {x:8.4} {y:8.4} {z:8.4}", point.name);
+    }
+    out.push_str("\nWhat these points can tell of the settled deformation\n");
+    for i in (0..PARAMETERS).filter(|&i| w.share_from_data(i) >= TOLD) {
+        let (unit, of) = unit(i);
+        let _ = writeln!(
+            out,
+            "  joint {} {} {:9.5} +- {:.5} {unit}, {:.0} % told",
+            i / 6 + 1,
+            NAMES[i % 6],
+            of(w.settled[i]),
+            of(w.sigma(i)),
+            100.0 * w.share_from_data(i)
+        );
+    }
+    out.push_str(&closing(w, there));
+    out
+}
+
+/// How it grows, when it stood, and what speaks against the touches.
+fn opening(w: &WarmUp, tip: Option<&TipCheck>) -> String {
     let mut out = String::new();
     let _ = writeln!(
         out,
@@ -66,29 +91,13 @@ pub fn text(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) 
     if let Some(tip) = tip {
         out.push_str(tip_is_told(tip));
     }
-    out.push_str("\nHow far each point moves when settled (its own touches), mm\n");
-    for point in &w.points {
-        let [x, y, z] = [point.settled_m.x, point.settled_m.y, point.settled_m.z].map(mm_from_m);
-        let _ = writeln!(out, "  {:12} {x:8.4} {y:8.4} {z:8.4}", point.name);
-    }
-    out.push_str("\nWhat these points can tell of the settled deformation\n");
-    let mut silent = 0;
-    for i in 0..PARAMETERS {
-        if w.share_from_data(i) < TOLD {
-            silent += 1;
-            continue;
-        }
-        let (unit, of) = unit(i);
-        let _ = writeln!(
-            out,
-            "  joint {} {} {:9.5} +- {:.5} {unit}, {:.0} % told",
-            i / 6 + 1,
-            NAMES[i % 6],
-            of(w.settled[i]),
-            of(w.sigma(i)),
-            100.0 * w.share_from_data(i)
-        );
-    }
+    out
+}
+
+/// What the touches do not tell, and what that means at the targets.
+fn closing(w: &WarmUp, there: Option<&TargetForecast>) -> String {
+    let mut out = String::new();
+    let silent = (0..PARAMETERS).filter(|&i| w.share_from_data(i) < TOLD).count();
     let _ = writeln!(out, "  {silent} of {PARAMETERS} parameters are told less than {:.0} %", 100.0 * TOLD);
     if let Some(there) = there {
         forecast_at_targets(&mut out, there);
@@ -177,7 +186,7 @@ pub fn json(w: &WarmUp, tip: Option<&TipCheck>, there: Option<&TargetForecast>) 
         })
         .collect();
     json!({
-        "touches": w.touches, "growth": w.growth.to_string(), "tau_sigma_min": w.tau_sigma_min, "other_law": w.other_law,
+        "notes": notes(&(opening(w, tip) + &closing(w, there))), "touches": w.touches, "growth": w.growth.to_string(), "tau_sigma_min": w.tau_sigma_min, "other_law": w.other_law,
         "tau_cool_min": w.tau_cool_min.map(|c| c[0]), "tau_cool_sigma_min": w.tau_cool_min.map(|c| c[1]),
         "stops": w.stops.iter().map(|s| [s.from_min, s.to_min]).collect::<Vec<_>>(),
         "sigma_mm": mm_from_m(w.sigma_m),

@@ -2,7 +2,7 @@
 
 use super::json::messages;
 use super::message::LocatedDiagnostic;
-use super::{Align, Table, counted, rounded};
+use super::{Align, Table, counted, notes, rounded};
 use rapid_program::Program;
 use rapid_program::motion::{Motion, Origin, Target, TargetValue};
 use rapid_syntax::diagnostic::first_few;
@@ -19,19 +19,8 @@ const SHORT: usize = 200;
 /// # Errors
 /// Those of writing to `out`.
 pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io::Result<()> {
-    for module in &program.facts.modules {
-        writeln!(out, "module {} in {}", module.name, program.file(module.file).path)?;
-    }
-    for entry in &program.facts.entries {
-        writeln!(out, "entry {} of {}", entry.name, entry.module)?;
-    }
-    write_counts(out, "moves", program.motions.iter().map(|m| m.setup.kind))?;
-    write_counts(out, "tools", program.motions.iter().filter_map(|m| m.setup.tool_name.as_deref()))?;
-    write_counts(
-        out,
-        "work objects",
-        program.motions.iter().map(|m| m.setup.wobj_name.as_deref().unwrap_or("wobj0")),
-    )?;
+    write_modules(out, program)?;
+    write_setups(out, program)?;
     write_verdict(out, program)?;
     let mut table = Table::new(&[
         ("line", Align::Left),
@@ -70,6 +59,36 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
         writeln!(out, "... and {} more motions; --all shows every one", program.motions.len() - shown)?;
     }
     Ok(())
+}
+
+/// The modules with their files, and the routines that nobody calls.
+fn write_modules(out: &mut dyn Write, program: &Program) -> io::Result<()> {
+    for module in &program.facts.modules {
+        writeln!(out, "module {} in {}", module.name, program.file(module.file).path)?;
+    }
+    for entry in &program.facts.entries {
+        writeln!(out, "entry {} of {}", entry.name, entry.module)?;
+    }
+    Ok(())
+}
+
+/// How many motions have which move, tool and work object.
+fn write_setups(out: &mut dyn Write, program: &Program) -> io::Result<()> {
+    write_counts(out, "moves", program.motions.iter().map(|m| m.setup.kind))?;
+    write_counts(out, "tools", program.motions.iter().filter_map(|m| m.setup.tool_name.as_deref()))?;
+    write_counts(
+        out,
+        "work objects",
+        program.motions.iter().map(|m| m.setup.wobj_name.as_deref().unwrap_or("wobj0")),
+    )
+}
+
+/// What is said beside modules and motions, the verdict first.
+fn in_sentences(program: &Program) -> Vec<String> {
+    let mut text = Vec::new();
+    // writing to memory cannot fail
+    let _ = write_verdict(&mut text, program).and_then(|()| write_setups(&mut text, program));
+    notes(&String::from_utf8_lossy(&text))
 }
 
 /// Modules that an earlier run has made, by their names.
@@ -169,8 +188,10 @@ pub fn inspection(program: &Program, warnings: &[LocatedDiagnostic]) -> Value {
         .map(|m| json!({"file": program.file(m.file).path, "name": m.name, "compensated": m.compensated.is_some()}))
         .collect();
     json!({
+        "notes": in_sentences(program),
         "modules": modules,
         "entries": program.facts.entries.iter().map(|e| &e.name).collect::<Vec<_>>(),
+        "entries_of": program.facts.entries.iter().map(|e| json!({"name": e.name, "module": e.module})).collect::<Vec<_>>(),
         "motions": motions,
         "form": form(program).0,
         "form_because": form(program).1,

@@ -203,8 +203,11 @@ fn of_severity(list: &[LocatedDiagnostic], is: fn(Severity) -> bool) -> Value {
 /// expected from now on.
 #[must_use]
 #[cfg(feature = "cli")]
-pub fn golden_json(cases: &[(String, bool)], is_updated: bool) -> String {
-    let list: Vec<Value> = cases.iter().map(|(case, same)| json!({"case": case, "same": same})).collect();
+pub fn golden_json(cases: &[(String, Vec<String>)], is_updated: bool) -> String {
+    let list: Vec<Value> = cases
+        .iter()
+        .map(|(case, files)| json!({"case": case, "same": files.is_empty(), "different_files": files}))
+        .collect();
     format!("{:#}\n", json!({"cases": list, "updated": is_updated}))
 }
 

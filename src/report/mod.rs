@@ -24,6 +24,7 @@ mod joints;
 mod json;
 mod message;
 mod motion_rows;
+mod notes;
 mod page;
 pub(crate) mod plan;
 pub(crate) mod plots;
@@ -57,8 +58,10 @@ pub(crate) use inspect::{inspection, write_inspection, write_inspection_csv};
 pub(crate) use joints::{JointRow, JointTable};
 #[cfg(feature = "cli")]
 pub(crate) use json::golden_json;
+pub(crate) use json::messages;
 pub(crate) use json::{CompensationJson, refusal, rounded, value, write_pretty};
 pub(crate) use motion_rows::MotionRows;
+pub(crate) use notes::notes;
 #[cfg(all(feature = "cli", feature = "link"))]
 pub(crate) use page::WatchPage;
 pub(crate) use page::{CompensationPage, DiagnosisPage};

@@ -1,5 +1,6 @@
 //! A measurement plan for people and as JSON.
 
+use super::notes;
 use super::table::{Align, Table};
 use metrology::plan::{Confounded, EffectName, GearLines, MeasurementPlan, MeasurementStep, Parameter};
 use robot_model::deform::EffectKind;
@@ -19,6 +20,34 @@ const SHOWN_LINES: usize = 3;
 /// # Errors
 /// Those of writing to `out`.
 pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Result<()> {
+    opening(out, plan, robot)?;
+    writeln!(out, "\nExpected, each effect being the only cause beside the arm's tolerances")?;
+    expected(out, &plan.outlook.parameters)?;
+    lines(out, &plan.outlook.lines)?;
+    never_seen(out, plan)?;
+    let open = open_pairs(plan);
+    if open == 0 {
+        writeln!(out, "\n{ALL_APART}")?;
+    }
+    writeln!(
+        out,
+        "\nPairs that stay confounded at usual size: true one, taken for, share of its signal that is taken"
+    )?;
+    for Confounded { a, b, r2, .. } in plan.outlook.confounded.iter().take(open.min(SHOWN)) {
+        writeln!(out, "  {}, {}: {:.1} %", name(a), name(b), 100.0 * r2)?;
+    }
+    let more = open.saturating_sub(SHOWN);
+    if more > 0 {
+        writeln!(out, "  and {more} more (--json)")?;
+    }
+    pairs_beside(out, plan)
+}
+
+/// What is said where no pair stays confounded.
+const ALL_APART: &str = "Every pair of effects of usual size will be told apart";
+
+/// How much is to be measured, and how it was chosen.
+fn opening(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Result<()> {
     let poses: Vec<usize> = plan
         .steps
         .iter()
@@ -32,10 +61,11 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
         plan.steps.len() - poses.len(),
         plan.pool,
         plan.exchanges
-    )?;
-    writeln!(out, "\nExpected, each effect being the only cause beside the arm's tolerances")?;
-    expected(out, &plan.outlook.parameters)?;
-    lines(out, &plan.outlook.lines)?;
+    )
+}
+
+/// Effects that these poses never show at their usual size.
+fn never_seen(out: &mut dyn Write, plan: &MeasurementPlan) -> io::Result<()> {
     let hidden: Vec<String> = plan.outlook.hidden.iter().map(name).collect();
     if !hidden.is_empty() {
         writeln!(
@@ -44,22 +74,17 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
             hidden.join(", ")
         )?;
     }
-    let contained = plan.outlook.confounded.iter().filter(|c| c.contained).count();
-    let open = plan.outlook.confounded.len() - contained;
-    if open == 0 {
-        writeln!(out, "\nEvery pair of effects of usual size will be told apart")?;
-    }
-    writeln!(
-        out,
-        "\nPairs that stay confounded at usual size: true one, taken for, share of its signal that is taken"
-    )?;
-    for Confounded { a, b, r2, .. } in plan.outlook.confounded.iter().take(open.min(SHOWN)) {
-        writeln!(out, "  {}, {}: {:.1} %", name(a), name(b), 100.0 * r2)?;
-    }
-    let more = open.saturating_sub(SHOWN);
-    if more > 0 {
-        writeln!(out, "  and {more} more (--json)")?;
-    }
+    Ok(())
+}
+
+/// Pairs that stay confounded and have to be told apart otherwise.
+fn open_pairs(plan: &MeasurementPlan) -> usize {
+    plan.outlook.confounded.iter().filter(|pair| !pair.contained).count()
+}
+
+/// Pairs of which the simpler is named anyway.
+fn pairs_beside(out: &mut dyn Write, plan: &MeasurementPlan) -> io::Result<()> {
+    let contained = plan.outlook.confounded.len() - open_pairs(plan);
     if contained > 0 {
         writeln!(
             out,
@@ -149,6 +174,19 @@ fn joints(of: &EffectName) -> String {
     }
 }
 
+/// What the plan says beside its tables.
+fn in_sentences(plan: &MeasurementPlan, robot: &str) -> io::Result<Vec<String>> {
+    let mut text = Vec::new();
+    opening(&mut text, plan, robot)?;
+    match open_pairs(plan) {
+        0 => writeln!(text, "{ALL_APART}")?,
+        n => writeln!(text, "{n} pairs of effects stay confounded at usual size")?,
+    }
+    pairs_beside(&mut text, plan)?;
+    never_seen(&mut text, plan)?;
+    Ok(notes(&String::from_utf8_lossy(&text)))
+}
+
 /// The plan as the contract's JSON.
 #[must_use]
 pub fn json(plan: &MeasurementPlan, robot: &SerialArm) -> Value {
@@ -164,7 +202,7 @@ pub fn json(plan: &MeasurementPlan, robot: &SerialArm) -> Value {
         })
         .collect();
     json!({
-        "steps": steps, "parameters": plan.outlook.parameters, "confounded": plan.outlook.confounded,
+        "notes": in_sentences(plan, &robot.name).unwrap_or_default(), "steps": steps, "parameters": plan.outlook.parameters, "confounded": plan.outlook.confounded,
         "hidden": plan.outlook.hidden, "lines": plan.outlook.lines, "exchanges": plan.exchanges,
     })
 }

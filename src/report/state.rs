@@ -1,6 +1,6 @@
 //! The thermal state of a robot for people and as JSON.
 
-use super::counted;
+use super::{counted, notes};
 use metrology::diagnose::warmup::{AmountBound, RobotState};
 use robot_model::deform::thermal_filter::TouchOutcome;
 use robot_model::units::mm_from_m;
@@ -27,8 +27,36 @@ fn learnt(state: &RobotState) -> [[f64; 2]; 3] {
 /// For people; `plan` adds how often to touch which point.
 #[must_use]
 pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
-    let mut out = String::new();
+    let mut out = opening(state, points);
     // writing to a String cannot fail
+    let _ = writeln!(out, "   minute point         seen   off   share           smoothed");
+    for t in &state.touches {
+        let _ = writeln!(
+            out,
+            "{:9.1} {:10} {:7.3} {:5.1} {:7.3} +- {:.3} {:7.3} +- {:.3}  {}",
+            t.t_min,
+            points.get(t.point).map_or("", String::as_str),
+            t.seen,
+            t.off_sigmas,
+            t.share[0],
+            t.share[1],
+            t.smoothed[0],
+            t.smoothed[1],
+            word(t.outcome)
+        );
+    }
+    out.push('\n');
+    out.push_str(&closing(state));
+    if plan {
+        how_often(&mut out, state);
+        out.push_str(&tells_most(state));
+    }
+    out
+}
+
+/// How many touches there are, and which of them are no good.
+fn opening(state: &RobotState, points: &[String]) -> String {
+    let mut out = String::new();
     let _ = writeln!(out, "{}, {} refused\n", counted(state.touches.len(), "touch"), state.refused());
     if state.drifts_otherwise() {
         out.push_str(
@@ -46,26 +74,16 @@ pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
             mm_from_m(one.sigma_m)
         );
     }
-    let _ = writeln!(out, "   minute point         seen   off   share           smoothed");
-    for t in &state.touches {
-        let _ = writeln!(
-            out,
-            "{:9.1} {:10} {:7.3} {:5.1} {:7.3} +- {:.3} {:7.3} +- {:.3}  {}",
-            t.t_min,
-            points.get(t.point).map_or("", String::as_str),
-            t.seen,
-            t.off_sigmas,
-            t.share[0],
-            t.share[1],
-            t.smoothed[0],
-            t.smoothed[1],
-            word(t.outcome)
-        );
-    }
+    out
+}
+
+/// What was learnt of the robot, and when it stood.
+fn closing(state: &RobotState) -> String {
+    let mut out = String::new();
     let [amount, tau, cool] = learnt(state);
     let _ = writeln!(
         out,
-        "\nof this robot: {}{:.2} +- {:.2} times the table's settled drift",
+        "of this robot: {}{:.2} +- {:.2} times the table's settled drift",
         match state.held_at {
             None => "",
             Some(AmountBound::Least) => "held at the least, ",
@@ -87,38 +105,43 @@ pub fn text(state: &RobotState, points: &[String], plan: bool) -> String {
         false => writeln!(out, "  cooling tau {:.0} +- {:.0} min", cool[0], cool[1]),
         true => writeln!(out, "  no stop: nothing is known of its cooling"),
     };
-    if plan {
+    out
+}
+
+/// What is left by how often each point is touched.
+fn how_often(out: &mut String, state: &RobotState) {
+    let _ = writeln!(
+        out,
+        "\nwhat is left over a shift where the points drift most, mm (one standard deviation), by minutes between touches"
+    );
+    for point in &state.plan {
+        let cells: Vec<String> = point
+            .intervals
+            .iter()
+            .map(|i| format!("{:.0}: {:.4}", i.every_min, mm_from_m(i.rms_m)))
+            .collect();
         let _ = writeln!(
             out,
-            "\nwhat is left over a shift where the points drift most, mm (one standard deviation), by minutes between touches"
+            "  {:10} moves {:.3} mm; {}",
+            point.name,
+            mm_from_m(point.settled_m),
+            cells.join(", ")
         );
-        for point in &state.plan {
-            let cells: Vec<String> = point
-                .intervals
-                .iter()
-                .map(|i| format!("{:.0}: {:.4}", i.every_min, mm_from_m(i.rms_m)))
-                .collect();
-            let _ = writeln!(
-                out,
-                "  {:10} moves {:.3} mm; {}",
-                point.name,
-                mm_from_m(point.settled_m),
-                cells.join(", ")
-            );
-        }
-        if let Some(best) = state.plan.first() {
-            let _ = writeln!(out, "  {} tells most", best.name);
-        }
     }
-    out
+}
+
+/// The point that is worth most touches.
+fn tells_most(state: &RobotState) -> String {
+    state.plan.first().map_or_else(String::new, |best| format!("  {} tells most\n", best.name))
 }
 
 /// For scripts: shares, mm, minutes.
 #[must_use]
 pub fn json(state: &RobotState, points: &[String]) -> Value {
     let [amount, tau, cool] = learnt(state);
+    let notes = notes(&(opening(state, points) + &closing(state) + &tells_most(state)));
     json!({
-        "growth": state.law.to_string(),
+        "notes": notes, "growth": state.law.to_string(),
         "refused": state.refused(), "drifts_otherwise": state.drifts_otherwise(),
         "amount": amount[0], "amount_sigma": amount[1], "amount_held": state.held_at.map(AmountBound::name),
         "stops": state.stops.iter().map(|stop| [stop.from_min, stop.to_min]).collect::<Vec<_>>(),

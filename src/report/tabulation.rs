@@ -1,7 +1,7 @@
 //! Joints of a list of targets at every minute of warm-up, as CSV, for people and as JSON.
 
-use super::counted;
 use super::joints::{JointRow, JointTable};
+use super::{counted, notes};
 use rapid_compensation::compensate::tabulate::{MinuteErrors, MinuteTable, TargetErrors};
 use rapid_compensation::compensate::targets::NamedPose;
 use robot_model::kinematics::Solution;
@@ -80,6 +80,7 @@ pub fn json(targets: &[NamedPose], table: &MinuteTable, errors: &[MinuteErrors])
         })
     };
     json!({
+        "notes": notes(&text(targets, table, errors)),
         "rows": table.rows.len(),
         "targets": targets.iter().zip(&table.nominal).map(target).collect::<Vec<_>>(),
         "minutes": errors.iter().map(minute).collect::<Vec<_>>(),

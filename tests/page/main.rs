@@ -11,6 +11,7 @@ mod hostile;
 mod keyboard;
 mod nasty;
 mod printed;
+mod reports;
 mod results;
 mod screenshots;
 #[cfg(all(feature = "link", unix))]

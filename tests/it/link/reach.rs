@@ -1,6 +1,6 @@
 //! `link check` of targets that the arm does not reach.
 
-use super::{Shop, on_each_robotware};
+use super::{PROGRAMS, Shop, on_each_robotware};
 
 /// Two targets 1.0 m before the base at 0.9 m height: 1.3 m are more than an IRB 140 has (810 mm from axis 1 at its wrist), and less than
 /// an IRB 2600's reach of 1.65 m. The last is a place before both.
@@ -51,5 +51,39 @@ fn what_is_out_of_reach_is_no_part_of_an_agreement() {
         let json: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!((code, json["out_of_reach"].as_array().map(Vec::len)), (1, Some(0)), "{text}");
         assert_eq!(json["verdict"], "differs", "the double is an IRB 140: {text}");
+    });
+}
+
+/// The third of the 22 elements of one target of the corrected cube lies a metre too far out: it is none of the three that are asked for
+/// without `--all`, and the arm reaches the others.
+#[test]
+fn an_element_out_of_reach_is_named() {
+    on_each_robotware(|personality| {
+        let shop = Shop::new(personality);
+        let corrected = String::from_utf8(PROGRAMS[1].clone()).unwrap();
+        let array = corrected.find("LOCAL CONST robtarget tc31{22}:=[").unwrap();
+        let third = corrected[array..].match_indices("[[").nth(2).unwrap().0 + array;
+        let (before, after) = corrected.split_at(third);
+        let (x, rest) = after[2..].split_once(',').unwrap();
+        let far = format!("{before}[[{},{rest}", x.parse::<f64>().unwrap() + 1000.0);
+        std::fs::write(shop.module(), far).unwrap();
+        let (code, text, _) = shop.run(&["check", "MODULE", "HOST"]);
+        assert_eq!(code, 0, "{text}");
+        assert!(
+            text.contains("not asked for: 1 element of targets of several, out of reach of ABB IRB 140"),
+            "{text}"
+        );
+        assert!(text.contains("Cube45.mod:") && text.contains(" element 3\n"), "{text}");
+        let (_, text, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
+        let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let elements = json["elements_out_of_reach"].as_array().unwrap();
+        assert!(elements.len() == 1 && elements[0]["element"] == 3, "{text}");
+        assert_eq!(
+            (&json["verdict"], &json["out_of_reach"]),
+            (&"agrees".into(), &serde_json::json!([])),
+            "{text}"
+        );
+        let notes = json["notes"].as_array().unwrap();
+        assert!(notes.iter().any(|note| note.as_str().unwrap().contains("1 element of targets")), "{text}");
     });
 }

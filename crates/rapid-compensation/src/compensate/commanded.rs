@@ -42,6 +42,8 @@ pub struct CommandedTargets {
     pub reached: Vec<Commanded>,
     /// Motions with a target that its text tells and the arm does not reach: file, and line from 1.
     pub unreached: Vec<(FileId, u32)>,
+    /// Elements that the arm does not reach of targets of which it reaches others: the motion, and which element, from 0.
+    pub unreached_elements: Vec<((FileId, u32), usize)>,
     /// Motions of which its text does not tell where they go to.
     pub unknown: usize,
 }
@@ -61,13 +63,16 @@ pub fn commanded(
     let mut found = CommandedTargets::default();
     for (motion, resolved) in program.motions.iter().zip(&resolved) {
         let (before, mut is_unreached) = (found.reached.len(), false);
+        let elements_before = found.unreached_elements.len();
         if let Ok(placement) = Placement::of(motion) {
             let model = (&model, resolved.q_rad());
             for target in motion.targets.iter() {
-                is_unreached |= !add(&mut found.reached, motion.file, motion.line, target, placement, model);
+                is_unreached |= !add(&mut found, (motion.file, motion.line), target, placement, model);
             }
         }
         if is_unreached {
+            // the motion is named whole
+            found.unreached_elements.truncate(elements_before);
             found.unreached.push((motion.file, motion.line));
         } else if found.reached.len() == before {
             found.unknown += 1;
@@ -78,32 +83,34 @@ pub fn commanded(
 
 /// Adds the values of a target. Whether the arm reaches one of them, or the text tells of none.
 fn add(
-    found: &mut Vec<Commanded>,
-    file: FileId,
-    line: u32,
+    found: &mut CommandedTargets,
+    at: (FileId, u32),
     target: &Target,
     placement: Placement,
     (model, known_q_rad): (&Model, &[[f64; 6]]),
 ) -> bool {
-    let (before, mut is_known) = (found.len(), false);
+    let before = found.reached.len();
+    let mut beyond = Vec::new();
     let values: Vec<TargetValue> = target.values().collect();
     let mut near: Option<[f64; 6]> = None;
     for (element, value) in values.iter().enumerate() {
         let Some(pose) = pose(value, placement, model) else { continue };
-        is_known = true;
         // The corrected elements lie beside the first; that is on the branch which the text tells.
         let first =
             || known_q_rad.iter().find_map(|q_rad| model.closed.nearest(&pose.base_from_flange, q_rad));
         let beside = near.and_then(|near| model.closed.nearest(&pose.base_from_flange, &near));
         let q_rad = pose.q_rad.or(beside.map(|s| s.q_rad)).or_else(|| as_configured(value, &pose, model));
-        let Some(q_rad) = q_rad.or_else(|| first().map(|s| s.q_rad)) else { continue };
+        let Some(q_rad) = q_rad.or_else(|| first().map(|s| s.q_rad)) else {
+            beyond.push((at, element));
+            continue;
+        };
         near = Some(q_rad);
         let flange_from_tcp = match placement {
             Placement::ToolOnFlange { flange_from_tcp, .. } => flange_from_tcp,
             Placement::ObjectOnFlange { .. } => Isometry3::identity(),
         };
-        found.push(Commanded {
-            at: (file, line),
+        found.reached.push(Commanded {
+            at,
             element,
             elements: values.len(),
             flange_from_tcp,
@@ -112,5 +119,10 @@ fn add(
             configuration: model.closed.configuration(&q_rad),
         });
     }
-    !is_known || found.len() > before
+    let is_reached = found.reached.len() > before;
+    if is_reached {
+        found.unreached_elements.extend(beyond);
+        return true;
+    }
+    beyond.is_empty()
 }
