@@ -176,3 +176,48 @@ fn what_keeps_poses_apart_is_named() {
     let metres = with_points(&after, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
     assert!(compared(folder.path(), &before, &metres).1.contains("measure::fault"));
 }
+
+/// The file with three nests on the floor, read three times each; lengths between them are as long as `scale` says.
+fn with_nests(text: &str, scale: f64) -> String {
+    let poses = text.lines().enumerate();
+    let mut out: String = poses
+        .map(|(k, line)| format!("{line},{}\n", if k == 0 { "kind,fixed_id" } else { "pose," }))
+        .collect();
+    let columns = text.lines().next().unwrap().split(',').collect::<Vec<&str>>();
+    for (name, at_mm) in
+        [("N1", [900.0, 700.0, -300.0]), ("N2", [-800.0, 900.0, -300.0]), ("N3", [100.0, -900.0, -310.0])]
+    {
+        for noise_mm in [-0.02, 0.0, 0.02] {
+            let cell = |column: &&str| match *column {
+                "x_mm" => format!("{}", scale * at_mm[0] + noise_mm),
+                "y_mm" => format!("{}", scale * at_mm[1] - noise_mm),
+                "z_mm" => format!("{}", scale * at_mm[2] + noise_mm),
+                _ => String::new(),
+            };
+            out +=
+                &(columns.iter().map(cell).collect::<Vec<String>>().join(",") + &format!(",base,{name}\n"));
+        }
+    }
+    out
+}
+
+fn answer_json(folder: &Path) -> Value {
+    serde_json::from_slice(&fs::read(folder.join("c.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn nests_are_no_poses_of_a_comparison() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let [before, after] = [1, 2].map(|seed| measured(&[], tip, seed));
+    let poses = before.lines().count() - 1;
+    let (_, plain) = compared(folder.path(), &before, &after);
+    let (code, answer) = compared(folder.path(), &with_nests(&before, 1.0), &with_nests(&after, 1.0));
+    let all = format!("{poses} poses measured both times; 0 only before, 0 only after");
+    assert!(code == 0 && answer.contains(&all), "{answer}");
+    // The same nests, read to the same digits, are no poses that are copies.
+    assert!(!answer.contains("same-readings"), "{answer}");
+    assert_eq!(plain.lines().nth(2), answer.lines().nth(2));
+    let shown = answer_json(folder.path());
+    assert_eq!((&shown["pairs"], &shown["alone"]), (&serde_json::json!(poses), &serde_json::json!([0, 0])));
+}

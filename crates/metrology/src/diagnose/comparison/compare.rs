@@ -298,8 +298,11 @@ impl FileSeen {
         Ok(Self { used, warnings, measurements: measurements.into_owned() })
     }
 
+    /// Those of the arm: a nest on the base is no pose of it, nor is its noise that of one.
     fn stations(&self) -> Stations {
-        gather(&self.measurements, &self.used, None)
+        let of_arm =
+            |&row: &usize| self.measurements.rows.get(row).is_some_and(|row| row.reading.involves_arm());
+        gather(&self.measurements, &self.used.iter().copied().filter(of_arm).collect::<Vec<usize>>(), None)
     }
 }
 
