@@ -2,7 +2,7 @@
 
 use super::counted;
 use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
-use robot_model::units::{deg_from_rad, mm_from_m};
+use robot_model::units::{deg_from_rad, mm_from_m, ppm_from_ratio};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -87,6 +87,20 @@ fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
     }
 }
 
+/// The change of all lengths, its nests and whose it is, in ppm; null where that is not what has changed.
+fn scale(found: &MeasurementComparison) -> Value {
+    let Some(scale) = &found.scale else { return Value::Null };
+    let nests = scale.nests.map(|nests| {
+        json!({ "ppm": ppm_from_ratio(nests.ratio), "sigma_ppm": ppm_from_ratio(nests.sigma), "n": nests.nests })
+    });
+    let parted = scale.parted();
+    json!({
+        "ppm": ppm_from_ratio(scale.ratio), "sigma_ppm": ppm_from_ratio(scale.sigma), "nests": nests,
+        "instrument_ppm": parted.map(|parted| ppm_from_ratio(parted.instrument)),
+        "links_ppm": parted.map(|parted| ppm_from_ratio(parted.links)),
+    })
+}
+
 /// The result as the contract's JSON.
 #[must_use]
 pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
@@ -105,6 +119,7 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
     json!({
         "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
         "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
+        "scale": scale(found),
         "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
                   "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved,
                   "sigma_mm": found.base_sigma.map(|sigma| sigma.shift_m.map(mm_from_m)),

@@ -221,3 +221,46 @@ fn nests_are_no_poses_of_a_comparison() {
     let shown = answer_json(folder.path());
     assert_eq!((&shown["pairs"], &shown["alone"]), (&serde_json::json!(poses), &serde_json::json!([0, 0])));
 }
+
+/// All points 1,000 ppm further from the instrument than before. Of nests 2.6 m apart whose readings scatter by 0.02 mm the scale is known to
+/// some 20 ppm.
+#[test]
+fn a_scale_of_all_lengths_is_the_instrument_s_or_the_links_until_nests_tell() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let before = measured(&[], tip, 1);
+    let grown = with_points(&measured(&[], tip, 2), |_, point_mm| {
+        point_mm.iter_mut().for_each(|mm| *mm *= 1.001);
+    });
+    let near = |value: &Value, ppm: f64| (value.as_f64().unwrap() - ppm).abs() < 60.0;
+    let (code, answer) = compared(folder.path(), &before, &grown);
+    assert!(code == 1 && answer.contains("a scale bar, or nests on base or floor"), "{answer}");
+    let shown = answer_json(folder.path());
+    assert!(near(&shown["scale"]["ppm"], 1000.0) && shown["scale"]["links_ppm"].is_null(), "{answer}");
+    assert_eq!(shown["verdict"], "ambiguous");
+    let causes = shown["causes"].as_array().unwrap();
+    let named: Vec<&str> = causes.iter().map(|cause| cause["effect"].as_str().unwrap()).collect();
+    assert_eq!(named, ["instrument_scale", "link_geometry", "thermal_link_growth"], "{answer}");
+    // None is likelier than another, and what has a size in ppm has that of the scale.
+    assert!(causes.iter().all(|cause| cause["posterior"] == causes[0]["posterior"]), "{answer}");
+    assert!(near(&causes[0]["size"], 1000.0) && near(&causes[2]["size"], 1000.0), "{answer}");
+    for (of_nests, [instrument_ppm, links_ppm], effects) in [
+        (1.001, [1000.0, 0.0], vec!["instrument_scale"]),
+        (1.0, [0.0, 1000.0], vec!["link_geometry", "thermal_link_growth"]),
+    ] {
+        let (_, answer) = compared(folder.path(), &with_nests(&before, 1.0), &with_nests(&grown, of_nests));
+        let shown = answer_json(folder.path());
+        let scale = &shown["scale"];
+        assert!(
+            near(&scale["instrument_ppm"], instrument_ppm) && near(&scale["links_ppm"], links_ppm),
+            "{answer}"
+        );
+        assert!(answer.contains("3 nests on base or floor tell whose"), "{answer}");
+        let causes = shown["causes"].as_array().unwrap();
+        assert_eq!(
+            causes.iter().map(|c| c["effect"].as_str().unwrap()).collect::<Vec<_>>(),
+            effects,
+            "{answer}"
+        );
+    }
+}

@@ -1,7 +1,7 @@
 //! Two files of one arm beside each other: what one of them records and the other does not, whether they are one file, and why poses of the
 //! one have none in the other.
 
-use super::compare::SAME_RAD;
+use super::pose_pairs::SAME_RAD;
 use measurements::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::units::deg_from_rad;
