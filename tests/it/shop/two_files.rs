@@ -264,3 +264,39 @@ fn a_scale_of_all_lengths_is_the_instrument_s_or_the_links_until_nests_tell() {
         );
     }
 }
+
+#[test]
+fn another_tool_than_before_is_the_first_thing_of_the_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let before = measured(&[], tip, 1);
+    let first_line = |off_m: Vector3<f64>| {
+        let (code, answer) = compared(folder.path(), &before, &measured(&[], tip + off_m, 2));
+        assert_eq!(code, 1, "{answer}");
+        answer.lines().next().unwrap().to_owned()
+    };
+    let line = first_line(Vector3::new(0.0, 0.0, 0.1));
+    let by_mm: f64 =
+        line.split("target 1 by ").nth(1).expect(&line).split(' ').next().unwrap().parse().unwrap();
+    // 100 mm, known to some hundredths.
+    assert!(line.starts_with("CHANGED: the tool point differs, ") && (by_mm - 100.0).abs() < 0.1, "{line}");
+    assert_eq!(answer_json(folder.path())["tools"][0]["is_other"], true);
+    // Half a millimetre may be wear.
+    assert_eq!(first_line(Vector3::new(0.0, 0.0, 5e-4)), "CHANGED");
+}
+
+/// Both times the target is where it was: 100 mm from where `--tool` has it.
+#[test]
+fn a_target_that_is_not_where_the_tool_was_given_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let [before, after] =
+        [1, 2].map(|seed| write(folder.path(), &format!("{seed}.csv"), &measured(&[], tip, seed)));
+    let [x, y, z] = TIP_M.map(|m| 1e3 * m);
+    let given =
+        |tool: String| run(&["compare-measurements", &before, &after, "--sigma-mm", "0.02", "--tool", &tool]);
+    let (code, out, err) = given(format!("{x},{y},{}", z + 100.0));
+    assert!(code == 0 && err.contains("measure::tool-apart"), "{out}{err}");
+    assert!(err.contains("before at (60.0, -30.0, 110.0) mm from the flange, 100.0 mm from --tool"), "{err}");
+    assert!(!given(format!("{x},{y},{z}")).2.contains("tool-apart"));
+}

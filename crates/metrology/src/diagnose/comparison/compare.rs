@@ -10,7 +10,7 @@ use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::{Findings, Verdict};
 use measurements::{
     Fault, Measurements, OneStand, Reading, RegisterError, Registration, STATED_FREEDOM, Station, Stations,
-    check_rows, from_sound_file, gather, median, register,
+    TOOL_M, ToolApart, check_rows, from_sound_file, gather, median, register, tool_apart,
 };
 use nalgebra::{Isometry3, Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -93,6 +93,8 @@ pub struct MeasurementComparison {
     pub tools_m: Vec<Vector3<f64>>,
     /// How far each target has moved on the flange, with its largest standard deviation, metres.
     pub tools_moved_m: Vec<(Vector3<f64>, f64)>,
+    /// The one target, before and after, where the points have it elsewhere than it was given.
+    pub tool_apart: [Option<ToolApart>; 2],
     /// The base now in the frame of the base before: real where the instrument has not moved.
     pub base_moved: Isometry3<f64>,
     /// How exactly that is told; `None` where it is not, or where the arm has changed, which may be a part of it.
@@ -116,6 +118,14 @@ impl MeasurementComparison {
     #[must_use]
     pub fn arm_is_changed(&self) -> bool {
         is_of_the_arm(&self.diagnosis)
+    }
+
+    /// The targets, as indices, that sit so far from where they sat before that they are others, or were put on anew: no wear or drift of a
+    /// tool goes so far.
+    #[must_use]
+    pub fn other_targets(&self) -> Vec<usize> {
+        let all = self.tools_moved_m.iter().enumerate();
+        all.filter(|(_, (by, sigma))| by.norm() > TOOL_M + SURE * sigma).map(|(target, _)| target).collect()
     }
 }
 
@@ -204,6 +214,7 @@ fn compared(
         alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
         rms_m: rms_m(&left),
         noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
+        tool_apart: [&was, &is].map(|fit| tool_apart(fit, old.targets, options.tool_m, pairs.len())),
         tools_m: was.tools_m,
         tools_moved_m,
         base_moved,
