@@ -8,7 +8,7 @@ use metrology::diagnose::{
 };
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::robot::SerialArm;
-use robot_model::units::m_from_mm;
+use robot_model::units::{m_from_mm, mm_from_m};
 use std::io::{self, Write};
 
 /// A robot measured before, of which it is to be told whether it has changed.
@@ -39,11 +39,31 @@ impl ChangeCheck {
         let is_changed = comparison.is_changed
             && self.limit_mm.map(m_from_mm).is_none_or(|limit_m| largest_m(&comparison) > limit_m);
         let mut remarks = beside_each_other(before, after);
+        remarks.extend(tool_elsewhere(&comparison));
         remarks.extend(knocked(&comparison));
         remarks.extend(load_of_one(&comparison));
         remarks.extend(last_zero(&comparison, &self.robot));
         Ok(ChangeChecked { comparison, is_changed, remarks })
     }
+}
+
+/// That the points have the one target elsewhere than it was given: of both files, or of one.
+fn tool_elsewhere(comparison: &MeasurementComparison) -> Option<Diagnostic> {
+    let files = ["before", "after"].into_iter().zip(&comparison.tool_apart);
+    let files = files.filter_map(|(name, apart)| Some((name, apart.as_ref()?)));
+    let all: Vec<String> = files
+        .map(|(name, apart)| {
+            let [x, y, z] = <[f64; 3]>::from(apart.fitted_m).map(mm_from_m);
+            format!(
+                "{name} at ({x:.1}, {y:.1}, {z:.1}) mm from the flange, {:.1} mm from --tool",
+                mm_from_m(apart.apart_m)
+            )
+        })
+        .collect();
+    (!all.is_empty()).then(|| {
+        Diagnostic::warning("measure::tool-apart", format!("the points say where the target is: {}", all.join("; ")))
+            .help("is --tool in mm, and of this target? What has changed is told with the target where the points have it each time")
+    })
 }
 
 /// That a load which is not recorded sags an arm as a joint does that gives way more.

@@ -2,7 +2,7 @@
 
 use super::{counted, notes};
 use metrology::diagnose::{MeasurementComparison, MovedPoint, describe};
-use robot_model::units::{deg_from_rad, mm_from_m};
+use robot_model::units::{deg_from_rad, mm_from_m, ppm_from_ratio};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -26,7 +26,7 @@ pub fn write(out: &mut dyn Write, found: &MeasurementComparison, is_changed: boo
 
 /// The verdict, and what has moved by how much.
 fn opening(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool) -> io::Result<()> {
-    writeln!(out, "{}", verdict(found, is_changed))?;
+    writeln!(out, "{}{}", verdict(found, is_changed), other_targets(found))?;
     let [before, after] = found.alone;
     let poses = counted(found.pairs, "pose");
     writeln!(out, "{poses} measured both times; {before} only before, {after} only after")?;
@@ -93,14 +93,52 @@ fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
     }
 }
 
+/// That a target sits where no wear takes it, as what follows the verdict; empty where none does.
+fn other_targets(found: &MeasurementComparison) -> String {
+    let all = found
+        .other_targets()
+        .into_iter()
+        .filter_map(|target| Some((target, found.tools_moved_m.get(target)?)));
+    let all: Vec<String> = all
+        .map(|(target, (by, _))| format!("target {} by {:.3} mm", target + 1, mm_from_m(by.norm())))
+        .collect();
+    if all.is_empty() {
+        return String::new();
+    }
+    format!(
+        ": the tool point differs, {}: another target or tool than before, or one put on anew, no drift or wear",
+        all.join(", ")
+    )
+}
+
+/// The change of all lengths, its nests and whose it is, in ppm; null where that is not what has changed.
+fn scale(found: &MeasurementComparison) -> Value {
+    let Some(scale) = &found.scale else { return Value::Null };
+    let nests = scale.nests.map(|nests| {
+        json!({ "ppm": ppm_from_ratio(nests.ratio), "sigma_ppm": ppm_from_ratio(nests.sigma), "n": nests.nests })
+    });
+    let parted = scale.parted();
+    json!({
+        "ppm": ppm_from_ratio(scale.ratio), "sigma_ppm": ppm_from_ratio(scale.sigma), "nests": nests,
+        "instrument_ppm": parted.map(|parted| ppm_from_ratio(parted.instrument)),
+        "links_ppm": parted.map(|parted| ppm_from_ratio(parted.links)),
+    })
+}
+
 /// The result as the contract's JSON.
 #[must_use]
 pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
+    let other = found.other_targets();
     let tools: Vec<Value> = found
         .tools_moved_m
         .iter()
-        .map(|(by, sigma)| json!({ "by_mm": <[f64; 3]>::from(*by).map(mm_from_m), "sigma_mm": mm_from_m(*sigma) }))
+        .enumerate()
+        .map(|(target, (by, sigma))| {
+            json!({ "by_mm": <[f64; 3]>::from(*by).map(mm_from_m), "sigma_mm": mm_from_m(*sigma),
+                    "is_other": other.contains(&target) })
+        })
         .collect();
+    let apart_mm = found.tool_apart.map(|apart| apart.map(|apart| mm_from_m(apart.apart_m)));
     let worst: Vec<Value> = found
         .worst
         .iter()
@@ -113,6 +151,7 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
     json!({
         "notes": notes(&String::from_utf8_lossy(&text)), "changed": is_changed, "pairs": found.pairs, "alone": found.alone, "rms_mm": mm_from_m(found.rms_m),
         "noise_rms_mm": found.noise_rms_m.map(mm_from_m), "tools": tools,
+        "tool_apart_mm": apart_mm, "scale": scale(found),
         "base": { "by_mm": <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m),
                   "turned_deg": deg_from_rad(found.base_moved.rotation.angle()), "moved": found.beyond.base_is_moved,
                   "sigma_mm": found.base_sigma.map(|sigma| sigma.shift_m.map(mm_from_m)),

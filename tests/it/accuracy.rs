@@ -55,6 +55,42 @@ fn equal_readings_are_cycles_of_their_own() {
     assert_eq!(accuracy(folder.path(), &csv, &["--limit-rp-mm", "0.0451"]).code, 0);
 }
 
+/// Eight poses, 9 numbers of 24 fitted: the root of 15/24 is left, 21 % less. Three nests beside them are no poses (9 of 33 would be 15 %), read
+/// twice to the last digit they are no cycles, and need no pose_id; each pose's AP is as without them.
+#[test]
+fn nests_on_the_base_are_no_poses() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut poses = format!("pose_id,{JOINTS},x_mm,y_mm,z_mm,kind,fixed_id\n");
+    for k in 0..8 {
+        let of = |step: f64, wide: f64| wide * (2.0 * (0.5 + f64::from(k) * step).fract() - 1.0);
+        let q_deg = [
+            of(0.62, 100.0),
+            of(0.75, 40.0),
+            of(0.57, 40.0),
+            of(0.41, 120.0),
+            of(0.73, 80.0),
+            of(0.24, 150.0),
+        ];
+        let [x, y, z] = command_mm(q_deg, [0.0, 0.0, 80.0]);
+        let off_mm = 0.1 * f64::from(k % 3);
+        writeln!(poses, "P{k},{},{:.6},{y:.6},{z:.6},pose,", joints(q_deg), x + off_mm).unwrap();
+    }
+    let mut nests = poses.clone();
+    for (name, at) in [("N1", "900,700,-300"), ("N2", "-800,900,-300"), ("N3", "100,-900,-310")] {
+        nests += &format!(",,,,,,,{at},base,{name}\n").repeat(2);
+        writeln!(nests, ",,,,,,,{at}.4,base,{name}").unwrap();
+    }
+    let [without, with] = [&poses, &nests]
+        .map(|csv| accuracy(folder.path(), csv, &["--tool", "0,0,80", "--register", "base,tool"]));
+    assert!(
+        with.err.contains("fitted to the 24 of 8 poses") && with.err.contains("some 21 %"),
+        "{}",
+        with.err
+    );
+    assert!(!with.err.contains("equal-cycles") && !with.err.contains("pose_id"), "{}", with.err);
+    assert_eq!((with.code, with.out), (without.code, without.out));
+}
+
 /// Joint 2 of the IRB 140 ends at 110 deg.
 #[test]
 fn a_go_names_the_poses_that_it_does_not_judge() {

@@ -115,9 +115,12 @@ pub(super) fn name_poses(
     has_column: bool,
     warnings: &mut Vec<Diagnostic>,
 ) -> bool {
-    let unnamed: Vec<u64> =
-        rows.iter().zip(names).filter(|(_, name)| name.is_none()).map(|(row, _)| row.line).collect();
-    let is_named = unnamed.len() < rows.len();
+    let is_named = names.iter().any(Option::is_some);
+    // A nest has a name of its own: it repeats no pose of the arm.
+    let lacks_name = |(row, name): &(&MeasurementRow, &Option<String>)| {
+        name.is_none() && (!is_named || row.reading.involves_arm())
+    };
+    let unnamed: Vec<u64> = rows.iter().zip(names).filter(lacks_name).map(|(row, _)| row.line).collect();
     if has_column && !unnamed.is_empty() {
         let text = match is_named {
             true => format!("pose_id is empty in {}", at_lines(&unnamed)),

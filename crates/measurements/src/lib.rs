@@ -38,9 +38,9 @@ pub use codes::describe_code;
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
 pub use fault::{
-    Fault, FaultKind, MovedTarget, PartFault, PosedRow, describe_knock, describe_move, describe_remounting,
-    find_apart, find_fault, find_in_cells, find_in_columns, find_in_one_target, find_in_orientations,
-    find_in_rows, find_in_stamps, find_moved_target, find_pose_names, tool_apart,
+    Fault, FaultKind, MovedTarget, PartFault, PosedRow, TOOL_M, ToolApart, describe_knock, describe_move,
+    describe_remounting, find_apart, find_fault, find_in_cells, find_in_columns, find_in_one_target,
+    find_in_orientations, find_in_rows, find_in_stamps, find_moved_target, find_pose_names, tool_apart,
 };
 pub use iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,

@@ -176,3 +176,127 @@ fn what_keeps_poses_apart_is_named() {
     let metres = with_points(&after, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
     assert!(compared(folder.path(), &before, &metres).1.contains("measure::fault"));
 }
+
+/// The file with three nests on the floor, read three times each; lengths between them are as long as `scale` says.
+fn with_nests(text: &str, scale: f64) -> String {
+    let poses = text.lines().enumerate();
+    let mut out: String = poses
+        .map(|(k, line)| format!("{line},{}\n", if k == 0 { "kind,fixed_id" } else { "pose," }))
+        .collect();
+    let columns = text.lines().next().unwrap().split(',').collect::<Vec<&str>>();
+    for (name, at_mm) in
+        [("N1", [900.0, 700.0, -300.0]), ("N2", [-800.0, 900.0, -300.0]), ("N3", [100.0, -900.0, -310.0])]
+    {
+        for noise_mm in [-0.02, 0.0, 0.02] {
+            let cell = |column: &&str| match *column {
+                "x_mm" => format!("{}", scale * at_mm[0] + noise_mm),
+                "y_mm" => format!("{}", scale * at_mm[1] - noise_mm),
+                "z_mm" => format!("{}", scale * at_mm[2] + noise_mm),
+                _ => String::new(),
+            };
+            out +=
+                &(columns.iter().map(cell).collect::<Vec<String>>().join(",") + &format!(",base,{name}\n"));
+        }
+    }
+    out
+}
+
+fn answer_json(folder: &Path) -> Value {
+    serde_json::from_slice(&fs::read(folder.join("c.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn nests_are_no_poses_of_a_comparison() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let [before, after] = [1, 2].map(|seed| measured(&[], tip, seed));
+    let poses = before.lines().count() - 1;
+    let (_, plain) = compared(folder.path(), &before, &after);
+    let (code, answer) = compared(folder.path(), &with_nests(&before, 1.0), &with_nests(&after, 1.0));
+    let all = format!("{poses} poses measured both times; 0 only before, 0 only after");
+    assert!(code == 0 && answer.contains(&all), "{answer}");
+    // The same nests, read to the same digits, are no poses that are copies.
+    assert!(!answer.contains("same-readings"), "{answer}");
+    assert_eq!(plain.lines().nth(2), answer.lines().nth(2));
+    let shown = answer_json(folder.path());
+    assert_eq!((&shown["pairs"], &shown["alone"]), (&serde_json::json!(poses), &serde_json::json!([0, 0])));
+}
+
+/// All points 1,000 ppm further from the instrument than before. Of nests 2.6 m apart whose readings scatter by 0.02 mm the scale is known to
+/// some 20 ppm.
+#[test]
+fn a_scale_of_all_lengths_is_the_instrument_s_or_the_links_until_nests_tell() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let before = measured(&[], tip, 1);
+    let grown = with_points(&measured(&[], tip, 2), |_, point_mm| {
+        point_mm.iter_mut().for_each(|mm| *mm *= 1.001);
+    });
+    let near = |value: &Value, ppm: f64| (value.as_f64().unwrap() - ppm).abs() < 60.0;
+    let (code, answer) = compared(folder.path(), &before, &grown);
+    assert!(code == 1 && answer.contains("a scale bar, or nests on base or floor"), "{answer}");
+    let shown = answer_json(folder.path());
+    assert!(near(&shown["scale"]["ppm"], 1000.0) && shown["scale"]["links_ppm"].is_null(), "{answer}");
+    assert_eq!(shown["verdict"], "ambiguous");
+    let causes = shown["causes"].as_array().unwrap();
+    let named: Vec<&str> = causes.iter().map(|cause| cause["effect"].as_str().unwrap()).collect();
+    assert_eq!(named, ["instrument_scale", "link_geometry", "thermal_link_growth"], "{answer}");
+    // None is likelier than another, and what has a size in ppm has that of the scale.
+    assert!(causes.iter().all(|cause| cause["posterior"] == causes[0]["posterior"]), "{answer}");
+    assert!(near(&causes[0]["size"], 1000.0) && near(&causes[2]["size"], 1000.0), "{answer}");
+    for (of_nests, [instrument_ppm, links_ppm], effects) in [
+        (1.001, [1000.0, 0.0], vec!["instrument_scale"]),
+        (1.0, [0.0, 1000.0], vec!["link_geometry", "thermal_link_growth"]),
+    ] {
+        let (_, answer) = compared(folder.path(), &with_nests(&before, 1.0), &with_nests(&grown, of_nests));
+        let shown = answer_json(folder.path());
+        let scale = &shown["scale"];
+        assert!(
+            near(&scale["instrument_ppm"], instrument_ppm) && near(&scale["links_ppm"], links_ppm),
+            "{answer}"
+        );
+        assert!(answer.contains("3 nests on base or floor tell whose"), "{answer}");
+        let causes = shown["causes"].as_array().unwrap();
+        assert_eq!(
+            causes.iter().map(|c| c["effect"].as_str().unwrap()).collect::<Vec<_>>(),
+            effects,
+            "{answer}"
+        );
+    }
+}
+
+#[test]
+fn another_tool_than_before_is_the_first_thing_of_the_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let before = measured(&[], tip, 1);
+    let first_line = |off_m: Vector3<f64>| {
+        let (code, answer) = compared(folder.path(), &before, &measured(&[], tip + off_m, 2));
+        assert_eq!(code, 1, "{answer}");
+        answer.lines().next().unwrap().to_owned()
+    };
+    let line = first_line(Vector3::new(0.0, 0.0, 0.1));
+    let by_mm: f64 =
+        line.split("target 1 by ").nth(1).expect(&line).split(' ').next().unwrap().parse().unwrap();
+    // 100 mm, known to some hundredths.
+    assert!(line.starts_with("CHANGED: the tool point differs, ") && (by_mm - 100.0).abs() < 0.1, "{line}");
+    assert_eq!(answer_json(folder.path())["tools"][0]["is_other"], true);
+    // Half a millimetre may be wear.
+    assert_eq!(first_line(Vector3::new(0.0, 0.0, 5e-4)), "CHANGED");
+}
+
+/// Both times the target is where it was: 100 mm from where `--tool` has it.
+#[test]
+fn a_target_that_is_not_where_the_tool_was_given_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let [before, after] =
+        [1, 2].map(|seed| write(folder.path(), &format!("{seed}.csv"), &measured(&[], tip, seed)));
+    let [x, y, z] = TIP_M.map(|m| 1e3 * m);
+    let given =
+        |tool: String| run(&["compare-measurements", &before, &after, "--sigma-mm", "0.02", "--tool", &tool]);
+    let (code, out, err) = given(format!("{x},{y},{}", z + 100.0));
+    assert!(code == 0 && err.contains("measure::tool-apart"), "{out}{err}");
+    assert!(err.contains("before at (60.0, -30.0, 110.0) mm from the flange, 100.0 mm from --tool"), "{err}");
+    assert!(!given(format!("{x},{y},{z}")).2.contains("tool-apart"));
+}

@@ -23,7 +23,7 @@ pub use moved::{describe_move, describe_remounting};
 pub use one_target::find_in_one_target;
 pub use orientation::find_in_orientations;
 pub use rows::{find_apart, find_in_rows};
-pub use whole::{find_fault, find_in_columns, tool_apart};
+pub use whole::{TOOL_M, ToolApart, find_fault, find_in_columns, tool_apart};
 
 use serde::{Serialize, Serializer};
 

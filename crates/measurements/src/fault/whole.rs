@@ -23,8 +23,8 @@ const CLEARLY: f64 = 0.7;
 const ZEROS: usize = 12;
 /// Steps of the golden section from there, each to 0.618 of the last: from 60 deg to under 0.01 deg.
 const ZERO_NARROWINGS: usize = 20;
-/// Nearer to the named tool than this it is the same, and no fault.
-const TOOL_M: f64 = 5e-3;
+/// Nearer to the named tool than this it is the same, and no fault, metres.
+pub const TOOL_M: f64 = 5e-3;
 /// What an arm's own errors may make the points miss a tool by that is held: over a few degrees a joint that is off moves them as a tool does.
 const HELD_M: f64 = 1.5e-3;
 

@@ -70,8 +70,8 @@ mod zeros;
 
 pub use cause::Cause;
 pub use comparison::{
-    BaseSigma, BeyondNoise, CompareError, MeasurementComparison, MovedPoint, beside_each_other,
-    compare_measurements, last_zero, why_unpaired,
+    BaseSigma, BeyondNoise, CompareError, MeasurementComparison, MovedPoint, NestScale, PartedScale,
+    ScaleChange, beside_each_other, compare_measurements, last_zero, why_unpaired,
 };
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};

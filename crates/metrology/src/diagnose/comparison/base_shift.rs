@@ -1,7 +1,7 @@
 //! How exactly two files tell a shift of the base: by where the poses are, and by their noise.
 
 use measurements::Registration;
-use nalgebra::{DMatrix, Isometry3};
+use nalgebra::{DMatrix, Isometry3, Vector3};
 
 /// Standard deviations of a shift of the base.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,11 +36,7 @@ pub(super) fn base_sigma(
     let mut squares = DMatrix::<f64>::zeros(unknowns, unknowns);
     for (pose, target) in poses {
         let tool_m = was.tools_m.get(target)?;
-        let point_m = pose.translation.vector + pose.rotation * tool_m;
-        let mut row = DMatrix::<f64>::zeros(3, unknowns);
-        row.fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
-        row.fixed_view_mut::<3, 3>(0, 3).copy_from(&-point_m.cross_matrix());
-        row.fixed_view_mut::<3, 3>(0, 6 + 3 * target).copy_from(pose.rotation.to_rotation_matrix().matrix());
+        let row = moved_by(&pose, tool_m, target, unknowns);
         squares += row.transpose() * row;
     }
     let covariance = squares.cholesky()?.inverse() * (sigma_m * sigma_m);
@@ -49,4 +45,20 @@ pub(super) fn base_sigma(
         shift_m: [0, 1, 2].map(|k| covariance[(k, k)].max(0.0).sqrt()),
         turn_rad: turns.max().max(0.0).sqrt(),
     })
+}
+
+/// What moves the point of `target`, which sits at `tool_m` on the flange at `pose`: a column for each of the base's shift and turn (6), then
+/// for each target's place on the flange (3); 0 in what `unknowns` has beyond them.
+pub(super) fn moved_by(
+    pose: &Isometry3<f64>,
+    tool_m: &Vector3<f64>,
+    target: usize,
+    unknowns: usize,
+) -> DMatrix<f64> {
+    let point_m = pose.translation.vector + pose.rotation * tool_m;
+    let mut columns = DMatrix::<f64>::zeros(3, unknowns);
+    columns.fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
+    columns.fixed_view_mut::<3, 3>(0, 3).copy_from(&-point_m.cross_matrix());
+    columns.fixed_view_mut::<3, 3>(0, 6 + 3 * target).copy_from(pose.rotation.to_rotation_matrix().matrix());
+    columns
 }

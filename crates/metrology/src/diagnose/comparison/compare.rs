@@ -2,20 +2,21 @@
 //! was wrong before as much as after drops out.
 
 use super::base_shift::{BaseSigma, base_sigma};
+use super::nest_scale::nest_scale;
+use super::pose_pairs::{Pair, as_measurements, paired, point_pairs};
+use super::scale_change::{FittedScale, ScaleChange};
 use crate::diagnose::examine::diagnose;
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::{Findings, Verdict};
 use measurements::{
-    Channels, Fault, MeasurementRow, Measurements, OneStand, Reading, RegisterError, Registration,
-    STATED_FREEDOM, Station, Stations, check_rows, from_sound_file, gather, median, register,
+    Fault, Measurements, OneStand, Reading, RegisterError, Registration, STATED_FREEDOM, Station, Stations,
+    TOOL_M, ToolApart, check_rows, from_sound_file, gather, median, register, tool_apart,
 };
-use nalgebra::{Isometry3, Point3, UnitQuaternion, Vector3};
+use nalgebra::{Isometry3, Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::SerialArm;
 
-/// Joints this near are the same pose.
-pub(super) const SAME_RAD: f64 = 3.5e-4;
 /// Fewer poses in both say nothing.
 const FEWEST: usize = 12;
 /// A shift of the tool beyond this many sigmas is one.
@@ -92,6 +93,8 @@ pub struct MeasurementComparison {
     pub tools_m: Vec<Vector3<f64>>,
     /// How far each target has moved on the flange, with its largest standard deviation, metres.
     pub tools_moved_m: Vec<(Vector3<f64>, f64)>,
+    /// The one target, before and after, where the points have it elsewhere than it was given.
+    pub tool_apart: [Option<ToolApart>; 2],
     /// The base now in the frame of the base before: real where the instrument has not moved.
     pub base_moved: Isometry3<f64>,
     /// How exactly that is told; `None` where it is not, or where the arm has changed, which may be a part of it.
@@ -100,6 +103,8 @@ pub struct MeasurementComparison {
     pub worst: Vec<MovedPoint>,
     /// The diagnosis of the differences.
     pub diagnosis: Findings,
+    /// The change of all lengths alike, where that is what has changed.
+    pub scale: Option<ScaleChange>,
     /// What noise does not explain, whatever the cause.
     pub beyond: BeyondNoise,
     /// Whether arm or tool have changed.
@@ -113,6 +118,14 @@ impl MeasurementComparison {
     #[must_use]
     pub fn arm_is_changed(&self) -> bool {
         is_of_the_arm(&self.diagnosis)
+    }
+
+    /// The targets, as indices, that sit so far from where they sat before that they are others, or were put on anew: no wear or drift of a
+    /// tool goes so far.
+    #[must_use]
+    pub fn other_targets(&self) -> Vec<usize> {
+        let all = self.tools_moved_m.iter().enumerate();
+        all.filter(|(_, (by, sigma))| by.norm() > TOOL_M + SURE * sigma).map(|(target, _)| target).collect()
     }
 }
 
@@ -138,13 +151,6 @@ pub struct MovedPoint {
     pub lines: [u64; 2],
     /// How far it has moved, metres.
     pub by_m: f64,
-}
-
-/// A pose in both files.
-struct Pair<'a> {
-    before: &'a Station,
-    after: &'a Station,
-    flange: Isometry3<f64>,
 }
 
 /// Compares `after` with `before`.
@@ -174,17 +180,7 @@ fn compared(
     if pairs.len() < FEWEST {
         return Err(CompareError::TooFew { pairs: pairs.len() });
     }
-    let flange: Vec<Isometry3<f64>> = pairs.iter().map(|p| p.flange).collect();
-    let own = |of: fn(&Pair<'_>) -> Station, targets: usize| {
-        let stations: Vec<Station> = pairs.iter().map(of).collect();
-        let fit = register(&stations, &flange, targets, options.tool_m)?;
-        Ok::<_, RegisterError>((stations, fit))
-    };
-    let (first, was) = own(|p| p.before.clone(), old.targets)?;
-    let (second, is) = own(|p| Station { target: p.before.target, ..p.after.clone() }, old.targets)?;
-
-    let moved = moved_m([&first, &second], &flange, [&was, &is]);
-    let shown = shown(&second, &flange, &was, &moved);
+    let Registered { flange, was, is, moved, shown } = registered(&pairs, old.targets, options.tool_m)?;
     let fit = register(&shown, &flange, old.targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
     let left: Vec<Vector3<f64>> =
         shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
@@ -193,6 +189,13 @@ fn compared(
     let diagnosis_options =
         DiagnosisOptions { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
     let diagnosis = diagnose(&as_measurements(&pairs, &shown, before), robot, &diagnosis_options);
+    let points = point_pairs(&pairs, &was, &moved);
+    let scale = FittedScale::new(&points, old.targets, sigma_m.unwrap_or(0.0)).and_then(|fitted| {
+        let known_m = options.sigma_m.or_else(|| old.repeats.map(|repeats| repeats.sigma_m));
+        let nests = nest_scale(files.map(FileSeen::rows), known_m.unwrap_or(fitted.left_m));
+        fitted.as_change(&diagnosis, rms_m(&left), nests)
+    });
+    let diagnosis = scale.iter().fold(diagnosis, |diagnosis, scale| scale.shared(diagnosis));
     let tools_moved_m: Vec<(Vector3<f64>, f64)> =
         fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
     // The same readings twice have no noise against which anything could be told.
@@ -211,16 +214,46 @@ fn compared(
         alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
         rms_m: rms_m(&left),
         noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
+        tool_apart: [&was, &is].map(|fit| tool_apart(fit, old.targets, options.tool_m, pairs.len())),
         tools_m: was.tools_m,
         tools_moved_m,
         base_moved,
         base_sigma,
         worst: worst_changes(&pairs, &left, before, after),
         diagnosis,
+        scale,
         beyond,
         is_changed: is_changed && !is_same,
         warnings: files.map(|file| file.warnings.clone()),
     })
+}
+
+/// Pairs in the base's frame, as registered each time.
+struct Registered {
+    /// `base_from_flange` of each.
+    flange: Vec<Isometry3<f64>>,
+    was: Registration,
+    is: Registration,
+    /// What the points have moved by, metres.
+    moved: Vec<Vector3<f64>>,
+    /// The stations as the first registration would show them now.
+    shown: Vec<Station>,
+}
+
+fn registered(
+    pairs: &[Pair<'_>],
+    targets: usize,
+    tool_m: Option<Vector3<f64>>,
+) -> Result<Registered, RegisterError> {
+    let flange: Vec<Isometry3<f64>> = pairs.iter().map(|p| p.flange).collect();
+    let stations = |of: fn(&Pair<'_>) -> Station| pairs.iter().map(of).collect::<Vec<Station>>();
+    let first = stations(|p| p.before.clone());
+    let second = stations(|p| Station { target: p.before.target, ..p.after.clone() });
+    let was = register(&first, &flange, targets, tool_m)?;
+    let is = register(&second, &flange, targets, tool_m)?;
+    let moved = moved_m([&first, &second], &flange, [&was, &is]);
+    let shown = shown(&second, &flange, &was, &moved);
+    Ok(Registered { flange, was, is, moved, shown })
 }
 
 /// What the points have moved by, the base as it is now, the targets where they were.
@@ -298,8 +331,15 @@ impl FileSeen {
         Ok(Self { used, warnings, measurements: measurements.into_owned() })
     }
 
+    /// Those of the arm: a nest on the base is no pose of it, nor is its noise that of one.
     fn stations(&self) -> Stations {
-        gather(&self.measurements, &self.used, None)
+        let of_arm =
+            |&row: &usize| self.measurements.rows.get(row).is_some_and(|row| row.reading.involves_arm());
+        gather(&self.measurements, &self.used.iter().copied().filter(of_arm).collect::<Vec<usize>>(), None)
+    }
+
+    fn rows(&self) -> (&Measurements, &[usize]) {
+        (&self.measurements, &self.used)
     }
 }
 
@@ -376,34 +416,6 @@ fn worst_changes(
     worst
 }
 
-/// Each station before with the first one after that is alike and free.
-fn paired<'a>(
-    old: &'a Stations,
-    new: &'a Stations,
-    before: &Measurements,
-    after: &Measurements,
-    chain: &SerialChain,
-) -> Vec<Pair<'a>> {
-    let mut free: Vec<&Station> =
-        new.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).collect();
-    let mut pairs = Vec::new();
-    for station in old.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })) {
-        let alike = |other: &&Station| {
-            let same = |a: Option<Joints<i8>>, b: Option<Joints<i8>>| a.is_none() || b.is_none() || a == b;
-            let load = |a: Option<f64>, b: Option<f64>| a.is_none() || b.is_none() || a == b;
-            station.q_rad.iter().zip(&other.q_rad).all(|(a, b)| (a - b).abs() < SAME_RAD)
-                && before.targets.get(station.target) == after.targets.get(other.target)
-                && same(station.direction, other.direction)
-                && load(station.payload_kg, other.payload_kg)
-        };
-        if let Some(at) = free.iter().position(alike) {
-            let other = free.remove(at);
-            pairs.push(Pair { before: station, after: other, flange: chain.forward(&station.q_rad) });
-        }
-    }
-    pairs
-}
-
 /// Noise of the difference of a pair, on average: of one reading as stated, or as seen in both files' repeats, over the
 /// readings in each mean.
 fn noise_m(old: &Stations, new: &Stations, options: &DiagnosisOptions, pairs: &[Pair<'_>]) -> Option<f64> {
@@ -415,42 +427,4 @@ fn noise_m(old: &Stations, new: &Stations, options: &DiagnosisOptions, pairs: &[
             + after_m.powi(2) / pair.after.rows.len().max(1) as f64
     };
     Some((pairs.iter().map(of_pair).sum::<f64>() / pairs.len().max(1) as f64).sqrt())
-}
-
-/// The differences as a measurement file of their own: the nominal arm, and what has changed.
-fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements) -> Measurements {
-    let rows: Vec<MeasurementRow> = pairs
-        .iter()
-        .zip(shown)
-        .enumerate()
-        .map(|(i, (pair, shown))| MeasurementRow {
-            line: i as u64 + 2,
-            id: None,
-            pose_id: None,
-            pose: pair.before.pose,
-            target: pair.before.target,
-            stand: 0,
-            t_min: None,
-            q_rad: pair.before.q_rad,
-            reading: shown.reading.clone(),
-            orientation: None::<UnitQuaternion<f64>>,
-            direction: pair.before.direction,
-            payload_kg: pair.before.payload_kg,
-            joint_temperature_c: None,
-        })
-        .collect();
-    Measurements {
-        channels: Channels {
-            pose_id: true,
-            direction: rows.iter().all(|r| r.direction.is_some()),
-            payload: rows.iter().all(|r| r.payload_kg.is_some()),
-            ..Channels::default()
-        },
-        rows,
-        targets: before.targets.clone(),
-        fixed_points: Vec::new(),
-        joint_kinds: before.joint_kinds,
-        joint_decimals: 9,
-        warnings: Vec::new(),
-    }
 }

@@ -1,7 +1,7 @@
 //! Two files of one arm beside each other: what one of them records and the other does not, whether they are one file, and why poses of the
 //! one have none in the other.
 
-use super::compare::SAME_RAD;
+use super::pose_pairs::SAME_RAD;
 use measurements::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::units::deg_from_rad;
@@ -22,11 +22,11 @@ pub fn beside_each_other(before: &Measurements, after: &Measurements) -> Vec<Dia
 fn same_readings(before: &Measurements, after: &Measurements) -> Option<Diagnostic> {
     let of_before: BTreeSet<Vec<u64>> = before.rows.iter().filter_map(written).collect();
     let same = after.rows.iter().filter_map(written).filter(|row| of_before.contains(row)).count();
-    let all = after.rows.len();
+    let all = of_arm(after).count();
     if (same as f64) <= COPIED_SHARE * all as f64 {
         return None;
     }
-    let text = if same == all && all == before.rows.len() {
+    let text = if same == all && all == of_arm(before).count() {
         "the two files hold the same readings to the last digit: that nothing has changed says nothing of the arm".to_owned()
     } else {
         format!("{same} of {} after are readings from before to the last digit", counted(all, "row"))
@@ -37,9 +37,14 @@ fn same_readings(before: &Measurements, after: &Measurements) -> Option<Diagnost
     )
 }
 
-/// Joints and point of a row, to the last digit; `None` of what is no point.
+/// The rows in which the arm has a pose: a nest on the base has none.
+fn of_arm(file: &Measurements) -> impl Iterator<Item = &MeasurementRow> {
+    file.rows.iter().filter(|row| row.reading.involves_arm())
+}
+
+/// Joints and point of a row, to the last digit; `None` of what is no point of the arm.
 fn written(row: &MeasurementRow) -> Option<Vec<u64>> {
-    let position_m = row.reading.position_m()?;
+    let position_m = row.reading.position_m().filter(|_| row.reading.involves_arm())?;
     Some(row.q_rad.iter().chain(position_m.iter()).map(|value| value.to_bits()).collect())
 }
 
@@ -69,9 +74,9 @@ fn columns_of_one(before: &Measurements, after: &Measurements) -> Option<Diagnos
 #[must_use]
 pub fn why_unpaired(before: &Measurements, after: &Measurements) -> Option<String> {
     let (fewer, other) =
-        if before.rows.len() <= after.rows.len() { (before, after) } else { (after, before) };
+        if of_arm(before).count() <= of_arm(after).count() { (before, after) } else { (after, before) };
     let pairs: Vec<(&MeasurementRow, &MeasurementRow)> =
-        fewer.rows.iter().filter_map(|row| Some((row, nearest(row, other)?))).collect();
+        of_arm(fewer).filter_map(|row| Some((row, nearest(row, other)?))).collect();
     let apart_rad = |(a, b): &(&MeasurementRow, &MeasurementRow)| apart_rad(a, b);
     let same: Vec<_> = pairs.iter().filter(|pair| apart_rad(pair) < SAME_RAD).collect();
     if 2 * same.len() < pairs.len() {
@@ -115,7 +120,7 @@ fn apart_rad(a: &MeasurementRow, b: &MeasurementRow) -> f64 {
 
 fn nearest<'a>(row: &MeasurementRow, file: &'a Measurements) -> Option<&'a MeasurementRow> {
     let is_as_long = |other: &&MeasurementRow| other.q_rad.iter().count() == row.q_rad.iter().count();
-    let others = file.rows.iter().filter(is_as_long);
+    let others = of_arm(file).filter(is_as_long);
     others.min_by(|a, b| apart_rad(row, a).total_cmp(&apart_rad(row, b)))
 }
 
