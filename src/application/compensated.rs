@@ -276,11 +276,12 @@ impl Refusal {
             .map_or("compensate::nothing", |error| error.code)
     }
 
-    /// Whether it is only that no motion can be corrected, or that there is none: of one of several tasks no reason to leave the others.
+    /// Whether it is only that the program's text keeps every motion, or has none: of one of several tasks no reason to leave the others.
+    /// What a robot does not reach, or would be corrected by too much, may be a robot or a table that is the wrong one.
     #[must_use]
     pub fn has_nothing_to_correct(&self) -> bool {
-        let mut errors = self.messages.iter().filter(|m| m.diagnostic.severity == Severity::Error);
-        errors.all(|m| ["compensate::nothing", "compensate::no-motion"].contains(&m.diagnostic.code))
+        let by_text = self.program.motions.iter().all(|motion| motion.skip_reason.is_some());
+        by_text && ["compensate::nothing", "compensate::no-motion"].contains(&self.code())
     }
 
     /// What was found of a task that stays as it is beside others, for scripts.

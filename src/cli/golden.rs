@@ -11,8 +11,9 @@ use super::program_input::ProgramInput;
 use super::settings;
 use super::{Console, Outcome};
 use crate::application::{check_tasks, write_file_diff};
-use crate::report::{self, ColorMode};
+use crate::report::{self, ColorMode, LocatedDiagnostic};
 use clap::{Args as _, FromArgMatches};
+use driftpost::application::{Compensation, ProgramFiles};
 use rapid_compensation::emit::EmittedFile;
 use rapid_program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -115,43 +116,48 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
         Ok(())
     };
     let program = given.program();
-    let (mut review, mut messages, mut is_refused) = (Vec::new(), Vec::new(), false);
     check_tasks(&args.task.iter().map(|of| of.task.as_str()).collect::<Vec<_>>(), &program)?;
-    let jobs = args.jobs()?;
-    let mut left_alone = None;
-    for job in &jobs {
-        match (job.run_each(&program, &mut accept), &job.overrides.task) {
-            (Ok(made), _) => {
-                made.write_review(&mut review, true)?;
-                messages.extend(made.messages);
-            }
-            (Err(refusal), Some(task)) if jobs.len() > 1 && refusal.has_nothing_to_correct() => {
-                messages.extend(refusal.as_warnings(task));
-                left_alone.get_or_insert(refusal);
-            }
-            (Err(refusal), _) => {
-                messages = refusal.messages;
-                is_refused = true;
-                break;
-            }
-        }
-    }
-    if let Some(refusal) = left_alone.filter(|_| review.is_empty() && !is_refused) {
-        messages = refusal.messages;
-        is_refused = true;
-    }
+    let (review, messages) = reviewed(&args.jobs()?, &program, &mut accept)?;
     // Where one task's robot cannot be corrected, no task's files are written.
-    if is_refused {
-        result.clear();
-    } else {
-        result.insert("review.txt".to_owned(), review);
-        result.insert("changes.diff".to_owned(), diff);
+    match review {
+        Some(review) => {
+            result.insert("review.txt".to_owned(), review);
+            result.insert("changes.diff".to_owned(), diff);
+        }
+        None => result.clear(),
     }
     report::write_messages(&mut message_text, &messages, color_mode, true)?;
     if !message_text.is_empty() {
         result.insert("messages.txt".to_owned(), message_text);
     }
     Ok(result)
+}
+
+/// The review of all tasks, `None` where one is refused, and the messages.
+fn reviewed(
+    jobs: &[Compensation],
+    program: &ProgramFiles,
+    accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
+) -> anyhow::Result<(Option<Vec<u8>>, Vec<LocatedDiagnostic>)> {
+    let (mut review, mut messages) = (Vec::new(), Vec::new());
+    let mut left_alone = None;
+    for job in jobs {
+        match (job.run_each(program, accept), job.beside_others(jobs.len())) {
+            (Ok(made), _) => {
+                made.write_review(&mut review, true)?;
+                messages.extend(made.messages);
+            }
+            (Err(refusal), Some(task)) if refusal.has_nothing_to_correct() => {
+                messages.extend(refusal.as_warnings(task));
+                left_alone.get_or_insert(refusal);
+            }
+            (Err(refusal), _) => return Ok((None, refusal.messages)),
+        }
+    }
+    match left_alone.filter(|_| review.is_empty()) {
+        Some(refusal) => Ok((None, refusal.messages)),
+        None => Ok((Some(review), messages)),
+    }
 }
 
 /// The options of a case, read by the same rules as the command line.

@@ -16,6 +16,7 @@ mod bad_measurements;
 mod bad_orientations;
 mod branch_end;
 mod calibration;
+mod campaigns;
 mod cli;
 mod clock;
 mod compensate_robodk;

@@ -72,6 +72,7 @@ pub use speed_override::SpeedOverride;
 
 use module_facts::Facts;
 use motion::{AfterTraps, Loop, Motion, MotionId, PersTarget, RoutineId, RoutineInfo};
+use move_instructions::{Special, move_form};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -146,6 +147,12 @@ pub fn is_task_folder(name: &str) -> bool {
         || behind("t_").and_then(<[u8]>::first).is_some_and(u8::is_ascii_alphanumeric)
 }
 
+/// Whether the arm moves, and not external axes alone as by MoveExtJ.
+fn moves_arm(motion: &Motion) -> bool {
+    let form = move_form(&motion.setup.kind.to_ascii_lowercase());
+    form.is_none_or(|form| form.special != Special::External)
+}
+
 /// Whether a file is one of a task's, where one is named.
 #[must_use]
 pub fn is_of_task(path: &str, task: Option<&str>) -> bool {
@@ -158,7 +165,7 @@ impl Program {
     #[must_use]
     pub fn motion_tasks(&self) -> Vec<Option<&str>> {
         let mut tasks: Vec<Option<&str>> = Vec::new();
-        for motion in self.motions.iter().filter(|motion| motion.setup.moves_arm()) {
+        for motion in self.motions.iter().filter(|motion| moves_arm(motion)) {
             let task = task_of(&self.file(motion.file).path);
             let same = |known: &Option<&str>| match (known, task) {
                 (Some(known), Some(task)) => known.eq_ignore_ascii_case(task),

@@ -4,7 +4,6 @@
 //! A program may have a million of them: what neighbours have in common stands once, in a [`MotionSetup`].
 
 use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
-use super::move_instructions::{Special, move_form};
 use super::one_or_many::OneOrMany;
 pub use super::target::{Indices, Origin, Target, TargetValue, indices_of};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
@@ -167,15 +166,6 @@ pub struct RoutineInfo {
     pub name: String,
     /// The whole routine, from its first word to its END word.
     pub range: TextRange,
-}
-
-impl MotionSetup {
-    /// Whether the arm moves, and not external axes alone as by MoveExtJ.
-    #[must_use]
-    pub fn moves_arm(&self) -> bool {
-        let form = move_form(&self.kind.to_ascii_lowercase());
-        form.is_none_or(|form| form.special != Special::External)
-    }
 }
 
 /// Where traps that move the arm may leave it, between any two statements of a routine that they interrupt.

@@ -65,27 +65,9 @@ fn write_results(
     results.open(args, console.is_quiet() || destination.is_standard())?;
 
     let mut writing = Writing::default();
-    let (mut all_made, mut reviews) = (Vec::with_capacity(jobs.len()), Vec::with_capacity(jobs.len()));
-    let mut left_alone: Option<Box<Refusal>> = None;
-    for job in jobs.iter() {
-        let emit = || emitted(job, &program, (&given, &destination), results, &mut writing);
-        let (made, review) = match (console.while_busy("compensating", emit), &job.overrides.task) {
-            // What other tasks can be corrected by is no worse for it.
-            (Err(refusal), Some(task)) if jobs.len() > 1 && refusal.has_nothing_to_correct() => {
-                console.explain(&refusal.as_warnings(task), args.all);
-                results.leave_alone(refusal.of_task(task));
-                left_alone.get_or_insert(refusal);
-                continue;
-            }
-            (emitted, _) => emitted?,
-        };
-        console.explain(&made.messages, args.all);
-        all_made.push(made);
-        reviews.push(review);
-    }
-    if let Some(refusal) = left_alone.filter(|_| all_made.is_empty()) {
-        return Err(refusal);
-    }
+    let emit =
+        |job, results: &mut Results| emitted(job, &program, (&given, &destination), results, &mut writing);
+    let (mut all_made, reviews) = make_all(jobs, (args, console), results, emit)?;
     // A recording is asked for of one robot alone.
     let [made, ..] = all_made.as_slice() else { return Ok(Ok(())) };
     // All is written whole beside its place before anything is put there.
@@ -101,6 +83,37 @@ fn write_results(
     }
     note_written(console, &all_made, &written, &destination);
     Ok(results.show(console, &all_made, args, &written))
+}
+
+/// What comes of each job by `emit`; of several tasks one in which the text keeps every motion stays as it is.
+fn make_all<'j>(
+    jobs: &'j [Compensation],
+    (args, console): (&Args, &mut Console),
+    results: &mut Results,
+    mut emit: impl FnMut(&'j Compensation, &mut Results) -> Result<(Compensated<'j>, SourceReview), Box<Refusal>>,
+) -> Result<(Vec<Compensated<'j>>, Vec<SourceReview>), Box<Refusal>> {
+    let (mut all_made, mut reviews) = (Vec::with_capacity(jobs.len()), Vec::with_capacity(jobs.len()));
+    let mut left_alone: Option<Box<Refusal>> = None;
+    for job in jobs {
+        let emitted = console.while_busy("compensating", || emit(job, results));
+        match (emitted, job.beside_others(jobs.len())) {
+            (Ok((made, review)), _) => {
+                console.explain(&made.messages, args.all);
+                all_made.push(made);
+                reviews.push(review);
+            }
+            (Err(refusal), Some(task)) if refusal.has_nothing_to_correct() => {
+                console.explain(&refusal.as_warnings(task), args.all);
+                results.leave_alone(refusal.of_task(task));
+                left_alone.get_or_insert(refusal);
+            }
+            (Err(refusal), _) => return Err(refusal),
+        }
+    }
+    match left_alone.filter(|_| all_made.is_empty()) {
+        Some(refusal) => Err(refusal),
+        None => Ok((all_made, reviews)),
+    }
 }
 
 /// Holds the tasks that are named to the program, and tells the jobs which stand beside it.

@@ -205,7 +205,24 @@ fn folders_by_the_names_of_tasks_are_tasks() {
     let source = bench.path("cell").display().to_string();
     let to = bench.path("made").display().to_string();
     let run = |words: &[&str]| {
-        driftpost(&[&["compensate", &source, "-o", &to, "--diff", "none", "--form", "auto"], words].concat())
+        driftpost(
+            &[
+                &[
+                    "compensate",
+                    &source,
+                    "-o",
+                    &to,
+                    "--diff",
+                    "none",
+                    "--form",
+                    "auto",
+                    "--growth",
+                    "two-stage:60",
+                ],
+                words,
+            ]
+            .concat(),
+        )
     };
     let refused = run(&["--robot", LARGE, "--deformation", &bench.file("drift2.csv", TABLE)]);
     assert_eq!(refused.status.code(), Some(2), "{}", out(&refused));
