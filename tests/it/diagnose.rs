@@ -4,6 +4,7 @@
 mod held_out;
 mod long;
 mod outside_the_library;
+mod steps;
 mod told_apart;
 mod unrecorded;
 

@@ -67,6 +67,8 @@ pub(super) struct Dataset {
     pub stands: usize,
     /// Observations that an instrument made while the arm stood in one pose, each of another target.
     pub visits: Vec<Vec<usize>>,
+    /// All stops of the arm: visits, each touch of a fixed point, and the lengths of one pose together. Between two of them something may change.
+    pub stops: Vec<Vec<usize>>,
     /// Whether all of them are touches of fixed points, which measure no length.
     pub touches_alone: bool,
 }
@@ -106,7 +108,8 @@ impl Dataset {
             torque_limit_n_m: torque_limits_n_m(&observations, robot.joints.len()),
             may_be_balanced: loaded[1] && beyond_shoulder_m(robot) >= SHORTEST_BALANCED_M,
             loaded,
-            visits: visits(&observations),
+            visits: stops(&observations, |o| o.kind == ObservationKind::Instrument),
+            stops: stops(&observations, |o| o.kind != ObservationKind::Nest),
             touches_alone: observations.iter().all(|s| matches!(s.kind, ObservationKind::Touch)),
             observations,
             channels,
@@ -123,8 +126,14 @@ impl Dataset {
     #[must_use]
     pub(super) fn every(&self, step: usize) -> Self {
         let observations: Vec<Observation> = self.observations.iter().step_by(step.max(1)).cloned().collect();
-        let visits = (0..observations.len()).map(|i| vec![i]).collect();
-        Self { observations, visits, ..self.clone() }
+        let visits: Vec<Vec<usize>> = (0..observations.len()).map(|i| vec![i]).collect();
+        Self { observations, stops: visits.clone(), visits, ..self.clone() }
+    }
+
+    /// Of a stop the numbers that a motion of all of the arm has to go with: a point's three, however many targets were read, and of a wire one.
+    #[must_use]
+    pub(super) fn numbers(&self, stop: &[usize]) -> usize {
+        stop.iter().map(|&i| self.observations[i].rows(NUMBERS_OF_POINT)).sum::<usize>().min(NUMBERS_OF_POINT)
     }
 
     /// The observations in which the arm has a pose. A nest on the base has none: all its frames are joint 1's, and its joints may be missing.
@@ -184,27 +193,29 @@ impl Dataset {
     }
 }
 
-/// The observations of each visit: one pose, the same joints, at about one time, no target twice.
-fn visits(observations: &[Observation]) -> Vec<Vec<usize>> {
-    let mut visits: Vec<Vec<usize>> = Vec::new();
+/// Coordinates of a point.
+pub(super) const NUMBERS_OF_POINT: usize = 3;
+
+/// The observations of each stop among those of which `counts` holds: one pose, the same joints, at about one time, no target or wire twice.
+fn stops(observations: &[Observation], counts: impl Fn(&Observation) -> bool) -> Vec<Vec<usize>> {
+    let mut stops: Vec<Vec<usize>> = Vec::new();
     let mut last_of_pose: BTreeMap<usize, usize> = BTreeMap::new();
-    let seen_by_instrument =
-        observations.iter().enumerate().filter(|(_, o)| o.kind == ObservationKind::Instrument);
-    for (i, observation) in seen_by_instrument {
-        let open = last_of_pose.get(&observation.pose).copied().filter(|&visit: &usize| {
-            let first: Option<&Observation> = visits[visit].first().map(|&k| &observations[k]);
+    let read = |o: &Observation| (o.target, o.fixed_point);
+    for (i, observation) in observations.iter().enumerate().filter(|(_, o)| counts(o)) {
+        let open = last_of_pose.get(&observation.pose).copied().filter(|&stop: &usize| {
+            let first: Option<&Observation> = stops[stop].first().map(|&k| &observations[k]);
             first.is_some_and(|first| first.stands_as(observation))
-                && visits[visit].iter().all(|&k| observations[k].target != observation.target)
+                && stops[stop].iter().all(|&k| read(&observations[k]) != read(observation))
         });
         match open {
-            Some(visit) => visits[visit].push(i),
+            Some(stop) => stops[stop].push(i),
             None => {
-                last_of_pose.insert(observation.pose, visits.len());
-                visits.push(vec![i]);
+                last_of_pose.insert(observation.pose, stops.len());
+                stops.push(vec![i]);
             }
         }
     }
-    visits
+    stops
 }
 
 /// The first and the last place in the file, where repeats do not stand all over it.
@@ -302,8 +313,34 @@ mod tests {
         {
             observations[i] = Observation { t_min: Some(t_min), target, ..first.clone() };
         }
+        let visits =
+            |observations: &[Observation]| stops(observations, |o| o.kind == ObservationKind::Instrument);
         assert_eq!(visits(&observations), [vec![0, 1, 2], vec![3, 4], vec![5], vec![6]]);
         observations[1].kind = ObservationKind::Nest;
         assert_eq!(visits(&observations), [vec![0, 2], vec![3, 4], vec![5], vec![6]]);
+    }
+
+    /// Three wires at one pose, then one of them at others: a stop of three numbers, and stops of one. A touch is a stop of three.
+    #[test]
+    fn lengths_of_one_pose_are_one_stop_and_no_visit() {
+        let mut observations = evenly_spread(6).observations;
+        let along = ObservationKind::Along(Vector3::x());
+        for i in 0..3 {
+            observations[i] = Observation {
+                kind: along,
+                fixed_point: Some(i),
+                t_min: Some(0.0),
+                ..observations[0].clone()
+            };
+        }
+        (observations[3].kind, observations[3].fixed_point) = (along, Some(0));
+        (observations[4].kind, observations[4].fixed_point) = (ObservationKind::Touch, Some(3));
+        observations[5].kind = ObservationKind::Nest;
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let dataset = Dataset::new(&robot, observations, Channels { time: true, ..Channels::default() });
+        assert_eq!(dataset.stops, [vec![0, 1, 2], vec![3], vec![4]]);
+        assert!(dataset.visits.is_empty());
+        let numbers: Vec<usize> = dataset.stops.iter().map(|stop| dataset.numbers(stop)).collect();
+        assert_eq!(numbers, [3, 1, 3]);
     }
 }

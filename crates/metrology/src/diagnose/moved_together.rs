@@ -1,22 +1,22 @@
 //! Stations measured one after the other that are off as one motion of the base, the target or a joint would put them: no false readings.
 
-use super::dataset::{Observation, Twist};
+use super::dataset::{NUMBERS_OF_POINT, Observation, Twist};
 use super::linearise::{Linearised, shift_m};
 use nalgebra::{DMatrix, DVector, Vector3};
 use std::collections::BTreeSet;
 
-/// Fewest visits in a row that are one motion: the six parameters of a rigid one could absorb a few false readings, however many targets
-/// each has.
-const FEWEST: usize = 6;
+/// Fewest numbers in a row that are one motion, of six points or touches or of eighteen lengths: the six parameters of a rigid one could absorb a
+/// few false readings, however many targets each has.
+const FEWEST: usize = 6 * NUMBERS_OF_POINT;
 /// Of stations in a row so many at least are far off, three of four.
 const MOST_OF: [usize; 2] = [3, 4];
 /// A motion that they share leaves at most this share of their squares; of numbers without a pattern six parameters leave two thirds
 /// and more.
 const LEFT: f64 = 0.25;
-/// Of fewer visits, as many as a step needs on either side, at the beginning or the end, where nothing shows that it comes back as noise that is slow
+/// Of fewer, as many as a step needs on either side, at the beginning or the end, where nothing shows that it comes back as noise that is slow
 /// does, it leaves next to nothing: six parameters leave this little of four visits without a
 /// pattern once in a thousand.
-const FEWEST_ALIKE: usize = 4;
+const FEWEST_ALIKE: usize = 4 * NUMBERS_OF_POINT;
 const LEFT_OF_FEW: f64 = 0.05;
 
 /// Takes from the stations that are far `off` those that stand in a row and are off as one motion would put them.
@@ -24,9 +24,10 @@ pub(super) fn excuse(linear: &Linearised, residuals: &[Twist], off: &mut [bool])
     let observations = &linear.dataset.observations;
     let mut order: Vec<usize> = (0..observations.len()).collect();
     order.sort_by(|&a, &b| observations[a].clock().total_cmp(&observations[b].clock()).then(a.cmp(&b)));
-    let mut visit_of = vec![0; observations.len()];
-    for (visit, members) in linear.dataset.visits.iter().enumerate() {
-        members.iter().for_each(|&i| visit_of[i] = visit);
+    let stops = &linear.dataset.stops;
+    let mut stop_of = vec![0; observations.len()];
+    for (stop, members) in stops.iter().enumerate() {
+        members.iter().for_each(|&i| stop_of[i] = stop);
     }
     let mut from = 0;
     while from < order.len() {
@@ -45,8 +46,9 @@ pub(super) fn excuse(linear: &Linearised, residuals: &[Twist], off: &mut [bool])
             }
         }
         let run: Vec<usize> = order[from..end].iter().copied().filter(|&i| off[i]).collect();
-        let visits: BTreeSet<usize> = run.iter().map(|&i| visit_of[i]).collect();
-        let most_left = match visits.len() {
+        let of_run: BTreeSet<usize> = run.iter().map(|&i| stop_of[i]).collect();
+        let numbers = of_run.into_iter().filter_map(|stop| stops.get(stop));
+        let most_left = match numbers.map(|stop| linear.dataset.numbers(stop)).sum() {
             FEWEST.. => Some(LEFT),
             FEWEST_ALIKE..FEWEST if from == 0 || end == order.len() => Some(LEFT_OF_FEW),
             _ => None,
@@ -73,7 +75,8 @@ fn is_one_motion(linear: &Linearised, residuals: &[Twist], run: &[usize], most_l
     let joint = |j: usize| move |o: &Observation| vec![o.jacobian_column(j)];
     let whole: f64 = run.iter().map(|&i| shift_m(&residuals[i]).powi(2)).sum();
     let left = |motion: &dyn Fn(&Observation) -> Vec<Twist>| {
-        let twists: Vec<Vec<Twist>> = run.iter().map(|&i| motion(&dataset.observations[i])).collect();
+        let seen = |o: &Observation| motion(o).into_iter().map(|twist| o.observed(twist)).collect();
+        let twists: Vec<Vec<Twist>> = run.iter().map(|&i| seen(&dataset.observations[i])).collect();
         let width = twists.first().map_or(0, Vec::len);
         let columns = DMatrix::from_fn(3 * run.len(), width, |r, c| twists[r / 3][c][r % 3]);
         let off = DVector::from_fn(3 * run.len(), |r, _| residuals[run[r / 3]][r % 3]);

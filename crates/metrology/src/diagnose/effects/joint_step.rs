@@ -1,7 +1,7 @@
 //! A joint's zero jumps at one moment: an encoder reset, a belt that skipped, a flange that slipped about joint 6.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{changes, no_clock, step_times};
+use super::over_time::{changes, no_room_for_a_step, step_times};
 use super::rigid::Motion;
 use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
@@ -33,7 +33,7 @@ impl Effect for JointStep {
         TimeCourse::Step
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
-        no_clock(dataset)
+        no_room_for_a_step(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let times = step_times(dataset);

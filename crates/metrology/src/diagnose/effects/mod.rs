@@ -35,6 +35,6 @@ pub(super) use gear_mesh::{line, line_with_overtone};
 pub(super) use library::{UntestableEffect, effect, testable_effects};
 pub(in crate::diagnose) use link_bending::one_beam_with;
 pub(in crate::diagnose) use link_geometry::along_link;
-pub(super) use over_time::{steps_too_near, visit_times};
+pub(super) use over_time::{StopTime, steps_too_near, stop_times};
 pub(in crate::diagnose) use payload_mass::{give_per_kg, soft, usual_compliance};
 pub(super) use rigid::{Motion, RigidBody};

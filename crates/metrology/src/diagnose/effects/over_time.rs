@@ -2,7 +2,7 @@
 //! as its model says before.
 
 use super::effect::{Candidate, EffectVariant};
-use crate::diagnose::dataset::Dataset;
+use crate::diagnose::dataset::{Dataset, NUMBERS_OF_POINT};
 use robot_model::deform::identified::Growth;
 use robot_model::deform::{EffectKind, GrowthLaw};
 use robot_model::units::h_from_min;
@@ -60,19 +60,40 @@ pub(super) fn changes(
     variants.filter(move |candidate| candidate.variant.refined || !is_large)
 }
 
-/// Fewest visits on each side of a step: the three numbers of a target each are twice as many as a rigid motion has parameters. More targets
-/// of one visit say the same once more.
-const MIN_BESIDE_STEP: usize = 4;
+/// Fewest numbers on each side of a step: twice as many as a rigid motion has parameters. Four points or touches have them, and twelve lengths.
+const MIN_BESIDE_STEP: usize = 4 * NUMBERS_OF_POINT;
 /// Fewest between two steps: what two motions take between them may be one or two false readings.
-const MIN_BETWEEN_STEPS: usize = 6;
+const MIN_BETWEEN_STEPS: usize = 6 * NUMBERS_OF_POINT;
 
-/// Whether steps at two times are so near to each other that what lies between them may be false readings instead; `visits` by
-/// [`visit_times`].
-pub(crate) fn steps_too_near(visits: &[(f64, f64)], t0_min: f64, other_t0_min: f64) -> bool {
+/// Why a step cannot be seen.
+pub(super) fn no_room_for_a_step(dataset: &Dataset) -> Option<String> {
+    no_clock(dataset).or_else(|| {
+        step_times(dataset).is_empty().then(|| {
+            format!(
+                "a step needs {} stops or {MIN_BESIDE_STEP} lengths before it and as many after it, at times that differ",
+                MIN_BESIDE_STEP / NUMBERS_OF_POINT
+            )
+        })
+    })
+}
+
+/// A stop of the arm, on the clock.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct StopTime {
+    /// When the first of its readings was made: minutes or places in the file.
+    from: f64,
+    /// When the last was.
+    to: f64,
+    /// How many numbers it has for a motion of the whole arm, at most three.
+    numbers: usize,
+}
+
+/// Whether steps at two times are so near to each other that what lies between them may be false readings instead; `stops` by
+/// [`stop_times`].
+pub(crate) fn steps_too_near(stops: &[StopTime], t0_min: f64, other_t0_min: f64) -> bool {
     let (low, high) = (t0_min.min(other_t0_min), t0_min.max(other_t0_min));
-    let is_between = |(from, to): &(f64, f64)| low < *from && *to < high;
-    let between = visits.iter().filter(|visit| is_between(visit)).count();
-    0 < between && between < MIN_BETWEEN_STEPS
+    let between = stops.iter().filter(|stop| low < stop.from && stop.to < high);
+    (1..MIN_BETWEEN_STEPS).contains(&between.map(|stop| stop.numbers).sum())
 }
 
 /// Times at which a step may lie.
@@ -81,17 +102,19 @@ pub(super) fn step_times(dataset: &Dataset) -> Vec<f64> {
         return Vec::new();
     }
     let most = if dataset.observations.len() > LARGE_SET { MAX_STEP_TIMES / 3 } else { MAX_STEP_TIMES };
-    gaps(visit_times(dataset), most, MIN_BESIDE_STEP)
+    gaps(stop_times(dataset), most, MIN_BESIDE_STEP)
 }
 
-/// When the first and the last target of each visit was read.
+/// When each stop's first and last reading was made.
 #[must_use]
-pub(crate) fn visit_times(dataset: &Dataset) -> Vec<(f64, f64)> {
-    let of_visit = |visit: &Vec<usize>| {
-        let times = visit.iter().map(|&i| dataset.observations[i].clock());
-        times.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)))
+pub(crate) fn stop_times(dataset: &Dataset) -> Vec<StopTime> {
+    let of_stop = |stop: &Vec<usize>| {
+        let times = stop.iter().map(|&i| dataset.observations[i].clock());
+        let (from, to) =
+            times.fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), t| (from.min(t), to.max(t)));
+        StopTime { from, to, numbers: dataset.numbers(stop) }
     };
-    dataset.visits.iter().map(of_visit).collect()
+    dataset.stops.iter().map(of_stop).collect()
 }
 
 /// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like
@@ -100,19 +123,18 @@ const MAX_STEP_TIMES: usize = 240;
 /// In a set of more observations than this every step tried costs too much memory and time.
 const LARGE_SET: usize = 2000;
 
-/// Middle times between visits, at most `most`, with `aside` visits or more on each side.
-fn gaps(mut visits: Vec<(f64, f64)>, most: usize, aside: usize) -> Vec<f64> {
-    visits.sort_by(|a, b| a.0.total_cmp(&b.0));
-    if visits.len() < 2 * aside {
-        return Vec::new();
-    }
-    let middles: Vec<f64> = visits
+/// Middle times between stops, at most `most`, with so many numbers or more `aside`, before and after.
+fn gaps(mut stops: Vec<StopTime>, most: usize, aside: usize) -> Vec<f64> {
+    stops.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let all: usize = stops.iter().map(|stop| stop.numbers).sum();
+    let mut before = 0;
+    let middles: Vec<f64> = stops
         .windows(2)
-        .skip(aside - 1)
-        .take(visits.len() + 1 - 2 * aside)
-        .map(|w| (w[0].1, w[1].0))
-        .filter(|(before, after)| after > before)
-        .map(|(before, after)| 0.5 * (before + after))
+        .filter(|pair| {
+            before += pair[0].numbers;
+            before >= aside && all - before >= aside && pair[1].from > pair[0].to
+        })
+        .map(|pair| 0.5 * (pair[0].to + pair[1].from))
         .collect();
     let step = middles.len().div_ceil(most).max(1);
     middles.into_iter().step_by(step).collect()
@@ -120,7 +142,7 @@ fn gaps(mut visits: Vec<(f64, f64)>, most: usize, aside: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, changes, gaps};
+    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, StopTime, changes, gaps, steps_too_near};
     use crate::diagnose::dataset::evenly_spread;
     use robot_model::deform::EffectKind;
 
@@ -140,17 +162,31 @@ mod tests {
         }
     }
 
+    /// A stop of so many numbers.
+    fn stop(from: f64, to: f64, numbers: usize) -> StopTime {
+        StopTime { from, to, numbers }
+    }
+
     /// 150 observations a minute apart, in any order: every gap but the outer three.
     #[test]
     fn a_step_is_looked_for_in_every_gap_of_an_ordinary_set() {
-        let visits: Vec<(f64, f64)> =
-            (0..150).rev().map(|minute| (f64::from(minute), f64::from(minute))).collect();
+        let at = |minute: f64| stop(minute, minute, 3);
+        let stops: Vec<StopTime> = (0..150).rev().map(|minute| at(f64::from(minute))).collect();
         let expected: Vec<f64> = (3..146).map(|minute| f64::from(minute) + 0.5).collect();
-        assert_eq!(gaps(visits.clone(), MAX_STEP_TIMES, 4), expected);
-        assert_eq!(gaps(visits, 50, 4).len(), 48, "every third of 143");
-        assert_eq!(gaps(vec![(1.0, 1.0); 9], 50, 4), Vec::<f64>::new(), "all at once");
+        assert_eq!(gaps(stops.clone(), MAX_STEP_TIMES, 12), expected);
+        assert_eq!(gaps(stops, 50, 12).len(), 48, "every third of 143");
+        assert_eq!(gaps(vec![at(1.0); 9], 50, 12), Vec::<f64>::new(), "all at once");
         // Several targets at each stop, the last half a minute after the first: no step while the arm stands.
-        let stops = (0..9).map(|minute| (f64::from(minute), f64::from(minute) + 0.5)).collect();
-        assert_eq!(gaps(stops, 50, 4), [3.75, 4.75]);
+        let stops = (0..9).map(|minute| stop(minute.into(), f64::from(minute) + 0.5, 3)).collect();
+        assert_eq!(gaps(stops, 50, 12), [3.75, 4.75]);
+    }
+
+    /// Lengths of a wire, a minute apart: twelve on each side of a step, and eighteen between two.
+    #[test]
+    fn a_step_needs_three_lengths_for_a_point() {
+        let lengths: Vec<StopTime> = (0..26).map(|minute| stop(minute.into(), minute.into(), 1)).collect();
+        assert_eq!(gaps(lengths.clone(), 50, 12), [11.5, 12.5, 13.5]);
+        assert!(steps_too_near(&lengths, 3.5, 20.5), "seventeen");
+        assert!(!steps_too_near(&lengths, 3.5, 21.5) && !steps_too_near(&lengths, 3.5, 3.7));
     }
 }

@@ -1,7 +1,7 @@
 //! Base or instrument moved at one moment: a knock, a new set-up; or the target on the flange: reseated, knocked.
 
 use super::effect::{Candidate, Effect, EffectVariant};
-use super::over_time::{no_clock, step_times};
+use super::over_time::{no_room_for_a_step, step_times};
 use super::rigid::{Motion, RigidBody};
 use crate::diagnose::dataset::{DataPoint, Dataset};
 use crate::diagnose::size_unit::SizeUnit;
@@ -54,7 +54,7 @@ impl Effect for RigidStep {
         TimeCourse::Step
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
-        no_clock(dataset)
+        no_room_for_a_step(dataset)
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let parameters = self.body.parameters(dataset);

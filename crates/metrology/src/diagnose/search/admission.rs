@@ -75,7 +75,7 @@ impl Library<'_> {
                     && other.variant.joint_b == this.variant.joint_b
                     && other.variant.n == this.variant.n;
                 let steps = this.variant.t0_min().zip(other.variant.t0_min());
-                if steps.is_some_and(|(t0_min, other)| steps_too_near(&self.visits, t0_min, other)) {
+                if steps.is_some_and(|(t0_min, other)| steps_too_near(&self.stops, t0_min, other)) {
                     return false;
                 }
                 !same || steps.is_some_and(|(t0_min, other)| t0_min != other)

@@ -3,7 +3,7 @@
 use super::chosen::{NULL_PRIOR, UNEXPLAINED_PRIOR};
 use crate::diagnose::dataset::Dataset;
 use crate::diagnose::design::{Design, Products, ScaledMotions, Sums};
-use crate::diagnose::effects::{Candidate, visit_times};
+use crate::diagnose::effects::{Candidate, StopTime, stop_times};
 use crate::diagnose::evidence::{NuisanceModel, Projected};
 use crate::diagnose::gp_alternative::{self, GpAlternative, WeightedAlternative};
 use nalgebra::DMatrix;
@@ -52,8 +52,8 @@ pub(crate) struct Library<'a> {
     pub gp_alternatives: Vec<Structure>,
     /// Different angles that each joint stood at.
     pub(super) angles: Joints<usize>,
-    /// When the first and the last target of each visit was read, minutes.
-    pub(super) visits: Vec<(f64, f64)>,
+    /// When the readings of each stop were made.
+    pub(super) stops: Vec<StopTime>,
     /// Pairs of causes that the search over all data weighed in the place of one.
     pub(super) near_pairs: Vec<[usize; 2]>,
 }
@@ -145,7 +145,7 @@ impl<'a> Library<'a> {
             sources,
             gp_alternatives: Vec::new(),
             angles: angles(dataset),
-            visits: visit_times(dataset),
+            stops: stop_times(dataset),
             near_pairs: Vec::new(),
         }
     }
