@@ -85,6 +85,12 @@ impl Messages {
                     if let Some(because) = why.because {
                         message = message.label(because, "because of this");
                     }
+                    if why.code == "reach::limit" {
+                        let routine = &program.routines[motion.setup.routine.index()].name;
+                        message = message.help(format!(
+                            "move the target away from the limit, or leave the motions of its routine, or of its target alone, as they are: --keep {routine}"
+                        ));
+                    }
                     self.add(Some(motion.setup.routine), message);
                 }
             }

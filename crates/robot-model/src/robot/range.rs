@@ -7,8 +7,8 @@ use thiserror::Error;
 /// A joint outside its range.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error(
-    "joint {joint} would stand at {:.3} deg, outside its range {:.1} to {:.1} deg",
-    deg_from_rad(*q_rad),
+    "joint {joint} would stand at {} deg, outside its range {:.1} to {:.1} deg",
+    shown(*q_rad, *range_rad),
     deg_from_rad(range_rad[0]),
     deg_from_rad(range_rad[1])
 )]
@@ -19,6 +19,13 @@ pub struct OutOfRange {
     pub q_rad: f64,
     /// The joint's range: lower and upper end, radians.
     pub range_rad: [f64; 2],
+}
+
+/// A joint in degrees, with as many digits as show on which side of the end of its range it stands.
+fn shown(q_rad: f64, range_rad: [f64; 2]) -> String {
+    let beyond_rad = (range_rad[0] - q_rad).max(q_rad - range_rad[1]);
+    let digits = if deg_from_rad(beyond_rad) < 5e-4 { 6 } else { 3 };
+    format!("{:.digits$}", deg_from_rad(q_rad))
 }
 
 /// Rounding of a joint written in degrees, radians: a joint on its limit is inside.
@@ -79,6 +86,13 @@ mod tests {
             past.to_string(),
             "joint 2 would stand at 110.001 deg, outside its range -90.0 to 110.0 deg"
         );
+    }
+
+    #[test]
+    fn the_digits_show_on_which_side_of_the_limit_it_is() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let past = robot.within_range(&[0.0, rad_from_deg(-90.0002), 0.0, 0.0, 0.0, 0.0]).unwrap_err();
+        assert!(past.to_string().contains("at -90.000200 deg, outside its range -90.0"), "{past}");
     }
 
     #[test]

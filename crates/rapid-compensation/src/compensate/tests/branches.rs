@@ -201,6 +201,8 @@ fn a_correction_into_a_joint_limit_is_refused() {
     let Status::Refused(why) = &plan.motions[0].status else { panic!("{:?}", plan.motions[0].status) };
     assert_eq!(why.code, "reach::limit");
     assert!(why.reason.contains("180.050"), "{}", why.reason);
+    let message = plan.diagnostics.iter().find(|one| one.code == "reach::limit").unwrap();
+    assert!(message.help.as_ref().is_some_and(|help| help.contains("--keep ")), "{message:?}");
     assert_eq!(plan.motions[1].status, Status::Compensated);
     let plan::Corrected::Joints { q_rad } = plan.motions[1].corrected(0).unwrap()[0] else { panic!() };
     assert!((deg_from_rad(q_rad[0]) - 10.05).abs() < 1e-9);
