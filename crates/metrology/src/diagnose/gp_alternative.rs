@@ -224,20 +224,29 @@ pub(super) fn columns(gp_alternative: GpAlternative, design: &Design, dataset: &
 /// Length of what play does by the torque, over the largest.
 const PLAY_SHARE: f64 = 0.5;
 
-/// A joint that stands to the side that it came from by a function of gravity's torque on it; none where no torque is on it.
+/// A joint that stands to the side that it came from by a function of gravity's torque on it, beside play that is the same everywhere; none
+/// where no torque is on it.
 fn loaded_play_columns(design: &Design, dataset: &Dataset, axis: Axis) -> DMatrix<f64> {
     let j = axis.index();
-    let torque_n_m = |observation: &Observation| observation.loads.torque_n_m[j];
-    let largest_n_m = dataset.observations.iter().map(|o| torque_n_m(o).abs()).fold(0.0, f64::max);
+    let largest_n_m = dataset.observations.iter().map(|o| o.loads.torque_n_m[j].abs()).fold(0.0, f64::max);
     if largest_n_m < 1.0 {
         return DMatrix::zeros(0, 0);
     }
     let centres: Vec<Vec<f64>> = evenly(5).into_iter().map(|at| vec![2.0 * at[0] - 1.0]).collect();
+    let shapes = |observation: &Observation| {
+        bumps(&[observation.loads.torque_n_m[j] / largest_n_m], &centres, PLAY_SHARE)
+    };
+    // What is the same everywhere is play, and no alternative to it.
+    let mut means = vec![0.0; centres.len()];
+    for observation in &dataset.observations {
+        let share = 1.0 / dataset.observations.len() as f64;
+        means.iter_mut().zip(shapes(observation)).for_each(|(mean, shape)| *mean += share * shape);
+    }
     compress(&design.stack(dataset, centres.len(), |_, observation, out| {
         let side = f64::from(observation.direction.map_or(0, |direction| direction[j]));
         let turn = observation.jacobian_column(j);
-        let share = torque_n_m(observation) / largest_n_m;
-        out.extend(bumps(&[share], &centres, PLAY_SHARE).into_iter().map(|f| scaled(turn, side * f)));
+        let beside = shapes(observation).into_iter().zip(&means).map(|(shape, mean)| shape - mean);
+        out.extend(beside.map(|f| scaled(turn, side * f)));
     }))
 }
 

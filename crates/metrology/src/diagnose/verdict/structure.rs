@@ -249,6 +249,27 @@ pub(super) fn varying_cause(workspace: &Workspace<'_>, rest: &HypothesisRanking)
     rest.gp_alternatives().find(|(k, peak)| varies(*k) && clear(peak)).map(|(k, _)| k)
 }
 
+/// Play of a joint that grows or shrinks with the torque on it, clearly and by more than hardly anything of what the play does: friction.
+pub(super) fn loaded_play(
+    fitted: &FittedModel<'_>,
+    chosen: &[ChosenCause],
+    rest: &HypothesisRanking,
+) -> Option<usize> {
+    let library = &fitted.workspace.library;
+    let is_friction = |(k, peak): &(usize, EvidencePeak)| {
+        let GpAlternative::LoadedPlay(joint) = library.gp_alternatives[k].gp_alternative else {
+            return false;
+        };
+        let play = chosen.iter().find(|cause| {
+            let candidate = &library.candidates[cause.candidate];
+            candidate.kind == EffectKind::Backlash && candidate.variant.joint == Some(joint)
+        });
+        let play_m = play.map_or(0.0, |play| total_rms_m(fitted, std::slice::from_ref(play)));
+        rest.over_null_nats(peak) > ALARM_NATS && left_over_m(rest, *k) > NEGLIGIBLE_STRUCTURE_RATIO * play_m
+    };
+    rest.gp_alternatives().find(is_friction).map(|(k, _)| k)
+}
+
 /// How large the structure is that a GP alternative takes after the causes, 3-D rms, metres.
 pub(super) fn left_over_m(ranking: &HypothesisRanking, gp_alternative: usize) -> f64 {
     let with = ranking.gp_alternatives().find(|(k, _)| *k == gp_alternative);

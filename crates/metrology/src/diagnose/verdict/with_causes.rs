@@ -14,7 +14,7 @@ use super::slip::share_slip;
 use super::springs_together::share_springs;
 use super::structure::{
     MANY_CAUSES, NEGLIGIBLE_STRUCTURE_RATIO, alternative_share, gp_alternative_share, left_over_m,
-    likeliest_structure, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
+    likeliest_structure, loaded_play, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
     structure_odds, varying_cause,
 };
 use super::wording::{
@@ -269,7 +269,9 @@ impl StructureBeside {
         // Structure alone that is likelier than the causes with structure beside them; one cause was held against it in its own place,
         // with all that it could be.
         let all = chosen.len() > 1 && odds > likeliest.map_or(0.0, |s| structure_odds(s.gain_nats).max(0.0));
-        let shape = shape_of_lines(fitted, chosen).or(varying_cause(workspace, rest));
+        let shape = shape_of_lines(fitted, chosen)
+            .or(varying_cause(workspace, rest))
+            .or_else(|| loaded_play(fitted, chosen, rest));
         // Structure that stays small beside the causes does not make them wrong.
         let beside = left.is_some() && left_rms_m < NEGLIGIBLE_STRUCTURE_RATIO * cause_rms_m;
         // Causes that most of them structure could replace are no causes but its parts.
