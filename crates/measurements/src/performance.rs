@@ -287,7 +287,7 @@ fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Cow<'_, 
 
 /// The rows that `used` names in the order of their minutes; without any, in the file's.
 fn in_order_of_time(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
-    let t_min = |row: usize| measurements.rows.get(row).and_then(|row| row.t_min).unwrap_or_default();
+    let t_min = |row: usize| measurements.rows.get(row).and_then(|row| row.clock_min()).unwrap_or_default();
     let mut used = used.to_vec();
     used.sort_by(|a, b| t_min(*a).total_cmp(&t_min(*b)));
     used

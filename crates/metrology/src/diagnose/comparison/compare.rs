@@ -431,6 +431,7 @@ fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements)
             target: pair.before.target,
             stand: 0,
             t_min: None,
+            earlier_min: 0.0,
             q_rad: pair.before.q_rad,
             reading: shown.reading.clone(),
             orientation: None::<UnitQuaternion<f64>>,
