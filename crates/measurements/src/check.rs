@@ -273,8 +273,9 @@ impl RowCheck {
         let stamped: Vec<(usize, f64)> = self
             .used
             .iter()
-            .filter_map(|&i| rows.get(i).and_then(|r| r.t_min).map(|t_min| (i, t_min)))
+            .filter_map(|&i| rows.get(i).and_then(MeasurementRow::clock_min).map(|clock_min| (i, clock_min)))
             .collect();
+        self.warnings.extend(sessions(self.used.iter().filter_map(|&i| rows.get(i))));
         let back: Vec<u64> = stamped
             .windows(2)
             .filter(|pair| pair[1].1 < pair[0].1 - 1e-9)
@@ -319,6 +320,18 @@ impl RowCheck {
         warning.help("they are taken in the order of t_min; where the stamps are wrong, leave the column out")
     });
     }
+}
+
+/// That minutes begin anew in the file.
+fn sessions<'a>(rows: impl Iterator<Item = &'a MeasurementRow> + Clone) -> Option<Diagnostic> {
+    let firsts = rows.clone().zip(rows.skip(1)).filter(|(before, row)| before.earlier_min != row.earlier_min);
+    let lines: Vec<String> = firsts.map(|(_, row)| row.line.to_string()).collect();
+    (!lines.is_empty()).then(|| {
+        let text = format!("t_min begins anew at line {}: sessions one after the other", lines.join(", "));
+        Diagnostic::warning("measure::cold-starts", text).help(
+            "steps go by the order of rows, drifts by the minutes since each cold start; where it was one measurement, sort the rows by t_min",
+        )
+    })
 }
 
 #[cfg(test)]

@@ -27,6 +27,7 @@ mod rotation;
 mod rounds;
 mod row_cells;
 mod rows;
+mod sessions;
 mod station;
 mod table;
 mod timestamp;

@@ -288,7 +288,7 @@ fn with_usable_times(measurements: &Measurements, time_usable: bool) -> Cow<'_, 
 /// The rows of the arm that `used` names, in the order of their minutes; without any, in the file's. A nest on the base is no pose: seen in a
 /// place of its own it tells nothing of base and target, and would only pull the weights of the points.
 fn in_order_of_time(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
-    let t_min = |row: usize| measurements.rows.get(row).and_then(|row| row.t_min).unwrap_or_default();
+    let t_min = |row: usize| measurements.rows.get(row).and_then(|row| row.clock_min()).unwrap_or_default();
     let of_arm = |&row: &usize| measurements.rows.get(row).is_some_and(|row| row.reading.involves_arm());
     let mut used: Vec<usize> = used.iter().copied().filter(of_arm).collect();
     used.sort_by(|a, b| t_min(*a).total_cmp(&t_min(*b)));

@@ -4,6 +4,7 @@ use super::column_names::{FIXED, SLIDES};
 use super::error::missing_column;
 use super::gaps::{EmptyCells, at_lines, complete_channels, name_poses, no_reading};
 use super::row_cells::{ColumnIndex, RowCells};
+use super::sessions::number_sessions;
 use super::table::Table;
 use super::touch_times::{self, StampedRow};
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
@@ -101,6 +102,7 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     warnings.extend(unnamed_targets(&rows, &targets));
     let pose_id = name_poses(&mut rows, &pose_names, columns.has("pose_id"), &mut warnings);
     let channels = complete_channels(&columns, &mut rows, &empty, &mut warnings);
+    number_sessions(&mut rows);
     Ok(Measurements {
         rows,
         channels: Channels { pose_id, ..channels },

@@ -342,6 +342,7 @@ impl RowCells<'_> {
             target,
             stand: 0,
             t_min: self.optional("t_min")?,
+            earlier_min: 0.0,
             q_rad,
             reading,
             orientation,

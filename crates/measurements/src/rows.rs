@@ -25,6 +25,8 @@ pub struct MeasurementRow {
     pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
+    /// How long before that of the file's last cold start the clock of [`Self::t_min`] began, minutes: 0 where the file has one.
+    pub earlier_min: f64,
     /// Joints, radians, those that slide metres; at a nest where the arm stood, 0 where its row does not say.
     pub q_rad: Joints,
     /// What the instrument, or the touch, gave.
@@ -40,6 +42,12 @@ pub struct MeasurementRow {
 }
 
 impl MeasurementRow {
+    /// Minutes on a clock that goes on over all sessions, since the last cold start.
+    #[must_use]
+    pub fn clock_min(&self) -> Option<f64> {
+        self.t_min.map(|t_min| t_min - self.earlier_min)
+    }
+
     /// Whether the arm stood elsewhere than at `other`.
     #[must_use]
     pub(super) fn is_apart_from(&self, other: &Self) -> bool {

@@ -28,6 +28,8 @@ pub struct Station {
     pub stand: usize,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
+    /// How long before that of the file's last cold start the clock of [`Self::t_min`] began, minutes: 0 where the file has one.
+    pub earlier_min: f64,
     /// Joints; at a nest where the arm stood, 0 where its row does not say.
     pub q_rad: Joints,
     /// What was measured, the mean of the rows.
@@ -55,6 +57,7 @@ impl Station {
             target: 0,
             stand: 0,
             t_min: None,
+            earlier_min: 0.0,
             q_rad,
             reading,
             orientation: None,
@@ -70,6 +73,12 @@ impl Station {
     #[must_use]
     pub fn row(&self) -> f64 {
         self.rows.iter().map(|&r| r as f64).sum::<f64>() / self.rows.len().max(1) as f64
+    }
+
+    /// Minutes on a clock that goes on over all sessions, since the last cold start.
+    #[must_use]
+    pub fn clock_min(&self) -> Option<f64> {
+        self.t_min.map(|t_min| t_min - self.earlier_min)
     }
 
     /// `base_from_flange` of the arm `chain`; at a nest, where no arm takes part, the base itself.
@@ -209,13 +218,13 @@ fn is_repeat(a: &MeasurementRow, b: &MeasurementRow) -> bool {
 pub struct Standing<'a> {
     /// Joints at which the arm stood, rad.
     pub q_rad: &'a Joints,
-    /// Minutes since the file began, where it has times.
+    /// Minutes on a clock that goes on over all sessions, where the file has times.
     pub t_min: Option<f64>,
 }
 
 impl<'a> Standing<'a> {
     fn of_row(row: &'a MeasurementRow) -> Self {
-        Self { q_rad: &row.q_rad, t_min: row.t_min }
+        Self { q_rad: &row.q_rad, t_min: row.clock_min() }
     }
 
     /// Whether the arm may not have moved between the two.
@@ -260,6 +269,7 @@ fn mean(rows: &[MeasurementRow], group: &[usize], pose_of: &BTreeMap<usize, usiz
         target: first.target,
         stand: first.stand,
         t_min: average(&|row| row.t_min),
+        earlier_min: first.earlier_min,
         q_rad,
         reading: first.reading.with_coordinates_m(centre(rows, group)),
         orientation,

@@ -101,3 +101,28 @@ fn a_tip_that_was_moved_shows_in_touches() {
     assert_eq!((effect, line), ("tool_step", 47), "{json:#}");
     assert!((size_mm - 0.3).abs() < 0.05, "{size_mm}");
 }
+
+/// Two sessions of 30 rows, each with minutes since its own cold start; joint 2 stands 0.3 mrad further in the second. With minutes that
+/// were never set back the same, from line 32 on.
+#[test]
+fn what_was_moved_between_two_cold_starts_shows() {
+    let further = |t_min: f64| if t_min < 30.0 { [0.0; 6] } else { [0.0, 3e-4, 0.0, 0.0, 0.0, 0.0] };
+    let one = rows_each_minute(60, [0.08, 0.03, 0.1], 0.02, 3, further);
+    let mut two = String::new();
+    for line in one.lines() {
+        match line.split_once(',').map(|(t_min, rest)| (t_min.parse::<u32>(), rest)) {
+            Some((Ok(t_min), rest)) => writeln!(two, "{},{rest}", t_min % 30).unwrap(),
+            _ => writeln!(two, "{line}").unwrap(),
+        }
+    }
+    for (csv, sessions) in [(one, false), (two, true)] {
+        let (code, answer, json) = diagnose(csv.as_bytes(), &["--sigma-mm", "0.02"]);
+        assert_eq!((code, verdict(&json)), (0, "explained"), "{answer}");
+        assert_eq!(answer.contains("warning[measure::cold-starts]"), sessions, "{answer}");
+        let json = json.unwrap();
+        let (effect, line, size_rad) = only_cause(&json);
+        assert_eq!((effect, line), ("joint_step", 32), "{json:#}");
+        assert!((size_rad - 3e-4).abs() < 5e-5, "{size_rad}");
+        assert_eq!(json["causes"][0]["t0_min"].is_null(), sessions);
+    }
+}

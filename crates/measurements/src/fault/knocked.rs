@@ -66,7 +66,7 @@ fn visits(rows: &[PosedRow], as_named: &[usize], named: usize, registration: &Re
     let mut open: Vec<Option<usize>> = vec![None; named];
     let mut before: Option<Standing<'_>> = None;
     for (i, (row, &target)) in rows.iter().zip(as_named).enumerate() {
-        let standing = Standing { q_rad: &row.station.q_rad, t_min: row.station.t_min };
+        let standing = Standing { q_rad: &row.station.q_rad, t_min: row.station.clock_min() };
         if !before.is_some_and(|before| before.may_be(&standing)) || open[target].is_some() {
             open = vec![None; named];
         }

@@ -39,7 +39,9 @@ pub(super) struct Dataset {
     pub channels: Channels,
     /// First and last minute.
     pub time_min: Option<[f64; 2]>,
-    /// First and last reading of the clock: minutes, or places in the file where those tell the order; `None` where neither does.
+    /// Whether the minutes begin anew in the file: moments then lie on a clock of no one cold start.
+    pub several_starts: bool,
+    /// First and last reading of the clock: minutes, over all sessions, or places in the file where those tell the order; `None` where neither does.
     pub clock: Option<[f64; 2]>,
     /// Whether what neighbouring rows share is of their moment: by times, or by the order of rows that is not that of their places.
     pub neighbours_in_time: bool,
@@ -78,15 +80,12 @@ impl Dataset {
     #[must_use]
     pub(super) fn new(robot: &SerialArm, observations: Vec<Observation>, channels: Channels) -> Self {
         let times = observations.iter().filter_map(|s| s.t_min);
-        let time_min = channels
-            .time
-            .then(|| {
-                let low = times.clone().fold(f64::INFINITY, f64::min);
-                let high = times.fold(f64::NEG_INFINITY, f64::max);
-                [low, high]
-            })
-            .filter(|[low, high]| high > low);
-        let clock = time_min.or_else(|| row_clock(&observations));
+        let time_min = channels.time.then(|| range(times)).filter(|[low, high]| high > low);
+        let several_starts = time_min.is_some() && observations.iter().any(|s| s.earlier_min != 0.0);
+        let clock = match several_starts {
+            true => Some(range(observations.iter().map(Observation::clock))),
+            false => time_min.or_else(|| row_clock(&observations)),
+        };
         let joint_temperature_c = channels.joint_temperature.then(|| {
             Joints::from_fn(robot.joints.len(), |j| {
                 let values = observations.iter().filter_map(|s| s.joint_temperature_c.map(|t| t[j]));
@@ -115,6 +114,7 @@ impl Dataset {
             channels,
             neighbours_in_time,
             time_min,
+            several_starts,
             clock,
             joint_temperature_c,
             masses_known: robot.links.is_some(),
@@ -183,6 +183,12 @@ impl Dataset {
         later.min_by(|a, b| a.clock().total_cmp(&b.clock()).then(a.line.cmp(&b.line))).map(|s| s.line)
     }
 
+    /// The minute of a step at `t0` of the clock, where it means something to people: since the only cold start.
+    #[must_use]
+    pub(super) fn minute_of(&self, t0: f64) -> Option<f64> {
+        (self.time_min.is_some() && !self.several_starts).then_some(t0)
+    }
+
     /// How far the measurement has gone at `observation`, 0 to 1: by time or, where that is missing, by row.
     #[must_use]
     pub(super) fn progress(&self, observation: &Observation) -> f64 {
@@ -216,6 +222,11 @@ fn stops(observations: &[Observation], counts: impl Fn(&Observation) -> bool) ->
         }
     }
     stops
+}
+
+/// Least and largest of `values`; infinite of none.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
 }
 
 /// The first and the last place in the file, where repeats do not stand all over it.

@@ -50,7 +50,7 @@ pub(super) fn folds(dataset: &Dataset) -> Folds {
     let mut late = vec![false; n];
     if dataset.time_min.is_some() {
         let mut order: Vec<usize> = (0..n).collect();
-        let at = |i: usize| dataset.observations[i].t_min.unwrap_or(0.0);
+        let at = |i: usize| dataset.observations[i].clock();
         order.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
         for &i in &order[n - block..] {
             late[i] = true;

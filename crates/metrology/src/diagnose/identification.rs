@@ -205,12 +205,16 @@ impl ModelMaker<'_, '_> {
     }
 }
 
-/// A base or target that moved at some row of a file without times: it is registered again wherever a model is used.
+/// A base or target that moved at some row of a file without times, or over several cold starts: it is registered again wherever a model is used.
 fn untimed_mounting(fitted: &FittedModel<'_>) -> Option<LeftOut> {
     let dataset = &fitted.linear.dataset;
     let candidates = fitted.workspace.library.candidates;
     let mut chosen = fitted.model.chosen.iter().map(|cause| &candidates[cause.candidate]);
-    let moved = chosen.find(|c| c.kind.is_of_mounting() && dataset.time_min.is_none())?;
+    let untimed = |c: &&Candidate| {
+        let is_moment = c.variant.t0_min().is_some();
+        dataset.time_min.is_none() || is_moment && dataset.several_starts
+    };
+    let moved = chosen.find(|c| c.kind.is_of_mounting() && untimed(c))?;
     Some(LeftOut {
         code: "diagnose::untimed",
         why: format!(

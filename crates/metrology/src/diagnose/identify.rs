@@ -4,7 +4,7 @@
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
 use super::dataset::{Dataset, Twist};
-use super::effects::{Candidate, Motion};
+use super::effects::{Candidate, EffectVariant, Motion};
 use super::holding_torque::with_holding_torques;
 use super::linearise::{Linearised, rms_m};
 use super::measured_robot::MeasuredRobot;
@@ -44,6 +44,7 @@ pub(super) fn identify(
     let FittedModel { linear, model, workspace } = fitted;
     let dataset = &*with_holding_torques(fitted);
     let candidates = workspace.library.candidates;
+    let moments = steps_by_rows(dataset, candidates, &model.chosen)?;
     let lines = spectrum::spectra(candidates, &model.chosen);
     let in_spectrum = |c: &&ChosenCause| {
         let variant = candidates[c.candidate].variant;
@@ -66,7 +67,7 @@ pub(super) fn identify(
     };
     let refit = Refit {
         robot: Arc::new(robot.clone()),
-        stations: by_the_clock(stations, dataset),
+        stations: by_the_clock(stations, dataset, moments),
         fitted,
         columns,
         named,
@@ -85,7 +86,7 @@ pub(super) fn identify(
         tools_m: registration.tools_m,
         payload_m: hangs_at_m(&identified, dataset, linear.registration.payload_m() + centre_m),
     });
-    if dataset.time_min.is_none() {
+    if dataset.time_min.is_none() || moments {
         refit.leave_clock(&mut identified, centre_m)?;
     }
     identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
@@ -263,10 +264,29 @@ fn hangs_at_m(model: &Identified, dataset: &Dataset, payload_m: Vector3<f64>) ->
 /// Fewest stations behind a step by which a model is judged.
 const FEWEST_SINCE: usize = 12;
 
-/// The stations, their places in the file as minutes where they have none: as the signatures take them.
-fn by_the_clock(stations: &Stations, dataset: &Dataset) -> Stations {
+/// Whether something stepped at a moment that means nothing to another file: at a row, or on a clock over several cold starts.
+///
+/// # Errors
+/// [`NoModel::SeveralStarts`]: something drifts by the minutes since each cold start beside it.
+fn steps_by_rows(
+    dataset: &Dataset,
+    candidates: &[Candidate],
+    chosen: &[ChosenCause],
+) -> Result<bool, NoModel> {
+    let variants = || chosen.iter().map(|cause| &candidates[cause.candidate].variant);
+    let steps = variants().filter_map(EffectVariant::t0_min).any(|t0| dataset.minute_of(t0).is_none());
+    let drifts = variants().any(|one| matches!(one.growth, Growth::Law(_) | Growth::Linear { .. }));
+    if steps && drifts && dataset.several_starts {
+        return Err(NoModel::SeveralStarts);
+    }
+    Ok(steps)
+}
+
+/// The stations, their places in the file as minutes where they have none, and where something steps at `moments` of a clock over several cold
+/// starts that clock: as the signatures take them.
+fn by_the_clock(stations: &Stations, dataset: &Dataset, moments: bool) -> Stations {
     let mut stations = stations.clone();
-    if dataset.time_min.is_none() {
+    if dataset.time_min.is_none() || moments {
         for (station, observation) in stations.stations.iter_mut().zip(&dataset.observations) {
             station.t_min = Some(observation.clock());
         }

@@ -58,6 +58,12 @@ pub(super) enum NoModel {
         /// 3-D rms there with the model, mm.
         after_mm: f64,
     },
+    /// What has stepped and what drifts are on clocks of their own, and a model has one.
+    #[error(
+        "the file has several cold starts, between which something stepped, and something drifts since each: a model has one clock; diagnose each \
+         session by itself"
+    )]
+    SeveralStarts,
     /// A term whose size is known without any doubt, as only that of one of two equal columns is.
     #[error("{term}: its size is known to the last digit, which no measurement does")]
     NoSigma {

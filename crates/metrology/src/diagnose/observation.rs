@@ -62,6 +62,8 @@ pub(super) struct Observation {
     pub loads: Loads,
     /// Minutes since cold start.
     pub t_min: Option<f64>,
+    /// How long before that of the file's last cold start the clock of [`Self::t_min`] began, minutes: 0 where the file has one.
+    pub earlier_min: f64,
     /// Sign of each joint's last motion.
     pub direction: Option<Joints<i8>>,
     /// Mass of the payload as declared, kg.
@@ -119,6 +121,7 @@ impl Observation {
             point_m: registration.predicted_m(station, &pose),
             loads,
             t_min: station.t_min,
+            earlier_min: station.earlier_min,
             direction: station.direction,
             payload_kg: station.payload_kg,
             joint_temperature_c: station.joint_temperature_c,
@@ -133,7 +136,7 @@ impl Observation {
     }
 
     fn standing(&self) -> Standing<'_> {
-        Standing { q_rad: &self.q_rad, t_min: self.t_min }
+        Standing { q_rad: &self.q_rad, t_min: self.clock_min() }
     }
 
     /// Whether the arm stood the same way at `other`, which is of the same pose: one visit of it.
@@ -149,13 +152,23 @@ impl Observation {
     /// minute.
     #[must_use]
     pub(super) fn thermal_state(&self) -> ThermalState {
-        ThermalState { t_min: self.clock(), joint_temperature_c: self.joint_temperature_c }
+        ThermalState { t_min: self.t_min.unwrap_or(self.row), joint_temperature_c: self.joint_temperature_c }
     }
 
-    /// When it was measured: minutes or, without a time column, its place in the file.
+    /// The same on the clock that goes on over all sessions: for what happens at one moment.
+    #[must_use]
+    pub(super) fn moment(&self) -> ThermalState {
+        ThermalState { t_min: self.clock(), ..self.thermal_state() }
+    }
+
+    fn clock_min(&self) -> Option<f64> {
+        self.t_min.map(|t_min| t_min - self.earlier_min)
+    }
+
+    /// When it was measured: minutes since the last cold start, less than 0 in an earlier session, or, without a time column, its place in the file.
     #[must_use]
     pub(super) fn clock(&self) -> f64 {
-        self.t_min.unwrap_or(self.row)
+        self.clock_min().unwrap_or(self.row)
     }
 
     /// What is seen of a motion of the point.

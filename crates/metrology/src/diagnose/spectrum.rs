@@ -131,7 +131,7 @@ fn ends(dataset: &Dataset, kept: &[usize]) -> Vec<Vec<usize>> {
         parts.push(order[order.len() - count..].to_vec());
     }
     if dataset.time_min.is_some() {
-        let order = sorted(&|i| dataset.observations[i].t_min.unwrap_or(0.0));
+        let order = sorted(&|i| dataset.observations[i].clock());
         parts.push(order[order.len() - count..].to_vec());
     }
     parts.retain(|part| !part.is_empty());

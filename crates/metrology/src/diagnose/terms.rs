@@ -223,6 +223,7 @@ mod tests {
                     target: 0,
                     stand: 0,
                     t_min: Some(7.0 * k as f64 + 3.0),
+                    earlier_min: 0.0,
                     q_rad: Joints::from_fn(joints, |j| {
                         if robot.joints[j].kind.slides() { -0.2 * share(j) } else { 2.4 * share(j) - 1.2 }
                     }),

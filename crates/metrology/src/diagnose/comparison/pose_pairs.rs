@@ -72,6 +72,7 @@ pub(super) fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Me
             target: pair.before.target,
             stand: 0,
             t_min: None,
+            earlier_min: 0.0,
             q_rad: pair.before.q_rad,
             reading: shown.reading.clone(),
             orientation: None::<UnitQuaternion<f64>>,

@@ -53,7 +53,7 @@ impl Effect for JointStep {
         variant.joint.map(Motion::Joint)
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
-        out.push(variant.growth.at(&at.observation.thermal_state(), None));
+        out.push(variant.growth.at(&at.observation.moment(), None));
         out.extend(variant.refined.then_some(1.0));
     }
 }

@@ -29,7 +29,7 @@ pub(super) struct DriftPrior {
 
 /// How base and target may drift over a measurement.
 pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
-    let Some([from_min, to_min]) = dataset.clock else { return Vec::new() };
+    let Some([from_min, to_min]) = dataset.time_min.or(dataset.clock) else { return Vec::new() };
     let span_min = to_min - from_min;
     // Without times the measurement is taken to have lasted as long as most do.
     let hours = dataset.time_min.map_or(USUAL_HOURS, |_| h_from_min(span_min));

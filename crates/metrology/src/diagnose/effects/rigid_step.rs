@@ -75,6 +75,6 @@ impl Effect for RigidStep {
         Some(Motion::Body(self.body))
     }
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
-        out.push(variant.growth.at(&at.observation.thermal_state(), None));
+        out.push(variant.growth.at(&at.observation.moment(), None));
     }
 }

@@ -68,7 +68,7 @@ pub(super) fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup
         joint: candidate.variant.joint,
         joint_b: candidate.variant.joint_b,
         n: candidate.variant.n,
-        t0_min: candidate.variant.t0_min().filter(|_| workspace.library.dataset.time_min.is_some()),
+        t0_min: candidate.variant.t0_min().and_then(|t0| workspace.library.dataset.minute_of(t0)),
         from_line: candidate.variant.t0_min().and_then(|t0| workspace.library.dataset.line_from(t0)),
         evidence_nats: Some(cause_group.gain_nats),
         unit: candidate.unit(),

@@ -62,13 +62,21 @@ fn is_shape_of(workspace: &Workspace<'_>, gp_alternative: usize, candidate: usiz
     }
 }
 
-/// Probability of the structure in a ranking that is no mere shape of `candidate`.
+/// Causes of one place that together are less likely than this leave no choice between them: a set has the truth in it.
+const LEAST_OF_PLACE: f64 = 0.25;
+
+/// Probability of the structure in a ranking that is no mere shape of `candidate`, whose place has causes of probability `causes_share` together: a
+/// course like the cause's own speaks for the cause, unless hardly anything else does.
 #[must_use]
 pub(super) fn alternative_share(
     workspace: &Workspace<'_>,
     ranking: &HypothesisRanking,
     candidate: usize,
+    causes_share: f64,
 ) -> f64 {
+    if causes_share < LEAST_OF_PLACE {
+        return gp_alternative_share(ranking);
+    }
     let alternative = |RankedHypothesis { hypothesis: h, .. }: &&RankedHypothesis| matches!(h, Hypothesis::GpAlternative(k) if !is_shape_of(workspace, *k, candidate));
     ranking.ranked.iter().filter(alternative).map(|r| r.probability).sum()
 }
@@ -257,7 +265,7 @@ pub(super) fn loaded_play(
 ) -> Option<usize> {
     let library = &fitted.workspace.library;
     let is_friction = |(k, peak): &(usize, EvidencePeak)| {
-        let GpAlternative::LoadedPlay(joint) = library.gp_alternatives[k].gp_alternative else {
+        let GpAlternative::LoadedPlay(joint) = library.gp_alternatives[*k].gp_alternative else {
             return false;
         };
         let play = chosen.iter().find(|cause| {

@@ -35,8 +35,6 @@ use robot_model::robot::Axis;
 const GP_ALTERNATIVE_SHARE: f64 = 0.2;
 /// A set larger than this, with structure of no cause as likely, is no set.
 const LARGE_SET: usize = 6;
-/// Causes of one place that together are less likely than this leave no choice between them: a set has the truth in it.
-const LEAST_OF_PLACE: f64 = 0.25;
 /// More moments than this at which something jumped are no knocks: something was switched.
 const MOST_STEPS: usize = 2;
 
@@ -148,12 +146,7 @@ impl CausesFound {
         self.named.push(first.best);
         self.needed += 1;
         let causes_share: f64 = near.iter().map(|g| g.probability).sum();
-        // A course like the cause's own speaks for the cause, unless hardly anything else does.
-        let gp_alternatives = if causes_share < LEAST_OF_PLACE {
-            gp_alternative_share(&ranking)
-        } else {
-            alternative_share(&fitted.workspace, &ranking, first.best)
-        };
+        let gp_alternatives = alternative_share(&fitted.workspace, &ranking, first.best, causes_share);
         if gp_alternatives > causes_share || near.len() > LARGE_SET && gp_alternatives > first.probability {
             self.replacement = likeliest_structure(&fitted.workspace, &ranking).map(|s| s.gp_alternative);
             self.replaceable.push(i);

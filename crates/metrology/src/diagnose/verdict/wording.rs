@@ -44,7 +44,7 @@ pub(crate) fn describe_candidate(candidate: &Candidate, dataset: &Dataset) -> St
         joint: variant.joint,
         joint_b: variant.joint_b,
         n: variant.n,
-        t0_min: variant.t0_min().filter(|_| dataset.time_min.is_some()),
+        t0_min: variant.t0_min().and_then(|t0| dataset.minute_of(t0)),
         from_line: variant.t0_min().and_then(|t0| dataset.line_from(t0)),
         unit: candidate.unit(),
         usual: candidate.usual_size(),
