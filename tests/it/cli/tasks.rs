@@ -201,7 +201,7 @@ fn tasks_that_are_not_named_or_hold_no_motion_are_refused() {
 fn folders_by_the_names_of_tasks_are_tasks() {
     let bench = Bench::default();
     bench.file("cell/T_ROB1/Cube45.mod", fs::read_to_string(CUBE).unwrap());
-    bench.file("cell/T_ROB2/Press.mod", PRESS);
+    bench.file("cell/T_ROB2/Cube45.mod", fs::read_to_string(CUBE).unwrap());
     let source = bench.path("cell").display().to_string();
     let to = bench.path("made").display().to_string();
     let run = |words: &[&str]| {
@@ -224,11 +224,13 @@ fn folders_by_the_names_of_tasks_are_tasks() {
             .concat(),
         )
     };
-    let refused = run(&["--robot", LARGE, "--deformation", &bench.file("drift2.csv", TABLE)]);
+    let refused = run(&[]);
     assert_eq!(refused.status.code(), Some(2), "{}", out(&refused));
     assert!(err(&refused).contains("emit::several-tasks"), "{}", err(&refused));
     assert!(!bench.path("made").exists());
-    let second = format!("T_ROB2={LARGE},{}", bench.path("drift2.csv").display());
+    fs::remove_file(bench.path("cell/T_ROB2/Cube45.mod")).unwrap();
+    bench.file("cell/T_ROB2/Press.mod", PRESS);
+    let second = format!("T_ROB2={LARGE},{}", bench.file("drift2.csv", TABLE));
     let made = run(&["--task", "T_ROB1=irb140", "--task", &second]);
     assert_eq!(made.status.code(), Some(0), "{}", err(&made));
     for place in ["made/T_ROB1/Cube45.mod", "made/T_ROB2/Press.mod"] {
