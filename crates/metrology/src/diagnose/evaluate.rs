@@ -135,8 +135,10 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
 
 /// Puts what base and target take whole before what would have to be too large to be seen.
 fn name_untestable(diagnosis: &mut Findings, hidden: Vec<Untestable>, fitted: &FittedModel<'_>) {
-    let too_small = std::mem::take(&mut diagnosis.untestable_detail);
+    let mut too_small = std::mem::take(&mut diagnosis.untestable_detail);
     let hidden: Vec<Untestable> = hidden.into_iter().chain(hidden_scale(diagnosis, fitted)).collect();
+    // Of what hides whole, a scale among the links' lengths, no size needs to be known.
+    too_small.retain(|entry| !hidden.iter().any(|h| h.effect == entry.effect && h.joints.is_empty()));
     // An effect that other joints show is not one that these data cannot show.
     let of_whole_arm = too_small.iter().filter(|entry| entry.joints.is_empty());
     diagnosis.untestable = hidden.iter().chain(of_whole_arm).map(|entry| entry.effect).collect();
