@@ -127,24 +127,40 @@ pub struct Program {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// The folder of a task in the path of a file, as [`is_task_folder`] knows it.
+/// The folder of a task in the path of a file: the first that is called `TASKn`, as in a controller's backup, or else the last that is
+/// called as tasks are.
 #[must_use]
 pub fn task_of(path: &str) -> Option<&str> {
-    let (folders, _) = path.rsplit_once('/')?;
-    folders.split('/').find(|name| is_task_folder(name))
+    through_task(path).map(last_name)
+}
+
+/// A path up to the folder of its task.
+fn through_task(path: &str) -> Option<&str> {
+    let mut ends = path.match_indices('/').map(|(at, _)| &path[..at]);
+    let first = ends.clone().find(|upto| is_numbered_task(last_name(upto)));
+    first.or_else(|| ends.rfind(|upto| is_task_folder(last_name(upto))))
+}
+
+fn last_name(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or_default()
 }
 
 /// Whether a folder of this name holds the modules of one task: `TASKn` in a controller's backup, the task's own name where modules were
 /// saved by that (`T_ROB1`, `T_ROB_L`: names of tasks begin so as they are delivered).
 #[must_use]
 pub fn is_task_folder(name: &str) -> bool {
-    let behind = |start: &str| {
-        let head = name.get(..start.len()).filter(|head| head.eq_ignore_ascii_case(start));
-        head.and(name.get(start.len()..)).map(str::as_bytes)
-    };
-    let is_numbered = |rest: &[u8]| !rest.is_empty() && rest.iter().all(u8::is_ascii_digit);
-    behind("task").is_some_and(is_numbered)
-        || behind("t_").and_then(<[u8]>::first).is_some_and(u8::is_ascii_alphanumeric)
+    let own_name = rest_behind(name, "t_").and_then(<[u8]>::first);
+    is_numbered_task(name) || own_name.is_some_and(u8::is_ascii_alphanumeric)
+}
+
+fn is_numbered_task(name: &str) -> bool {
+    rest_behind(name, "task").is_some_and(|rest| !rest.is_empty() && rest.iter().all(u8::is_ascii_digit))
+}
+
+/// What stands behind `start`, in whatever case.
+fn rest_behind<'n>(name: &'n str, start: &str) -> Option<&'n [u8]> {
+    let head = name.get(..start.len())?;
+    head.eq_ignore_ascii_case(start).then(|| &name.as_bytes()[start.len()..])
 }
 
 /// Whether the arm moves, and not external axes alone as by MoveExtJ.

@@ -4,24 +4,17 @@
 
 use super::{Ctx, Datum, DatumKind, Index, ModuleEntry, NameScope, RoutineEntry, ScopedName};
 use crate::ids::DatumId;
-use crate::is_task_folder;
 use crate::names::{ByNumber, Sym};
 use crate::record;
 use crate::statements::{bodies, every_statement};
+use crate::through_task;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Module, ModuleItem, Routine, Scope, StmtKind};
 
 /// The part of a path that names its task: up to the folder of the task.
 pub(super) fn task_of(path: &str) -> String {
-    let mut upto = 0;
-    for part in path.split_inclusive('/') {
-        upto += part.len();
-        if part.strip_suffix('/').is_some_and(is_task_folder) {
-            return path[..upto].to_owned();
-        }
-    }
-    String::new()
+    through_task(path).map_or_else(String::new, |upto| format!("{upto}/"))
 }
 
 impl<'a> Index<'a> {
@@ -172,6 +165,9 @@ mod tests {
         assert_eq!(task_of("RAPID/T_ROB1/a.mod"), "RAPID/T_ROB1/");
         assert_eq!(task_of("t_rob_l/PROGMOD/a.mod"), "t_rob_l/");
         assert_eq!(task_of("T_pick.mod"), "");
+        // A project's folder above the tasks, and a part of a task in a backup.
+        assert_eq!(task_of("t_cell/RAPID/T_ROB2/a.mod"), "t_cell/RAPID/T_ROB2/");
+        assert_eq!(task_of("b/TASK1/T_parts/a.mod"), "b/TASK1/");
         assert_eq!(task_of("RAPID/T_/a.mod"), "");
         assert_eq!(task_of("TASKS/a.mod"), "");
         assert_eq!(task_of("TASK1"), "");
