@@ -256,12 +256,6 @@ impl Compensation {
         }
     }
 
-    /// The task whose robot this is, where it is one of several jobs.
-    #[must_use]
-    pub fn beside_others(&self, jobs: usize) -> Option<&str> {
-        self.overrides.task.as_deref().filter(|_| jobs > 1)
-    }
-
     /// What the comment block of an emitted module says for those who compare or execute it later, by the names of options.
     ///
     /// `home_rad`: the joints of the jointtarget that `--home` names, radians.

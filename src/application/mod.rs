@@ -126,4 +126,4 @@ pub(crate) use program_files::check_modules;
 #[cfg(feature = "cli")]
 pub(crate) use program_files::check_text;
 #[cfg(feature = "cli")]
-pub(crate) use tasks::{check_tasks, configured_tasks};
+pub(crate) use tasks::{TaskOutcome, TaskOutcomes, check_tasks, configured_tasks};

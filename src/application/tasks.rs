@@ -1,5 +1,7 @@
 //! The tasks of a controller: those of its configuration, and those of which it is said which robot moves them.
 
+use super::compensated::Refusal;
+use super::compensation::Compensation;
 use super::program_files::ProgramFiles;
 use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -38,4 +40,59 @@ pub fn check_tasks(named: &[&str], program: &ProgramFiles) -> Result<(), Diagnos
     let text = format!("{name} {verb} motion, and no --task says which robot that is");
     let help = "name each motion task, --task TASK=ROBOT[,DEFORMATION], or give one task's folder alone";
     Err(Diagnostic::error("task::not-named", text).help(help))
+}
+
+/// What comes of one of several tasks.
+pub enum TaskOutcome<'j, T> {
+    /// It is corrected.
+    Made(T),
+    /// The program's text keeps every motion of it, which is no reason to leave the others.
+    LeftAlone {
+        /// Name of the task.
+        task: &'j str,
+        /// Why nothing of it is corrected.
+        refusal: &'j Refusal,
+    },
+}
+
+/// Whether what came of each task so far lets the others be written.
+#[derive(Default)]
+pub struct TaskOutcomes {
+    is_any_made: bool,
+    first_left_alone: Option<Box<Refusal>>,
+}
+
+impl TaskOutcomes {
+    /// Hands on what came of `job`, one of so many, to `accept`.
+    ///
+    /// # Errors
+    /// A refusal that keeps every task from being written.
+    pub fn add<T>(
+        &mut self,
+        (job, jobs): (&Compensation, usize),
+        outcome: Result<T, Box<Refusal>>,
+        accept: impl FnOnce(TaskOutcome<'_, T>),
+    ) -> Result<(), Box<Refusal>> {
+        let task = job.overrides.task.as_deref().filter(|_| jobs > 1);
+        match (outcome, task) {
+            (Ok(made), _) => {
+                self.is_any_made = true;
+                accept(TaskOutcome::Made(made));
+            }
+            (Err(refusal), Some(task)) if refusal.has_nothing_to_correct() => {
+                accept(TaskOutcome::LeftAlone { task, refusal: &refusal });
+                self.first_left_alone.get_or_insert(refusal);
+            }
+            (Err(refusal), _) => return Err(refusal),
+        }
+        Ok(())
+    }
+
+    /// Ends it.
+    ///
+    /// # Errors
+    /// The first refusal, where nothing of any task is corrected.
+    pub fn finish(self) -> Result<(), Box<Refusal>> {
+        self.first_left_alone.filter(|_| !self.is_any_made).map_or(Ok(()), Err)
+    }
 }

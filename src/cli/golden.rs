@@ -10,10 +10,10 @@ use super::files::{self, Output, Pending};
 use super::program_input::ProgramInput;
 use super::settings;
 use super::{Console, Outcome};
-use crate::application::{check_tasks, write_file_diff};
+use crate::application::{TaskOutcome, TaskOutcomes, check_tasks, write_file_diff};
 use crate::report::{self, ColorMode, LocatedDiagnostic};
 use clap::{Args as _, FromArgMatches};
-use driftpost::application::{Compensation, ProgramFiles};
+use driftpost::application::{Compensation, ProgramFiles, Refusal};
 use rapid_compensation::emit::EmittedFile;
 use rapid_program::Program;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -117,15 +117,18 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
     };
     let program = given.program();
     check_tasks(&args.task.iter().map(|of| of.task.as_str()).collect::<Vec<_>>(), &program)?;
-    let (review, messages) = reviewed(&args.jobs()?, &program, &mut accept)?;
-    // Where one task's robot cannot be corrected, no task's files are written.
-    match review {
-        Some(review) => {
+    let messages = match reviewed(&args.jobs()?, &program, &mut accept) {
+        Ok((review, messages)) => {
             result.insert("review.txt".to_owned(), review);
             result.insert("changes.diff".to_owned(), diff);
+            messages
         }
-        None => result.clear(),
-    }
+        // Where one task's robot cannot be corrected, no task's files are written.
+        Err(refusal) => {
+            result.clear();
+            refusal.messages
+        }
+    };
     report::write_messages(&mut message_text, &messages, color_mode, true)?;
     if !message_text.is_empty() {
         result.insert("messages.txt".to_owned(), message_text);
@@ -133,31 +136,29 @@ fn result_of(case: &Path) -> anyhow::Result<Files> {
     Ok(result)
 }
 
-/// The review of all tasks, `None` where one is refused, and the messages.
+/// The review of all tasks, and the messages.
+///
+/// # Errors
+/// The refusal that keeps every task from being written.
 fn reviewed(
     jobs: &[Compensation],
     program: &ProgramFiles,
     accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
-) -> anyhow::Result<(Option<Vec<u8>>, Vec<LocatedDiagnostic>)> {
+) -> Result<(Vec<u8>, Vec<LocatedDiagnostic>), Box<Refusal>> {
     let (mut review, mut messages) = (Vec::new(), Vec::new());
-    let mut left_alone = None;
+    let mut outcomes = TaskOutcomes::default();
     for job in jobs {
-        match (job.run_each(program, accept), job.beside_others(jobs.len())) {
-            (Ok(made), _) => {
-                made.write_review(&mut review, true)?;
+        outcomes.add((job, jobs.len()), job.run_each(program, accept), |outcome| match outcome {
+            TaskOutcome::Made(made) => {
+                // a vector takes all that is written to it
+                let _ = made.write_review(&mut review, true);
                 messages.extend(made.messages);
             }
-            (Err(refusal), Some(task)) if refusal.has_nothing_to_correct() => {
-                messages.extend(refusal.as_warnings(task));
-                left_alone.get_or_insert(refusal);
-            }
-            (Err(refusal), _) => return Ok((None, refusal.messages)),
-        }
+            TaskOutcome::LeftAlone { task, refusal } => messages.extend(refusal.as_warnings(task)),
+        })?;
     }
-    match left_alone.filter(|_| review.is_empty()) {
-        Some(refusal) => Ok((None, refusal.messages)),
-        None => Ok((Some(review), messages)),
-    }
+    outcomes.finish()?;
+    Ok((review, messages))
 }
 
 /// The options of a case, read by the same rules as the command line.
@@ -227,13 +228,10 @@ fn different_files(expected: &Files, actual: &Files) -> Vec<String> {
 
 fn show(console: &mut Console, folder: &Path, expected: &Files, actual: &Files) -> std::io::Result<()> {
     let none = Vec::new();
-    let mut places: Vec<&String> = expected.keys().chain(actual.keys()).collect();
-    places.sort();
-    places.dedup();
-    for place in places {
-        let path = folder.join(place).display().to_string();
-        let old = expected.get(place).unwrap_or(&none);
-        let new = actual.get(place).unwrap_or(&none);
+    for place in different_files(expected, actual) {
+        let path = folder.join(&place).display().to_string();
+        let old = expected.get(&place).unwrap_or(&none);
+        let new = actual.get(&place).unwrap_or(&none);
         report::write_texts(console.out(), &path, "what comes out", old, new)?;
     }
     console.out().flush()

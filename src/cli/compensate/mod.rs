@@ -20,7 +20,7 @@ use super::other_tasks;
 use super::program_input::ProgramInput;
 use super::writing::Writing;
 use super::{Console, Outcome};
-use crate::application::check_tasks;
+use crate::application::{TaskOutcome, TaskOutcomes, check_tasks};
 use crate::report::{LocatedDiagnostic, SourceReview};
 use driftpost::application::{Compensated, Compensation, ProgramFiles, Refusal};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -93,27 +93,23 @@ fn make_all<'j>(
     mut emit: impl FnMut(&'j Compensation, &mut Results) -> Result<(Compensated<'j>, SourceReview), Box<Refusal>>,
 ) -> Result<(Vec<Compensated<'j>>, Vec<SourceReview>), Box<Refusal>> {
     let (mut all_made, mut reviews) = (Vec::with_capacity(jobs.len()), Vec::with_capacity(jobs.len()));
-    let mut left_alone: Option<Box<Refusal>> = None;
+    let mut outcomes = TaskOutcomes::default();
     for job in jobs {
         let emitted = console.while_busy("compensating", || emit(job, results));
-        match (emitted, job.beside_others(jobs.len())) {
-            (Ok((made, review)), _) => {
+        outcomes.add((job, jobs.len()), emitted, |outcome| match outcome {
+            TaskOutcome::Made((made, review)) => {
                 console.explain(&made.messages, args.all);
                 all_made.push(made);
                 reviews.push(review);
             }
-            (Err(refusal), Some(task)) if refusal.has_nothing_to_correct() => {
+            TaskOutcome::LeftAlone { task, refusal } => {
                 console.explain(&refusal.as_warnings(task), args.all);
                 results.leave_alone(refusal.of_task(task));
-                left_alone.get_or_insert(refusal);
             }
-            (Err(refusal), _) => return Err(refusal),
-        }
+        })?;
     }
-    match left_alone.filter(|_| all_made.is_empty()) {
-        Some(refusal) => Err(refusal),
-        None => Ok((all_made, reviews)),
-    }
+    outcomes.finish()?;
+    Ok((all_made, reviews))
 }
 
 /// Holds the tasks that are named to the program, and tells the jobs which stand beside it.
