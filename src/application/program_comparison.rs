@@ -31,7 +31,7 @@ use std::sync::Arc;
 ///
 /// let comparison = ProgramComparison::new(PlacedProgram::of(cube), PlacedProgram::of(emitted));
 /// let found = comparison.run(|_| Ok((robot.clone(), None)))?;
-/// assert!(!found.is_same());
+/// assert!(!found.is_same() && found.is_as_declared());
 /// let mut text = Vec::new();
 /// found.write(&mut text, false)?;
 /// assert!(text.ends_with(b"Every token that is not the target of a motion is the same in both.\n"));
@@ -101,10 +101,20 @@ impl<'f> ProgramComparison<'f> {
             own.for_each(|(motion, correction)| settled[motion] = correction);
             comparison.extend(found);
         }
-        let elsewhere = plain.differences;
+        let (is_original, elsewhere) = (plain.is_original, plain.differences);
         let other_files = other_files(&self.before, &self.after)?;
         let modes = HeldMode::of(&after);
-        Ok(ComparedPrograms { before, after, pairs, comparison, settled, elsewhere, other_files, modes })
+        Ok(ComparedPrograms {
+            before,
+            after,
+            pairs,
+            comparison,
+            settled,
+            elsewhere,
+            other_files,
+            modes,
+            is_original,
+        })
     }
 
     fn emitted_settings(&self, task: Option<&str>) -> EmittedSettings {
@@ -182,11 +192,12 @@ pub struct ComparedPrograms {
     pub other_files: Vec<String>,
     /// Clocks of the second program that do not follow the warm-up, as they are stored.
     pub modes: Vec<HeldMode>,
+    is_original: bool,
 }
 
 impl ComparedPrograms {
     fn shown(&self) -> Compared<'_> {
-        let Self { before, after, pairs, comparison, settled, elsewhere, other_files, modes } = self;
+        let Self { before, after, pairs, comparison, settled, elsewhere, other_files, modes, .. } = self;
         Compared { before, after, pairs, comparison, settled, elsewhere, other_files, modes }
     }
 
@@ -194,6 +205,13 @@ impl ComparedPrograms {
     #[must_use]
     pub fn is_same(&self) -> bool {
         self.shown().is_same()
+    }
+
+    /// Whether nothing differs but what a compensated module declares in its comment block: one of the two is the other's original,
+    /// byte for byte, no point has been touched up since, and no clock stands still.
+    #[must_use]
+    pub fn is_as_declared(&self) -> bool {
+        self.is_original && self.other_files.is_empty() && self.modes.is_empty()
     }
 
     /// The lines that differ, a row for each motion, what they come to, and the verdict; `all`: nothing is cut.

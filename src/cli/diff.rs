@@ -71,5 +71,5 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         found.write_json(&mut text)?;
         Ok(text)
     })?;
-    Ok(if found.is_same() { Outcome::Done } else { Outcome::Difference })
+    Ok(if found.is_same() || found.is_as_declared() { Outcome::Done } else { Outcome::Difference })
 }

@@ -104,6 +104,8 @@ enum Command {
     /// List a program's motions: targets, tools, work objects, what can be compensated, and why not.
     Inspect(inspect::Args),
     /// Compare two programs: the text, every motion and bucket in mm and deg, and all that is no target.
+    ///
+    /// Exit 0: they are the same, or nothing differs but the targets that a compensated program's comment block declares; 1: else.
     Diff(diff::Args),
     /// Make a page of a result's JSON: one HTML file that opens in any browser, offline.
     Report(report::Args),

@@ -47,6 +47,8 @@ pub struct WithoutAdded {
     pub pairs: FilePairs,
     /// What differs beside the targets of motions.
     pub differences: Vec<Difference>,
+    /// Whether one of the two holds no compensated module and the other, with nothing touched up in it since, gives it back.
+    pub is_original: bool,
 }
 
 impl WithoutAdded {
@@ -78,7 +80,19 @@ impl WithoutAdded {
         let added = restored.only_after.iter().flat_map(|file| after.modules(*file));
         differences.extend(added.map(Difference::Added));
         differences.dedup();
-        Self { before: before.program, after: after.program, pairs: restored, differences }
+        let is_one_original = before.is_compensated != after.is_compensated;
+        let is_touched = before.is_touched || after.is_touched;
+        let mut found = Self {
+            before: before.program,
+            after: after.program,
+            pairs: restored,
+            differences,
+            is_original: false,
+        };
+        let FilePairs { only_before, only_after, .. } = &found.pairs;
+        let is_whole = only_before.is_empty() && only_after.is_empty() && found.differences.is_empty();
+        found.is_original = is_one_original && !is_touched && is_whole && found.is_same_text();
+        found
     }
 
     /// Whether the text of all files that stand for each other is the same.
@@ -101,6 +115,10 @@ struct RestoredProgram {
     program: Program,
     /// For each of its files the one that it was made of.
     origin: Vec<FileId>,
+    /// Whether any of its modules is a compensated one.
+    is_compensated: bool,
+    /// Whether a point of a compensated module was touched up.
+    is_touched: bool,
 }
 
 impl RestoredProgram {
@@ -109,11 +127,12 @@ impl RestoredProgram {
             program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())
         };
         let mut files: Vec<SourceFile> = Vec::new();
-        let mut origin = Vec::new();
+        let (mut origin, mut is_touched) = (Vec::new(), false);
         for file in &program.files {
             let bytes = match compensated(file).then(|| restore(&file.bytes)) {
                 None => file.bytes.clone(),
                 Some(Ok(restored)) => {
+                    is_touched |= !restored.touched.is_empty();
                     found.extend(altered(file, restored.altered));
                     restored.bytes.into()
                 }
@@ -129,7 +148,8 @@ impl RestoredProgram {
             files.push(SourceFile::read(FileId(files.len() as u32), file.path.clone(), bytes));
             origin.push(file.id);
         }
-        Self { program: Program::read(files, overrides), origin }
+        let is_compensated = program.files.iter().any(compensated);
+        Self { program: Program::read(files, overrides), origin, is_compensated, is_touched }
     }
 
     /// What became of a file; `None` where all of it was added.
