@@ -207,6 +207,18 @@ fn a_draw_wire_is_enough_to_see_a_gear_that_gives() {
     assert!((floor / 0.02 - 1.0).abs() < 0.25, "{floor}");
 }
 
+/// A ballbar's circle: all points in a plane, so that lengths leave a way open for the fixed point, and no unit is wrong.
+#[test]
+fn a_ballbars_circle_is_no_fault() {
+    let robot = SerialArm::built_in("irb1600-1.45").unwrap();
+    let options = DiagnosisOptions { tool_m: Some(Vector3::new(0.12, 0.0, 0.0)), sigma_m: Some(2e-6) };
+    let found = diagnose(&Measurements::from_csv(&fixture("ballbar_circle.csv")).unwrap(), &robot, &options);
+    // An offset of a tenth of a millimetre at the tip, of which a circle shows a hundredth.
+    assert_ne!(found.verdict, Verdict::DataFault);
+    let (before, after) = (found.shrink.before_rms_mm.unwrap(), found.shrink.after_rms_mm.unwrap());
+    assert!((0.008..0.02).contains(&before) && after < 0.003, "{before} {after}");
+}
+
 /// What a model found in one file leaves of another, and what the nominal arm leaves, mm rms.
 fn validated(learn: &str, test: &str) -> [f64; 2] {
     let robot = SerialArm::built_in("irb140").unwrap();

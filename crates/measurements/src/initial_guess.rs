@@ -95,17 +95,47 @@ struct WireLength {
     length_m: f64,
 }
 
+/// Singular values under this share of the largest leave a way open: points in a plane, whose errors are a thousandth of their spread.
+const OPEN: f64 = 1e-3;
+
 /// The point from which points lie as far as measured: |p|^2 - L^2 = 2 p.w - |w|^2, linear in w and |w|^2;
-/// `None` of no length.
+/// `None` of no length. Points in a plane leave one way open, on which |w|^2 is what it must be at two points, mirror images in
+/// the plane; either is as good.
 fn trilaterated(lengths: &[WireLength]) -> Option<Vector3<f64>> {
     let n = lengths.len();
     if n == 0 {
         return None;
     }
-    let rows = DMatrix::from_fn(n, 4, |r, c| if c < 3 { 2.0 * lengths[r].from_m[c] } else { -1.0 });
-    let right = DVector::from_fn(n, |r, _| lengths[r].from_m.norm_squared() - lengths[r].length_m.powi(2));
-    let solved = rows.svd(true, true).solve(&right, 1e-9).ok()?;
-    Some(Vector3::new(solved[0], solved[1], solved[2]))
+    // About their middle, so that columns are of one size.
+    let middle = lengths.iter().map(|l| l.from_m).sum::<Vector3<f64>>() / n as f64;
+    let from = |r: usize| lengths[r].from_m - middle;
+    let spread_m = (0..n).map(|r| from(r).norm()).fold(1e-9, f64::max);
+    let rows = DMatrix::from_fn(n, 4, |r, c| if c < 3 { 2.0 * from(r)[c] } else { -spread_m });
+    let right = DVector::from_fn(n, |r, _| from(r).norm_squared() - lengths[r].length_m.powi(2));
+    let normal = (rows.transpose() * &rows).symmetric_eigen();
+    let open = OPEN.powi(2) * normal.eigenvalues.max();
+    let along = rows.transpose() * right;
+    let mut solved = DVector::zeros(4);
+    let mut ways = Vec::new();
+    for (way, value) in normal.eigenvectors.column_iter().zip(normal.eigenvalues.iter()) {
+        if *value > open {
+            solved += way * (way.dot(&along) / value);
+        } else {
+            ways.push(way);
+        }
+    }
+    let place = |x: &DVector<f64>| Vector3::new(x[0], x[1], x[2]);
+    if let [way] = ways[..] {
+        let (w, v) = (place(&solved), Vector3::new(way[0], way[1], way[2]));
+        // |w + a v|^2 = s + a t
+        let (a, b) = (v.norm_squared(), 2.0 * w.dot(&v) - way[3] * spread_m);
+        let c = w.norm_squared() - solved[3] * spread_m;
+        let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
+        if a > 0.0 {
+            return Some(middle + w + v * ((root - b) / (2.0 * a)));
+        }
+    }
+    Some(middle + place(&solved))
 }
 
 /// A point on the tool as an instrument saw it.
@@ -215,5 +245,20 @@ mod tests {
         let wire = |from_m: Vector3<f64>| WireLength { from_m, length_m: (from_m - fixed_point).norm() };
         let lengths: Vec<WireLength> = points.iter().map(|p| wire(Vector3::from(*p))).collect();
         assert!((trilaterated(&lengths).unwrap() - fixed_point).norm() < 1e-12);
+        // A circle, and a plane in which no axis lies: the point or its mirror image.
+        let turn = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
+        for height_m in [0.0, 0.02, 0.3] {
+            let centre = Vector3::new(0.9, 0.2, 0.5);
+            let on_circle = |k: u32| {
+                let angle_rad = f64::from(k) * 0.7;
+                centre + turn * Vector3::new(0.15 * angle_rad.cos(), 0.15 * angle_rad.sin(), height_m)
+            };
+            let points: Vec<Vector3<f64>> = (0..12).map(on_circle).collect();
+            let lengths: Vec<WireLength> =
+                points.iter().map(|p| WireLength { from_m: *p, length_m: (p - centre).norm() }).collect();
+            let found = trilaterated(&lengths).unwrap();
+            let off = |w: &WireLength| ((w.from_m - found).norm() - w.length_m).abs();
+            assert!(lengths.iter().map(off).fold(0.0, f64::max) < 1e-7, "{height_m}: {found}");
+        }
     }
 }
