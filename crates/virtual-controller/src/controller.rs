@@ -2,7 +2,7 @@
 
 use super::arm::ControllerArm;
 use super::backwards::BackStep;
-use super::builtin::{Tables, moves};
+use super::builtin::{Tables, moves, parse as parse_value};
 use super::calendar::Calendar;
 use super::code::{Callee, Op};
 use super::effort::EffortRange;
@@ -147,13 +147,37 @@ impl Controller {
     /// # Errors
     /// [`SimulateError::NoRoutine`]
     pub fn call(&mut self, name: &str, passes: u64) -> Result<Outcome, SimulateError> {
+        self.call_with(name, &[], passes)
+    }
+
+    /// Call a procedure with values for its required parameters, as text; it fails where they are not as many.
+    ///
+    /// # Errors
+    /// [`SimulateError::NoRoutine`], [`SimulateError::Value`] where a text is no value of a parameter's type.
+    pub fn call_with(
+        &mut self,
+        name: &str,
+        values: &[String],
+        passes: u64,
+    ) -> Result<Outcome, SimulateError> {
         let routine = self
             .program
             .routine_anywhere(&name.to_lowercase())
             .ok_or_else(|| SimulateError::NoRoutine(name.to_owned()))?;
+        let parameters = self.interpreter().required_parameters(routine).unwrap_or_default();
+        // More values than parameters are told by the call.
+        let types =
+            parameters.iter().map(|(name, ty)| (&**name, ty)).chain(std::iter::repeat(("", &Type::Num)));
+        let values = values.iter().zip(types).map(|(text, (parameter, ty))| {
+            parse_value(text, ty).ok_or_else(|| SimulateError::Value {
+                name: format!("{name}, {parameter}"),
+                why: format!("`{text}` is no {}", ty.name()),
+            })
+        });
+        let values = values.collect::<Result<_, _>>()?;
         self.machine.limits.begin(self.step_limit);
         self.machine.limits.passes = passes.max(1);
-        Ok(self.interpreter().run_routine(routine))
+        Ok(self.interpreter().run_routine(routine, values))
     }
 
     /// Call a procedure without arguments from the beginning and stop it behind so many of its moves.

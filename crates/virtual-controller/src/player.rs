@@ -76,11 +76,11 @@ impl Player<'_> {
                 self.pp_to_main();
             }
             ScenarioStep::PpToMain => self.pp_to_main(),
-            ScenarioStep::Call(name) => {
+            ScenarioStep::Call(name, values) => {
                 let begin_s = self.now_s();
                 self.plant.rest_until(begin_s, false);
                 self.meet_spheres();
-                if !self.session.call_if_there(name)? {
+                if !self.session.call_if_there(name, values)? {
                     return Err(SimulateError::NoRoutine(name.clone()));
                 }
                 let moves = self.session.take_search();

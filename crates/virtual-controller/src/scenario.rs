@@ -102,8 +102,8 @@ pub enum ScenarioStep {
     PpToMain,
     /// Power off for so many minutes, then program pointer to main.
     PowerOff(f64),
-    /// A procedure is called.
-    Call(String),
+    /// A procedure is called, with values for its parameters as text.
+    Call(String, Vec<String>),
     /// Data get a value.
     Set(String, String),
     /// The true robot has this temperature, and its thermometer shows it.
@@ -173,7 +173,10 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
         "pass" if rest.is_empty() => ScenarioStep::Pass,
         "pp_to_main" if rest.is_empty() => ScenarioStep::PpToMain,
         "power_off" => ScenarioStep::PowerOff(if rest.is_empty() { 0.0 } else { minutes()? }),
-        "call" => ScenarioStep::Call(word(0)?),
+        "call" => {
+            let values = rest.get(1..).unwrap_or_default().iter().map(|value| (*value).to_owned());
+            ScenarioStep::Call(word(0)?, values.collect())
+        }
         "set" if rest.len() > 1 => ScenarioStep::Set(word(0)?, rest[1..].join(" ")),
         "temperature" => {
             let temperature_c = word(0)?.parse().map_err(|_| bad("degrees Celsius are asked for"))?;
@@ -194,7 +197,7 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
         "restore_backup" if rest.is_empty() => ScenarioStep::RestoreBackup,
         _ => {
             return Err(bad(
-                "steps are run MIN [WORDS], stand MIN [WORDS], pass, pp_to_main, power_off [MIN [WORDS]], call PROC, \
+                "steps are run MIN [WORDS], stand MIN [WORDS], pass, pp_to_main, power_off [MIN [WORDS]], call PROC [VALUE..], \
                  set NAME VALUE, temperature DEGREES, signal NAME VALUE, unit_down NAME, unit_up NAME, set_clock_back MIN, \
                  set_date YYYY-MM-DD HH:MM:SS, backup, restore_backup",
             ));
@@ -330,7 +333,12 @@ mod tests {
         let set = ScenarioStep::Set("tcMode".into(), "-2".into());
         assert_eq!(
             steps,
-            [ScenarioStep::Run(60.0), set, ScenarioStep::PpToMain, ScenarioStep::Call("tcColdStart".into())]
+            [
+                ScenarioStep::Run(60.0),
+                set,
+                ScenarioStep::PpToMain,
+                ScenarioStep::Call("tcColdStart".into(), Vec::new())
+            ]
         );
         for wrong in [
             "tau_cool_min = nan\nsteps = []",

@@ -250,7 +250,7 @@ impl Session {
         self.original.calendar_mut().held = true;
         let [cold_start, update] =
             ["tcColdStart", "tcUpdate"].map(|name| self.options.own_name(name).to_owned());
-        self.call_if_there(&cold_start)?;
+        self.call_if_there(&cold_start, &[])?;
         let mut now_min = 0.0;
         let mut order = minutes_min.to_vec();
         order.sort_by(f64::total_cmp);
@@ -261,7 +261,7 @@ impl Session {
                 self.program.calendar_mut().advance_min(step_min);
                 self.original.calendar_mut().advance_min(step_min);
                 now_min += step_min;
-                self.call_if_there(&update)?;
+                self.call_if_there(&update, &[])?;
             }
             let truth = self.truth.arm_at(t_min);
             let pass = self.run()?;
@@ -286,18 +286,18 @@ impl Session {
         Ok(())
     }
 
-    /// Call a procedure of the program, and of the original where it has one of that name.
+    /// Call a procedure of the program, and of the original where it has one of that name, with values for its required parameters.
     ///
     /// # Errors
     /// Where the program's call fails.
-    pub fn call_if_there(&mut self, name: &str) -> Result<bool, SimulateError> {
+    pub fn call_if_there(&mut self, name: &str, values: &[String]) -> Result<bool, SimulateError> {
         if self.original.has_routine(name) {
-            self.original.call(name, 1)?;
+            self.original.call_with(name, values, 1)?;
         }
         if !self.program.has_routine(name) {
             return Ok(false);
         }
-        match failure(&self.program.call(name, 1)?) {
+        match failure(&self.program.call_with(name, values, 1)?) {
             None => Ok(true),
             Some(why) => Err(SimulateError::Scenario(format!("{name}: {why}"))),
         }

@@ -36,7 +36,7 @@ fn robot_tools_and_frames_are_read_from_the_emitted_module() {
     };
     let simulated = json(&["simulate", &emitted, "--minutes", "0,61"], 0);
     assert_eq!(simulated["executed"], serde_json::json!({"motions": 2, "of": 2}));
-    let reported = json(&["diff", &source, &emitted], 1);
+    let reported = json(&["diff", &source, &emitted], 0);
     assert_eq!(reported["same_elsewhere"], Value::Bool(true));
     // Known tools and the arm of the header: every motion has figures, and joints of that arm.
     let last = |motion: &Value| motion["buckets"].as_array().unwrap().last().cloned().unwrap();
@@ -48,7 +48,7 @@ fn robot_tools_and_frames_are_read_from_the_emitted_module() {
     }
     // An option wins: a tool of another length turns the same correction into another.
     let other = TOOL.replace("90", "190");
-    let otherwise = json(&["diff", &source, &emitted, "--tool", &other], 1);
+    let otherwise = json(&["diff", &source, &emitted, "--tool", &other], 0);
     let joint = |reported: &Value| last(&reported["motions"][0])["limit_margin_deg"].as_f64().unwrap();
     assert!((joint(&reported) - joint(&otherwise)).abs() > 0.1);
 }
@@ -348,5 +348,35 @@ fn where_run_time_can_correct_what_is_kept_that_is_said() {
     for source in [&known, &unknown] {
         let all = out(&made(source, "auto"));
         assert!(all.contains(" 0 kept,") && !all.contains("--form auto"), "{all}");
+    }
+}
+
+/// `tcStartAt` asks for the minute: it was called without, and the robot was cold, whatever stood behind it.
+#[test]
+fn a_routine_is_called_with_the_values_that_a_scenario_gives() {
+    let bench = Bench::default();
+    let emitted = bench.path("tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]).status.success());
+    let played = |step: &str| {
+        let scenario = bench.file("s.toml", format!("steps = [\"{step}\", \"pass\"]\n"));
+        let csv = bench.path("s.csv").display().to_string();
+        let output =
+            driftpost(&["simulate", &emitted, "--original", CUBE, "--scenario", &scenario, "--csv", &csv]);
+        (output.status.code(), err(&output))
+    };
+    let (_, message) = played("call tcStartAt 30");
+    let csv = bench.text("s.csv");
+    let mut lines = csv.lines();
+    let at = lines.next().unwrap().split(',').position(|name| name == "program_min").unwrap();
+    let minutes: f64 = lines.next().unwrap().split(',').nth(at).unwrap().parse().unwrap();
+    assert!((30.0..31.0).contains(&minutes), "{minutes} {message}");
+    for (step, why) in [
+        ("call tcStartAt", "the argument for"),
+        ("call tcStartAt soon", "`soon` is no num"),
+        ("call tcColdStart 55", "more arguments than parameters"),
+    ] {
+        let (code, message) = played(step);
+        assert_eq!(code, Some(2), "{step}: {message}");
+        assert!(message.contains(why), "{step}: {message}");
     }
 }

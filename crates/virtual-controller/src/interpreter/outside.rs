@@ -1,20 +1,57 @@
 //! Runs that are started from the outside, and how they end.
 
 use super::Interpreter;
+use crate::code::{Name, Param};
 use crate::ids::RoutineId;
-use crate::machine::StackMark;
-use crate::outcome::{Fault, Outcome};
+use crate::machine::{Binding, Slot, StackMark};
+use crate::outcome::{Fault, Outcome, fatal};
 use crate::predefined;
+use crate::value::{Type, Value};
 
 impl Interpreter<'_> {
-    /// Runs a routine without arguments to its end.
-    pub(crate) fn run_routine(&mut self, routine: RoutineId) -> Outcome {
+    /// Runs a routine to its end, with values for its required parameters.
+    pub(crate) fn run_routine(&mut self, routine: RoutineId, values: Vec<Value>) -> Outcome {
         let bottom = self.machine.stack.mark();
         self.machine.meter.is_on = self.program.is_function(routine);
-        let result = self
-            .measured(routine, |c| c.enter(routine, Vec::new(), false).and_then(|()| c.run(bottom.frames)));
+        let slots = self.bind_values(routine, values);
+        let result = slots.and_then(|slots| {
+            self.measured(routine, |c| c.enter(routine, slots, false).and_then(|()| c.run(bottom.frames)))
+        });
         self.machine.meter.is_on = false;
         self.ended(result, bottom)
+    }
+
+    /// The parameters of a routine that are not optional, with their types.
+    pub(crate) fn required_parameters(&self, routine: RoutineId) -> Result<Vec<(Name, Type)>, Fault> {
+        let code = self.code(routine)?;
+        let required = code.params.iter().filter(|param| !param.optional);
+        Ok(required.map(|param| (param.name.clone(), self.parameter_type(routine, param))).collect())
+    }
+
+    fn parameter_type(&self, routine: RoutineId, param: &Param) -> Type {
+        self.program.type_named(self.program.module_of(routine), &param.type_name).array_of(param.dims)
+    }
+
+    /// The slots of a routine's parameters where an operator gives the required ones; optional ones are not present.
+    fn bind_values(&mut self, routine: RoutineId, values: Vec<Value>) -> Result<Vec<Slot>, Fault> {
+        let code = self.code(routine)?;
+        let mut values = values.into_iter();
+        let mut slots = Vec::with_capacity(code.slots);
+        for param in &code.params {
+            let binding = if param.optional {
+                Binding::Absent
+            } else {
+                let Some(value) = values.next() else {
+                    return fatal(format!("the argument for {} is missing", param.name));
+                };
+                Binding::Own(value)
+            };
+            slots.push(Slot { ty: self.parameter_type(routine, param), constant: false, binding });
+        }
+        match values.next() {
+            Some(_) => fatal("more arguments than parameters"),
+            None => Ok(slots),
+        }
     }
 
     /// Goes on where the program was stopped.
