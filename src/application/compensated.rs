@@ -244,6 +244,15 @@ impl Compensated<'_> {
         report::write_verdict(out, &self.review(&rows))
     }
 
+    /// The verdict alone: how many motions, and how far they are off before and after.
+    ///
+    /// # Errors
+    /// Those of writing to `out`.
+    pub fn write_verdict(&self, out: &mut dyn Write) -> io::Result<()> {
+        let rows = MotionRows::new(&self.program, &self.plan, false);
+        report::write_verdict(out, &self.review(&rows))
+    }
+
     /// How many warnings there are.
     #[must_use]
     pub fn warnings(&self) -> usize {

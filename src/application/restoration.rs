@@ -107,9 +107,10 @@ impl RestoredFiles {
         })
     }
 
-    /// Whether every original comes back byte for byte, with nothing changed since beside it.
+    /// Whether nothing was changed since of what motions ask with. Edits of other text, and numbers that a controller has written anew,
+    /// stand in the originals as they were made ([`Restored::exact`] is false then).
     #[must_use]
-    pub fn is_exact(&self) -> bool {
+    pub fn is_untouched(&self) -> bool {
         self.originals().all(|(_, restored)| restored.touched.is_empty() && restored.altered.is_empty())
     }
 

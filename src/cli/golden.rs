@@ -63,7 +63,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         cases.push((case.display().to_string(), files));
     }
     let different = cases.iter().filter(|(_, files)| !files.is_empty()).count();
-    console.note(format_args!("{}, {different} different", report::counted(cases.len(), "case")));
+    let verdict = format!("{}, {different} different", report::counted(cases.len(), "case"));
+    if json.is_standard() || console.is_quiet() {
+        console.note(verdict);
+    } else {
+        writeln!(console.out(), "{verdict}")?;
+    }
     json.write(console, || Ok(report::golden_json(&cases, args.update).into_bytes()))?;
     Ok(if different == 0 || args.update { Outcome::Done } else { Outcome::Difference })
 }

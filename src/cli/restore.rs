@@ -142,7 +142,7 @@ fn put_in_place(
         let how = if restored.exact { "byte for byte the original" } else { "with what was changed since" };
         console.note(format_args!("wrote {to} ({how})"));
     }
-    Ok(if found.is_exact() { Outcome::Done } else { Outcome::Difference })
+    Ok(if found.is_untouched() { Outcome::Done } else { Outcome::Difference })
 }
 
 fn note_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
@@ -188,7 +188,9 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         None if is_standard(path) => PathBuf::from("-"),
         None => path.with_file_name(name),
     };
-    if args.output.is_none() && !is_standard(path) && to.exists() {
+    // What is there already may stay.
+    let is_there = || fs::read(&to).is_ok_and(|bytes| bytes == restored.bytes);
+    if args.output.is_none() && !is_standard(path) && to.exists() && !is_there() {
         let text = format!("{} exists", to.display());
         return Err(Diagnostic::error("output::exists", text).help("say with -o where the original goes"));
     }

@@ -167,8 +167,9 @@ impl Results {
             Ok(console.out().flush()?)
         })();
         match shown {
-            Ok(()) if is_quiet => {
-                console.note(files);
+            // Standard output is a result's: the verdict is a message then.
+            Ok(()) if is_quiet && !console.is_quiet() => {
+                note_verdicts(console, all_made, &files);
                 Ok(())
             }
             Ok(()) => Ok(()),
@@ -182,6 +183,18 @@ impl Results {
             }
         }
     }
+}
+
+fn note_verdicts(console: &mut Console, all_made: &[Compensated<'_>], files: &str) {
+    let mut text = Vec::new();
+    for made in all_made {
+        if let Some(task) = &made.task {
+            text.extend_from_slice(format!("{task}: {}\n", made.robot.name).as_bytes());
+        }
+        // writing to memory cannot fail
+        let _ = made.write_verdict(&mut text);
+    }
+    console.note(format_args!("{}{files}", String::from_utf8_lossy(&text)));
 }
 
 fn write_reviews(

@@ -162,6 +162,37 @@ fn a_module_is_restored_through_pipes_and_into_a_new_folder() {
 }
 
 #[test]
+fn an_original_that_is_there_may_stay() {
+    let bench = Bench::default();
+    bench.file("Cube45.mod", std::fs::read(CUBE).unwrap());
+    let emitted = bench.path("Cube45_tc.mod").display().to_string();
+    assert!(driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]).status.success());
+    let output = driftpost(&["restore", &emitted]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    bench.file("Cube45.mod", "MODULE Other\r\nENDMODULE\r\n");
+    let output = driftpost(&["restore", &emitted]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(err(&output).contains("output::exists"), "{}", err(&output));
+}
+
+/// Where a result takes standard output, the verdict is a message.
+#[test]
+fn the_verdict_is_said_wherever_results_go() {
+    let bench = Bench::default();
+    let to = bench.path("tc.mod").display().to_string();
+    for (how, quiet) in
+        [(["-o", "-"].to_vec(), false), (vec!["-o", &to, "--json", "-"], false), (vec!["-o", "-"], true)]
+    {
+        let quiet_option: &[&str] = if quiet { &["--quiet"] } else { &[] };
+        let output = driftpost(&[&["compensate", CUBE, "--diff", "none"], &how[..], quiet_option].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        let verdict = "46 motions: 46 compensated, 0 kept, 0 refused; 21 buckets";
+        assert_eq!(err(&output).contains(verdict), !quiet, "{how:?} {}", err(&output));
+        assert!(!out(&output).contains(verdict));
+    }
+}
+
+#[test]
 fn a_restored_module_goes_over_itself_and_over_no_other_program() {
     let bench = Bench::default();
     let emitted = bench.path("Cube45_tc.mod").display().to_string();

@@ -87,7 +87,7 @@ fn each_task_is_corrected_for_its_own_robot() {
         }
         let output = driftpost(&["diff", &source, &to]);
         let message = out(&output);
-        assert_eq!(output.status.code(), Some(1), "{form}: {message} {}", err(&output));
+        assert_eq!(output.status.code(), Some(0), "{form}: {message} {}", err(&output));
         assert!(
             message.contains("49 motions") && err(&output).is_empty(),
             "{form}: {message} {}",
