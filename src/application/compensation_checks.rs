@@ -2,10 +2,11 @@
 
 use super::compensation::Compensation;
 use super::other_robot::{default_table_of_another_robot, model_of_another_robot, refusal};
-use rapid_program::{Program, is_of_task};
+use rapid_program::{Program, is_of_task, task_of};
 use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, is_or_are};
-use rapid_syntax::tree::FileItem;
+use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, TextRange, is_or_are, plural};
+use rapid_syntax::tree::{FileItem, ModuleItem, Scope};
+use std::collections::BTreeMap;
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
 const OTHER_MAKERS: [&str; 12] = [
@@ -106,6 +107,47 @@ fn copied_motions(program: &Program) -> Option<Diagnostic> {
     )
 }
 
+/// Global names of a task that two of its modules declare, as a warning: programs that stand side by side in a folder are corrected each
+/// by itself, and no controller loads them together.
+fn declared_twice<'f>(files: impl Iterator<Item = &'f SourceFile>) -> Option<Diagnostic> {
+    let mut seen: BTreeMap<(Option<String>, String), &SourceFile> = BTreeMap::new();
+    let mut twice: Vec<(String, [&SourceFile; 2], TextRange)> = Vec::new();
+    for file in files {
+        let task = task_of(&file.path).map(str::to_ascii_lowercase);
+        let modules = file.tree.items.iter().filter_map(|item| match item {
+            FileItem::Module(module) => Some(module),
+            _ => None,
+        });
+        for name in modules.flat_map(|module| &module.items).filter_map(global_name) {
+            let shown = String::from_utf8_lossy(file.text(name)).into_owned();
+            let first = *seen.entry((task.clone(), shown.to_ascii_lowercase())).or_insert(file);
+            if first.id != file.id {
+                twice.push((shown, [first, file], name));
+            }
+        }
+    }
+    let (name, [first, second], at) = twice.first()?;
+    let more = match twice.len() - 1 {
+        0 => String::new(),
+        n => format!(", and {n} more such {}", plural(n, "name")),
+    };
+    let text = format!("{name} is declared globally in {} and in {}{more}", first.path, second.path);
+    Some(
+        Diagnostic::warning("input::name-twice", text)
+            .at(second.span(*at))
+            .help("no controller loads both: each is corrected as if the other were not there; declare one as LOCAL, or load them one at a time"),
+    )
+}
+
+/// The name that a part of a module gives to the whole task.
+fn global_name(item: &ModuleItem) -> Option<TextRange> {
+    match item {
+        ModuleItem::Data(data) => (data.scope != Scope::Local).then_some(data.name),
+        ModuleItem::Routine(routine) => (routine.scope != Scope::Local).then_some(routine.name),
+        ModuleItem::Record(_) | ModuleItem::Alias(_) | ModuleItem::Comment(_) | ModuleItem::Opaque(_) => None,
+    }
+}
+
 impl Compensation {
     /// What the text of a program says against compensating it, and its warnings: of the text, of its meaning, of the robot,
     /// of how it was made.
@@ -115,6 +157,7 @@ impl Compensation {
         found.extend(program.diagnostics.iter().cloned());
         found.extend(self.check_robot(program));
         found.extend(self.check_table());
+        found.extend(declared_twice(self.own_files(program)));
         found.extend(already_compensated(program));
         if found.iter().all(|message| message.code != "refuse::already-compensated") {
             found.extend(copied_motions(program));

@@ -330,3 +330,28 @@ fn slow_work_is_not_taken_for_a_pause() {
         err(&output)
     );
 }
+
+/// Programs side by side in a folder each have a `main`: each is corrected, and that no controller loads both is said.
+#[test]
+fn names_that_two_modules_give_to_their_task_are_told() {
+    let module = |name: &str, scope: &str| {
+        format!(
+            "MODULE {name}\r\n  {scope}CONST robtarget p10:=[[500,0,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\r\n  \
+             {scope}PROC main()\r\n    MoveJ p10,v100,fine,tool0;\r\n  ENDPROC\r\nENDMODULE\r\n"
+        )
+    };
+    let bench = Bench::default();
+    let first = bench.file("A.mod", module("A", ""));
+    for (scope, told) in [("", true), ("LOCAL ", false)] {
+        let second = bench.file("B.mod", module("B", scope));
+        let to = bench.path("out").display().to_string();
+        let output = driftpost(&["compensate", &first, &second, "-o", &to, "--force", "--diff", "none"]);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        let message = err(&output);
+        assert_eq!(message.contains("input::name-twice"), told, "{message}");
+        assert!(
+            !told || message.contains("p10 is declared globally in") && message.contains("1 more such name"),
+            "{message}"
+        );
+    }
+}
