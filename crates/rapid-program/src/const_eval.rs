@@ -9,11 +9,12 @@ mod names;
 
 pub(super) use names::NameMeaning;
 
+use super::expressions::every_expr_where;
 use super::functions;
 use super::ids::DatumId;
-use super::index::{Ctx, Index};
+use super::index::{Ctx, Index, Resolved};
 use super::motion::SkipReason;
-use super::names::{ByNumber, Sym, as_text};
+use super::names::{ByNumber, Sym, as_text, lower_case};
 use super::value::{self, Value, Why, why, wrong_type};
 use super::writes::Writes;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Span, TextRange};
@@ -55,8 +56,22 @@ pub(super) struct ConstEvaluator<'a> {
     /// Names that were found only LOCAL to another module, with their first use.
     pub(super) elsewhere: ByNumber<DatumId, Span>,
     known: ByNumber<DatumId, Result<Value, Why>>,
+    /// The same as the controller holds them.
+    known_held: ByNumber<DatumId, Result<Value, Why>>,
     busy: Vec<DatumId>,
     at_element: Option<AtElement>,
+    precision: Precision,
+}
+
+/// With how many digits numbers are worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Precision {
+    /// As they are written, so that nothing is lost of a target; what jumps is decided as the controller decides it.
+    Written,
+    /// As the controller works with `num`: single precision after each step.
+    Single,
+    /// As it works with `dnum`.
+    Double,
 }
 
 /// What the indices of some array elements in one expression are taken to be.
@@ -75,8 +90,10 @@ impl<'a> ConstEvaluator<'a> {
             predefined: BTreeMap::new(),
             elsewhere: ByNumber::default(),
             known: ByNumber::default(),
+            known_held: ByNumber::default(),
             busy: Vec::new(),
             at_element: None,
+            precision: Precision::Written,
         }
     }
 
@@ -121,12 +138,70 @@ impl<'a> ConstEvaluator<'a> {
         folded.map(|typed| typed.value)
     }
 
+    /// What an expression is worth as the controller holds it: `num` in single precision after each step. By these digits it decides
+    /// where a small difference makes a large one: which element, which branch, how often, to which whole number.
+    pub(super) fn fold_held(
+        &mut self,
+        expr: &Expr,
+        ctx: Ctx,
+        state: &dyn TrackedValues,
+    ) -> Result<Typed, Why> {
+        let wanted = if self.is_dnum(expr, ctx) { Precision::Double } else { Precision::Single };
+        let before = std::mem::replace(&mut self.precision, wanted);
+        let folded = self.fold(expr, ctx, state);
+        self.precision = before;
+        folded
+    }
+
+    /// What an expression is worth with all its digits, where the controller's are those digits rounded; else the controller's.
+    pub(super) fn fold_number(
+        &mut self,
+        expr: &Expr,
+        ctx: Ctx,
+        state: &dyn TrackedValues,
+    ) -> Result<Value, Why> {
+        let written = self.fold(expr, ctx, state)?.value;
+        match written {
+            Value::Num(_) => Ok(written.unless_held_otherwise(&self.fold_held(expr, ctx, state)?.value)),
+            _ => Ok(written),
+        }
+    }
+
+    /// Whether an expression is worked out in double precision: a `dnum` or a conversion to one stands in it.
+    fn is_dnum(&self, expr: &Expr, ctx: Ctx) -> bool {
+        let is_double = |expr: &Expr| match &expr.kind {
+            ExprKind::Name => match self.index.datum(expr.range, ctx) {
+                Resolved::Here(datum) | Resolved::Elsewhere(datum) => self.holds_dnum(datum),
+                Resolved::Twice(..) | Resolved::Nowhere => false,
+            },
+            ExprKind::Call(call) => self.index.text(ctx.file, call.name).eq_ignore_ascii_case(b"numtodnum"),
+            _ => false,
+        };
+        // What a conversion to `num` is made of is a matter of its own.
+        let counts = |expr: &Expr| match &expr.kind {
+            ExprKind::Call(call) => !self.index.text(ctx.file, call.name).eq_ignore_ascii_case(b"dnumtonum"),
+            _ => true,
+        };
+        let mut found = false;
+        every_expr_where(expr, &counts, &mut |expr| found |= is_double(expr));
+        found
+    }
+
+    fn holds_dnum(&self, datum: DatumId) -> bool {
+        self.index.type_text(self.index.data[datum].type_name) == "dnum"
+    }
+
+    /// A value of `num` as the controller holds it, where that is asked for.
+    fn held(&self, value: Value) -> Value {
+        if self.precision == Precision::Single { value.in_single() } else { value }
+    }
+
     fn fold_typed(&mut self, expr: &Expr, ctx: Ctx, state: &dyn TrackedValues) -> Result<Typed, Why> {
         let untyped = |value| Typed { value, type_name: None };
         let source = |range| self.index.text(ctx.file, range);
         match &expr.kind {
             ExprKind::Number => match value::number(source(expr.range)) {
-                Some(n) => Ok(untyped(Value::Num(n))),
+                Some(n) => Ok(untyped(self.held(Value::Num(n)))),
                 None => Err(why("keep::bad-number", format!("{} is no number", as_text(source(expr.range))))),
             },
             ExprKind::String => Ok(untyped(Value::Text(value::string(source(expr.range)).into()))),
@@ -136,7 +211,7 @@ impl<'a> ConstEvaluator<'a> {
             ExprKind::Aggregate(parts) => self.fold_parts(parts, ctx, state).map(untyped),
             ExprKind::Numbers => {
                 if let Some(value) = Value::of_plain_list(source(expr.range)) {
-                    return Ok(untyped(value));
+                    return Ok(untyped(self.held(value)));
                 }
                 let parts = parts_of_numbers(&self.index.file(ctx.file).bytes, expr.range);
                 self.fold_parts(&parts, ctx, state).map(untyped)
@@ -151,15 +226,27 @@ impl<'a> ConstEvaluator<'a> {
                 let value = indices.into_iter().try_fold(base.value, |value, n| element(&value, n))?;
                 Ok(Typed { value, type_name: base.type_name })
             }
-            ExprKind::Call(call) => self.call(call.name, &call.args, ctx, state).map(untyped),
+            ExprKind::Call(call) => {
+                let value = self.call(call.name, &call.args, ctx, state)?;
+                let jumps = functions::jumps(&lower_case(source(call.name)));
+                let value = if jumps && self.precision == Precision::Written {
+                    value.unless_held_otherwise(&self.fold_held(expr, ctx, state)?.value)
+                } else {
+                    self.held(value)
+                };
+                Ok(untyped(value))
+            }
             ExprKind::Unary { op, operand } => {
                 let operand = self.fold_typed(operand, ctx, state)?.value;
                 unary(*op, &operand).map(untyped)
             }
+            ExprKind::Binary(binary) if self.precision == Precision::Written && decides(binary.op) => {
+                self.fold_held(expr, ctx, state)
+            }
             ExprKind::Binary(binary) => {
                 let lhs = self.fold_typed(&binary.lhs, ctx, state)?;
                 let rhs = self.fold_typed(&binary.rhs, ctx, state)?;
-                let value = functions::binary(binary.op, &lhs.value, &rhs.value)?;
+                let value = self.held(functions::binary(binary.op, &lhs.value, &rhs.value)?);
                 let keeps = matches!(binary.op, BinaryOp::Add | BinaryOp::Sub);
                 Ok(Typed { value, type_name: lhs.type_name.filter(|_| keeps) })
             }
@@ -187,12 +274,18 @@ impl<'a> ConstEvaluator<'a> {
         if let Some(at) = self.at_element.as_ref().filter(is_meant) {
             return Ok(at.indices.clone());
         }
-        let number = |index| match self.fold_typed(index, ctx, state)?.value {
+        let number = |index| match self.fold_held(index, ctx, state)?.value {
             Value::Num(n) => Ok(n),
             _ => Err(wrong_type()),
         };
         indices.iter().map(number).collect()
     }
+}
+
+/// Whether an operator makes a large difference of a small one.
+fn decides(op: BinaryOp) -> bool {
+    use BinaryOp as B;
+    matches!(op, B::IntDiv | B::Mod | B::Lt | B::Le | B::Ge | B::Gt | B::Eq | B::Ne)
 }
 
 fn span(ctx: Ctx, range: TextRange) -> Span {

@@ -92,7 +92,11 @@ fn every_expr<'a>(expr: &'a Expr, visit: &mut dyn FnMut(&'a Expr)) {
 }
 
 /// The same of those parts of the expression that `counts` says count.
-fn every_expr_where<'a>(expr: &'a Expr, counts: &dyn Fn(&Expr) -> bool, visit: &mut dyn FnMut(&'a Expr)) {
+pub(super) fn every_expr_where<'a>(
+    expr: &'a Expr,
+    counts: &dyn Fn(&Expr) -> bool,
+    visit: &mut dyn FnMut(&'a Expr),
+) {
     if !counts(expr) {
         return;
     }

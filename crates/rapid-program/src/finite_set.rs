@@ -262,8 +262,8 @@ impl<'a> FiniteSets<'a> {
     /// What the variable of a FOR loop with constant bounds counts through.
     fn counted(&self, evaluator: &mut ConstEvaluator<'a>, ctx: Ctx, var: TextRange) -> Option<Vec<Value>> {
         let [from, to, step] = self.loops.get(&(ctx.file, var)).copied()?;
-        let mut number = |expr: &Expr| match evaluator.fold(expr, ctx, &Constant).ok()?.value {
-            Value::Num(n) => Some(n),
+        let mut number = |expr: &Expr| match evaluator.fold_held(expr, ctx, &Constant).ok()?.value {
+            Value::Num(n) => Some(n as f32),
             _ => None,
         };
         let (from, to) = (number(from?)?, number(to?)?);
@@ -274,8 +274,9 @@ impl<'a> FiniteSets<'a> {
         };
         let mut values = Vec::new();
         let mut at = from;
+        // In single precision, as the controller counts: 7.4 three times is 22.2 there.
         while step != 0.0 && (if step > 0.0 { at <= to } else { at >= to }) {
-            values.push(Value::Num(at));
+            values.push(Value::of_single(at));
             at += step;
             if values.len() > MOST_VALUES {
                 return None;

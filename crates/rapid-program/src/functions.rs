@@ -44,6 +44,11 @@ pub(super) const KNOWN: &[&str] = &[
     "vectmagn",
 ];
 
+/// Whether the result of a function jumps where its argument passes a whole number.
+pub(super) fn jumps(name: &str) -> bool {
+    matches!(name, "round" | "trunc")
+}
+
 /// The result of a known function.
 pub(super) fn apply(name: &str, args: &[Value], options: &[(String, Value)]) -> Result<Value, Why> {
     if args.iter().chain(options.iter().map(|(_, v)| v)).any(|v| matches!(v, Value::Reached(_))) {

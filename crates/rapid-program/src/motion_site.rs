@@ -213,7 +213,7 @@ impl<'a> SiteCollector<'_, 'a> {
     /// How often a FOR runs, where its bounds are constant.
     fn passes(&mut self, from: &Expr, to: &Expr, step: Option<&Expr>) -> Option<u64> {
         let ctx = self.ctx();
-        let mut number = |expr| match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
+        let mut number = |expr| match self.evaluator.fold_held(expr, ctx, &Constant).ok()?.value {
             Value::Num(n) => Some(n),
             _ => None,
         };
@@ -222,8 +222,8 @@ impl<'a> SiteCollector<'_, 'a> {
             Some(step) => number(step)?,
             None => (to - from).signum(), // without STEP it counts towards the end, by one
         };
-        let passes = ((to - from) / step).floor() + 1.0;
-        (step != 0.0 && passes < 1e15).then_some(passes.max(0.0) as u64)
+        let passes = (((to - from) / step).floor() + 1.0).max(0.0);
+        (step != 0.0 && passes < 1e15).then(|| counted_in_single([from, to, step], passes as u64))
     }
 
     /// Text that was not understood but names a move: a motion that must be accounted for.
@@ -326,4 +326,16 @@ fn move_args<'a>(index: &Index<'_>, ctx: Ctx, form: &MoveForm, args: &'a [Arg]) 
     out.zone = form.zone.and_then(|zone| at(zone + weave));
     out.tool = form.tool.and_then(|tool| at(tool + weave));
     out
+}
+/// More passes than these are as many as the division says.
+const COUNTED_ONE_BY_ONE: u64 = 100_000;
+
+/// How often a FOR runs as the controller counts, adding in single precision, where exact numbers give `passes`.
+fn counted_in_single([from, to, step]: [f64; 3], passes: u64) -> u64 {
+    let ([mut at, to, step], mut n) = ([from, to, step].map(|n| n as f32), 0);
+    while passes <= COUNTED_ONE_BY_ONE && n <= passes && (if step > 0.0 { at <= to } else { at >= to }) {
+        at += step;
+        n += 1;
+    }
+    if passes <= COUNTED_ONE_BY_ONE { n } else { passes }
 }

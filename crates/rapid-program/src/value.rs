@@ -96,6 +96,29 @@ impl Value {
         }
     }
 
+    /// A number in single precision, as the decimal that a program would write for it: 7.4, not 7.400000095.
+    pub(super) fn of_single(n: f32) -> Self {
+        Self::Num(n.to_string().parse().unwrap_or(f64::from(n)))
+    }
+
+    /// The value with its numbers in single precision, as `num` holds them.
+    pub(super) fn in_single(&self) -> Self {
+        match self {
+            Self::Num(n) => Self::Num(f64::from(*n as f32)),
+            Self::Parts(parts) => Self::Parts(parts.iter().map(Self::in_single).collect()),
+            other => other.clone(),
+        }
+    }
+
+    /// The value, where `held` is what single precision makes of it; else `held`.
+    pub(super) fn unless_held_otherwise(self, held: &Self) -> Self {
+        match held {
+            held if self.in_single() == held.in_single() => self,
+            Self::Num(held) => Self::of_single(*held as f32),
+            held => held.clone(),
+        }
+    }
+
     /// The reason of the first part that is not known.
     pub(super) fn unknown(&self) -> Option<&Why> {
         match self {

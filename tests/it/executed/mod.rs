@@ -14,6 +14,7 @@ mod one_of;
 mod scenarios;
 mod sensor;
 mod set_later;
+mod single_precision;
 mod without_blanks;
 
 use made::{borrowed, compensated, fixture, session, warmth};

@@ -3,7 +3,7 @@
 //!
 //! Knows nothing of names, nor of what data are worth.
 
-use super::{ConstEvaluator, TrackedValues, Typed};
+use super::{ConstEvaluator, Precision, TrackedValues, Typed};
 use crate::convert;
 use crate::functions;
 use crate::index::Ctx;
@@ -63,6 +63,10 @@ impl ConstEvaluator<'_> {
         let mut options = Vec::new();
         for arg in args {
             match &arg.kind {
+                // Worked out in double precision, and then a `num`.
+                ArgKind::Positional(expr) if lower == "dnumtonum" && self.precision != Precision::Written => {
+                    positional.push(self.fold_held(expr, ctx, state)?.value.in_single());
+                }
                 ArgKind::Positional(expr) => positional.push(self.fold_typed(expr, ctx, state)?.value),
                 ArgKind::Named { name, value } => {
                     let name = lower_case(self.index.text(ctx.file, *name));

@@ -3,7 +3,7 @@
 //!
 //! Knows nothing of operators and functions.
 
-use super::{ConstEvaluator, Constant, TrackedValues, Typed, span};
+use super::{ConstEvaluator, Constant, Precision, TrackedValues, Typed, span};
 use crate::ids::DatumId;
 use crate::index::{Ctx, DatumKind, Resolved};
 use crate::motion::SkipReason;
@@ -50,7 +50,7 @@ impl ConstEvaluator<'_> {
                         made
                     }
                 };
-                Ok(Typed { value, type_name: self.index.names.find(type_name.as_bytes()) })
+                Ok(Typed { value: self.held(value), type_name: self.index.names.find(type_name.as_bytes()) })
             }
             Err(why) => Err(why),
         }
@@ -107,7 +107,8 @@ impl ConstEvaluator<'_> {
         if let Some(value) = state.value(datum) {
             return match value {
                 Value::Unknown(why) => Err(why),
-                value => Ok(value),
+                value if self.precision == Precision::Written || self.holds_dnum(datum) => Ok(value),
+                value => Ok(value.in_single()),
             };
         }
         let entry = &self.index.data[datum];
@@ -133,7 +134,9 @@ impl ConstEvaluator<'_> {
 
     /// The initial value of a datum, whatever becomes of it later.
     pub(crate) fn initial(&mut self, datum: DatumId) -> Result<Value, Why> {
-        if let Some(known) = self.known.get(&datum) {
+        let is_written = self.precision == Precision::Written;
+        let known = if is_written { &self.known } else { &self.known_held };
+        if let Some(known) = known.get(&datum) {
             return known.clone();
         }
         if self.busy.contains(&datum) {
@@ -147,10 +150,17 @@ impl ConstEvaluator<'_> {
             let place = self.index.place(self.index.declaration(datum));
             return Err(self.about(datum, "keep::no-value", &format!("has no initial value: {place}")));
         };
+        let ctx = entry.ctx;
         self.busy.push(datum);
-        let folded = self.fold(init, entry.ctx, &Constant).map(|t| t.value);
+        let before = self.precision;
+        if !is_written {
+            self.precision = if self.holds_dnum(datum) { Precision::Double } else { Precision::Single };
+        }
+        let folded = self.fold(init, ctx, &Constant).map(|t| t.value);
+        self.precision = before;
         self.busy.pop();
-        self.known.insert(datum, folded.clone());
+        let known = if is_written { &mut self.known } else { &mut self.known_held };
+        known.insert(datum, folded.clone());
         folded
     }
 

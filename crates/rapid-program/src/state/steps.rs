@@ -205,7 +205,7 @@ impl StateAnalysis<'_, '_> {
 
     fn value(&mut self, expr: &Expr, ctx: Ctx, state: &State) -> Value {
         let view = View { state, tracked: self.tracked };
-        self.evaluator.fold(expr, ctx, &view).map_or_else(Value::Unknown, |t| t.value)
+        self.evaluator.fold_number(expr, ctx, &view).unwrap_or_else(Value::Unknown)
     }
 
     /// The value with the component at `path` replaced.
