@@ -355,3 +355,50 @@ fn names_that_two_modules_give_to_their_task_are_told() {
         );
     }
 }
+
+/// A line from axis 1 at 40 deg to -40 with 170 deg of tool turn takes axis 6 from 125 deg down to -125 (followed by hand in 2,000 steps),
+/// not up to 235; from a whole turn lower it would leave its range.
+#[test]
+fn an_axis_that_turns_by_more_than_half_a_turn_on_a_line_is_followed() {
+    let module = |axis_6: &str| {
+        format!(
+            "MODULE Turn
+  PERS tooldata tX:=[TRUE,[[100,0,60],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  PROC main()
+    ConfL\\On;
+    MoveAbsJ [[40,10,20,0,60,{axis_6}],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tX;
+    MoveL [[344.89284,-396.33216,391.53079],[0,-0.675590208,0.737277337,0],[-1,0,-2,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tX;
+  ENDPROC
+ENDMODULE
+"
+        )
+    };
+    let bench = Bench::default();
+    let model = bench.file(
+        "gain.toml",
+        "format = 1\nrobot = \"irb140\"\n[[effect]]\neffect = \"joint_gain\"\njoint = 6\ngain = 0.0002\n",
+    );
+    let [to, csv, json] = ["tc.mod", "q.csv", "s.json"].map(|name| bench.path(name).display().to_string());
+    let source = bench.file("turn.mod", module("125"));
+    for form in ["schedule", "ramp", "live"] {
+        let made =
+            ["--model", &model, "--form", form, "-o", &to, "--joints-csv", &csv, "--force", "--diff", "none"];
+        let output = driftpost(&[&["compensate", &source][..], &made].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        assert!(!err(&output).contains("conf::disagrees"), "{}", err(&output));
+        let last = bench.text("q.csv");
+        let axis_6: f64 = last.lines().last().unwrap().split(',').nth(9).unwrap().parse().unwrap();
+        assert!((axis_6 + 125.0).abs() < 0.1, "{form}: {axis_6}");
+        let played = ["--original", &source, "--minutes", "0", "--model", &model, "--json", &json];
+        let output = driftpost(&[&["simulate", &to][..], &played].concat());
+        assert_eq!(output.status.code(), Some(0), "{form}: {}{}", out(&output), err(&output));
+        let worst: Value = serde_json::from_str(&bench.text("s.json")).unwrap();
+        assert!(worst["worst"]["mm"].as_f64().unwrap() < 1e-4, "{form}: {worst}");
+    }
+    let lower = bench.file("lower.mod", module("-235"));
+    let output =
+        driftpost(&["compensate", &lower, "--model", &model, "-o", &to, "--force", "--diff", "none"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let why = "on a straight line axis 6 would turn to -485.0 deg, out of its range";
+    assert!(err(&output).contains("reach::range") && err(&output).contains(why), "{}", err(&output));
+}

@@ -298,7 +298,7 @@ fn nearest<'a>(solutions: impl Iterator<Item = &'a Solution>, from: &[f64; 6]) -
     solutions.min_by(|a, b| far(a).total_cmp(&far(b))).map(|s| s.q_rad)
 }
 
-fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
+pub(super) fn same(a: &[f64; 6], b: &[f64; 6]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME_RAD)
 }
 

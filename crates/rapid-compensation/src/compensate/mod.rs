@@ -16,6 +16,7 @@ mod directions;
 mod drift;
 mod error;
 mod figures;
+mod follow_line;
 mod follow_paths;
 mod held_play;
 mod hinted_branch;

@@ -2,6 +2,7 @@
 
 use super::back_edges::{Edge, after_traps, back_edges, predecessors};
 use super::branch::{Branch, StartPosture, WRIST_DEG, branch_of};
+use super::follow_line::turned_along;
 use super::hinted_branch::{check_pose, hinted_branch};
 use super::joints_hint::{Hinted, Hints};
 use super::lookahead::{self, Lookahead, PlacedTarget};
@@ -12,7 +13,7 @@ use super::resolved::Resolved;
 use nalgebra::Isometry3;
 use rapid_program::Program;
 use rapid_program::data::{ConfData, JointTarget};
-use rapid_program::motion::{AfterTraps, Motion, MotionId, SkipReason, TargetValue};
+use rapid_program::motion::{AfterTraps, Motion, MotionId, Path, SkipReason, TargetValue};
 use rapid_program::one_or_many::OneOrMany;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::rad_from_deg;
@@ -265,6 +266,7 @@ fn place_targets(
                             Some(ahead) => ahead.base_from_flange,
                             None => placement.base_from_flange(&pose.object_from_tcp),
                         },
+                        placement,
                         ahead,
                     };
                     placed.branch(&from, hinted, model, messages)?
@@ -295,6 +297,7 @@ struct PlacedPose<'p> {
     motion: &'p Motion,
     conf: &'p ConfData,
     base_from_flange: Isometry3<f64>,
+    placement: &'p Placement,
     ahead: Option<&'p PlacedTarget>,
 }
 
@@ -308,7 +311,7 @@ impl PlacedPose<'_> {
         model: &Model,
         messages: &mut Messages,
     ) -> Result<Branch, SkipReason> {
-        let Self { motion, conf, base_from_flange, ahead } = self;
+        let Self { motion, conf, base_from_flange, placement, ahead } = self;
         let routine = Some(motion.setup.routine);
         let by_hint =
             hinted.map(|hinted| hinted_branch((motion, base_from_flange, conf), from, model, hinted));
@@ -316,9 +319,16 @@ impl PlacedPose<'_> {
             messages.add(routine, message);
             None
         });
+        let is_hinted = by_hint.is_some();
         let branch = match by_hint.or_else(|| ahead.and_then(|ahead| ahead.as_written(motion, from, model))) {
             Some(branch) => branch,
             None => branch_of(motion, base_from_flange, conf, from, model)?,
+        };
+        let branch = match from {
+            [StartPosture::Joints(from)] if motion.setup.path == Path::Linear && !is_hinted => {
+                turned_along((base_from_flange, conf), branch, from, placement, model)?
+            }
+            _ => branch,
         };
         if let Some(note) = branch.note {
             messages.add_with(routine, note.code(), Some(span_of(motion)), || note.message(motion, conf));
