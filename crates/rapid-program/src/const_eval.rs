@@ -20,6 +20,7 @@ use super::writes::Writes;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Span, TextRange};
 use rapid_syntax::parts_of_numbers;
 use rapid_syntax::tree::{BinaryOp, Expr, ExprKind, UnaryOp};
+use std::cell::OnceCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -61,6 +62,8 @@ pub(super) struct ConstEvaluator<'a> {
     busy: Vec<DatumId>,
     at_element: Option<AtElement>,
     precision: Precision,
+    /// Whether the program is displaced anywhere, once that was asked for.
+    displaced: OnceCell<bool>,
 }
 
 /// With how many digits numbers are worked out.
@@ -94,6 +97,7 @@ impl<'a> ConstEvaluator<'a> {
             busy: Vec::new(),
             at_element: None,
             precision: Precision::Written,
+            displaced: OnceCell::new(),
         }
     }
 

@@ -61,7 +61,7 @@ pub(super) fn apply(name: &str, args: &[Value], options: &[(String, Value)]) -> 
             let turn = |name| option(name).map_or(Ok(0.0), number);
             rel_tool(point, &[dx, dy, dz], [turn("rx")?, turn("ry")?, turn("rz")?])
         }
-        // Without a program displacement, and motion under one is kept anyway, this is the point itself.
+        // Asked only where nothing displaces the program: the point itself.
         ("orobt", [point]) => Ok(point.clone()),
         ("orientzyx", [z, y, x]) => {
             let [z, y, x] = [number(z)?, number(y)?, number(x)?].map(rad_from_deg);

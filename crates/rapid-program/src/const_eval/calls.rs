@@ -8,9 +8,10 @@ use crate::convert;
 use crate::functions;
 use crate::index::Ctx;
 use crate::names::{as_text, lower_case};
+use crate::statements::{bodies, every_statement};
 use crate::value::{DataName, Reached, Value, Why, needs_kinematics, why, wrong_type};
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind};
+use rapid_syntax::tree::{Arg, ArgKind, Callee, Stmt, StmtKind};
 use std::rc::Rc;
 
 impl ConstEvaluator<'_> {
@@ -52,6 +53,11 @@ impl ConstEvaluator<'_> {
         let lower = lower_case(written.as_bytes());
         if lower == "calcrobt" {
             return self.calc_rob_t(args, ctx, state);
+        }
+        if lower == "orobt" && self.may_be_displaced() {
+            let reason =
+                "ORobT goes by the program displacement that is in force when it is called".to_owned();
+            return Err(why("keep::function-result", reason));
         }
         if !functions::is_known(&lower) {
             return Err(match lower.as_str() {
@@ -111,6 +117,32 @@ impl ConstEvaluator<'_> {
         }
     }
 }
+
+impl ConstEvaluator<'_> {
+    /// Whether a statement of the given files displaces the program, wherever that is.
+    fn may_be_displaced(&self) -> bool {
+        *self.displaced.get_or_init(|| {
+            let mut found = false;
+            for routine in &self.index.routines {
+                let mut visit = |stmt: &Stmt| {
+                    let StmtKind::Call(call) = &stmt.kind else { return };
+                    found |= match call.callee {
+                        Callee::Name(name) => {
+                            DISPLACE.contains(&&*lower_case(self.index.text(routine.ctx.file, name)))
+                        }
+                        // Any name may come of it.
+                        Callee::Late(_) => true,
+                    };
+                };
+                bodies(routine.tree).for_each(|body| every_statement(body, &mut visit));
+            }
+            found
+        })
+    }
+}
+
+/// Instructions that displace the program or its external axes.
+const DISPLACE: [&str; 5] = ["pdispadd", "pdispon", "pdispset", "eoffson", "eoffsset"];
 
 fn function_result(name: &str) -> Why {
     why("keep::function-result", format!("the result of {name} is known at run time only"))

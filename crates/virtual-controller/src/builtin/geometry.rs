@@ -19,6 +19,17 @@ pub(super) const FUNCTIONS: &[Function] = &[
         }
         Ok(frame::value(&vm.program.types.robtarget, &numbers))
     }),
+    function!("orobt", Arithmetic, (target: RobTarget), |vm, args| {
+        if args.has("inpdisp") {
+            return Ok(frame::value(&vm.program.types.robtarget, &target.0));
+        }
+        let mut numbers = target.0;
+        let displaced = arm(vm)?.displacement * frame::isometry_of(&numbers)?;
+        for (n, x) in numbers.iter_mut().zip(frame::pose_numbers(&displaced)) {
+            *n = x;
+        }
+        Ok(frame::value(&vm.program.types.robtarget, &numbers))
+    }),
     function!("reltool", Arithmetic, (target: RobTarget, dx: f32, dy: f32, dz: f32), |vm, args| {
         let displacement_m = Vector3::from([dx, dy, dz].map(|mm| m_from_mm(f64::from(mm))));
         in_tool(vm, args, target, displacement_m)
