@@ -2,6 +2,7 @@
 
 mod endings;
 mod limits;
+mod lines;
 
 use virtual_controller::{Controller, Outcome, Value};
 

@@ -15,6 +15,11 @@ const SAMPLE_RAD: f64 = 0.1;
 /// A joint that turns by more from one sample to the next is looked at: does it go on, or does it jump?
 const JUMP_RAD: f64 = 1.0;
 
+/// A sample is halved where a joint turns by more, so often at most.
+const CLOSE_RAD: f64 = 0.25;
+const MOST_HALVINGS: u32 = 8;
+const END_OF_RANGE: &str = "a joint comes to the end of its range on the way";
+
 /// The last part of a line or an arc, over which a joint's last motion is taken: it may turn round on the way.
 const LAST_SHARE: f64 = 1.0 / 16.0;
 
@@ -109,13 +114,10 @@ impl ControllerArm {
                 via_q_rad =
                     self.closed.nearest(&setup.base_from_flange(&tcp_path.at(s)), &q_rad).map(|s| s.q_rad);
             }
-            let base_from_flange = setup.base_from_flange(&tcp_path.at(share));
-            match self.closed.nearest(&base_from_flange, &q_rad) {
-                Some(s) if !self.leaves_range(&base_from_flange, &q_rad, &s.q_rad) => q_rad = s.q_rad,
-                nearest if nearest.is_some() || self.is_reachable(&base_from_flange) => {
-                    return Ok(Err("a joint comes to the end of its range on the way".into()));
-                }
-                _ => return Ok(Err("the way leaves what the arm can reach".into())),
+            let shares = [f64::from(k - 1) / samples, share];
+            match self.followed((&tcp_path, setup), &q_rad, shares, MOST_HALVINGS) {
+                Ok(there) => q_rad = there,
+                Err(why) => return Ok(Err(why.to_owned())),
             }
         }
         let complaint = if self.conf_l { self.complaint(&conf, &q_rad) } else { None };
@@ -124,6 +126,31 @@ impl ControllerArm {
         let before_end = setup.base_from_flange(&tcp_path.at(1.0 - LAST_SHARE));
         solved.before_end_q_rad = self.closed.nearest(&before_end, &q_rad).map(|s| s.q_rad);
         Ok(Ok(solved))
+    }
+
+    /// The joints at the second of two shares of a way, from those at the first; or why the arm does not get there. Where joints turn far
+    /// it is looked at more closely: beside a singularity the nearest solution a step on is another branch.
+    fn followed(
+        &self,
+        (tcp_path, setup): (&CartesianPath, &Setup),
+        from: &[f64; 6],
+        [s0, s1]: [f64; 2],
+        halvings: u32,
+    ) -> Result<[f64; 6], &'static str> {
+        let base_from_flange = setup.base_from_flange(&tcp_path.at(s1));
+        let Some(found) = self.closed.nearest(&base_from_flange, from).map(|found| found.q_rad) else {
+            return Err(match self.is_reachable(&base_from_flange) {
+                true => END_OF_RANGE,
+                false => "the way leaves what the arm can reach",
+            });
+        };
+        let is_far = found.iter().zip(from).any(|(to, from)| (to - from).abs() > CLOSE_RAD);
+        if is_far && halvings > 0 {
+            let middle = 0.5 * (s0 + s1);
+            let halfway = self.followed((tcp_path, setup), from, [s0, middle], halvings - 1)?;
+            return self.followed((tcp_path, setup), &halfway, [middle, s1], halvings - 1);
+        }
+        if self.leaves_range(&base_from_flange, from, &found) { Err(END_OF_RANGE) } else { Ok(found) }
     }
 
     /// The straight way to a target up to where `gap_m` of the joints comes to 0; `None` where it never does, or the arm
