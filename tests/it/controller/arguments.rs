@@ -109,3 +109,23 @@ fn a_timer_interrupts_a_function_in_a_motions_argument() {
     assert_eq!(efforts["tcK"].most, Effort { statements: 44, arithmetic: 20, trigonometric: 0 });
     assert_eq!(efforts["answer"].most.statements, 1);
 }
+
+const COUNTING_TOOL: &str = r"
+  PERS tooldata tTab{2}:=[[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]],
+    [TRUE,[[0,0,150],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]];
+  PERS num calls:=0;
+  FUNC num next()
+    calls:=calls+1;
+    RETURN 1;
+  ENDFUNC
+  PROC main()
+    MoveAbsJ jHome,v500,fine,tool0;
+    MoveJ p{next()},v500,fine,tTab{next()};
+  ENDPROC";
+
+#[test]
+fn each_argument_of_a_motion_is_worked_out_once() {
+    let mut c = controller(COUNTING_TOOL);
+    ran(&mut c, "main");
+    assert_eq!(c.number("calls").unwrap(), 2.0);
+}

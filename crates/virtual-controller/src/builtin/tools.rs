@@ -39,14 +39,18 @@ fn frame_data(vm: &mut Interpreter<'_>, expr: &Expr, plain: &str) -> Result<Valu
         vm.report("controller", format!("{spelt} is declared nowhere; taken as {plain}"));
         return Ok(predefined::known(&vm.program.types, plain));
     }
-    let value = vm.eval_as(expr, &ty)?;
-    if let Some((place, _)) = vm.data_ref(expr)?
-        && vm.access(&place) != Access::Persistent
+    let place = vm.data_ref(expr)?.map(|(place, _)| place);
+    if let Some(place) = &place
+        && vm.access(place) != Access::Persistent
         && matches!(place.root, DataRoot::Data(_))
     {
         return fatal("a tool or work object must be PERS");
     }
-    Ok(value)
+    match place {
+        // An index is worked out once: a function in it may count.
+        Some(place) if !matches!(expr.kind, ExprKind::Name(_) | ExprKind::Local(_)) => vm.read(&place),
+        _ => vm.eval_as(expr, &ty),
+    }
 }
 
 /// Who holds what for a tool and a work object argument.
