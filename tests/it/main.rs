@@ -67,6 +67,7 @@ mod recipe;
 mod shop;
 mod simulate;
 mod slow_noise;
+mod small_background;
 #[cfg(target_os = "linux")]
 mod sound_file;
 mod springs;

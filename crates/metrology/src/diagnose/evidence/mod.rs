@@ -32,7 +32,7 @@ use super::marginal::{Marginal, NoiseIntegral, NoisePrior, log_sum};
 use elimination::{Direction, RANK};
 use nalgebra::{DMatrix, DVector};
 use principal::SizeTerm;
-use prior::{MOST_OF_TOUCHES, NO_GEOMETRY, RatioGrids, geometry_prior, size_prior};
+use prior::{MOST_OF_TOUCHES, NO_GEOMETRY, RatioGrids, geometry_prior, geometry_signal, size_prior};
 use std::ops::Range;
 use sum::EvidenceSum;
 
@@ -52,6 +52,8 @@ struct GeometryTerm {
     squares: f64,
     /// ln determinant of its covariance beside the noise's.
     log_det: f64,
+    /// Its signal over the noise.
+    rho: f64,
 }
 
 /// Registration, geometry and what was already found, eliminated over a subset of the data.
@@ -246,7 +248,8 @@ impl NuisanceModel {
     fn without_candidate(&self, geometry: &GeometryTerm) -> NoiseIntegral {
         let NoiseIntegral { log, sigma_m } = self.marginal.at(geometry.squares);
         NoiseIntegral {
-            log: log - 0.5 * geometry.log_det + geometry_prior(geometry.ratio * sigma_m, self.most_size),
+            log: log - 0.5 * geometry.log_det
+                + geometry_prior(geometry.ratio * sigma_m, geometry.rho, self.most_size),
             sigma_m,
         }
     }
@@ -260,7 +263,7 @@ impl NuisanceModel {
             squares -= r2 / (1.0 + r2 * l) * g * g;
             log_det += (r2 * l).ln_1p();
         }
-        GeometryTerm { ratio, squares, log_det }
+        GeometryTerm { ratio, squares, log_det, rho: ratio * geometry_signal(self.m, &self.lambda) }
     }
 
     /// Adds to `sum` what a candidate of one size reaches beside geometry of one. `signal_of_unit_size` is the signal of one usual
@@ -280,7 +283,7 @@ impl NuisanceModel {
             return;
         }
         let (geometry_ratio, size_ratio) = (geometry.ratio, size.ratio);
-        let mut log_evidence = log + geometry_prior(geometry_ratio * sigma_m, self.most_size);
+        let mut log_evidence = log + geometry_prior(geometry_ratio * sigma_m, geometry.rho, self.most_size);
         if size_ratio > 0.0 {
             log_evidence +=
                 size_prior(size_ratio * sigma_m, size_ratio * signal_of_unit_size, self.most_size);

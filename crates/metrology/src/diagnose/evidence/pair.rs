@@ -107,7 +107,7 @@ impl NuisanceModel {
         lower.solve_lower_triangular_mut(&mut half);
         let NoiseIntegral { log, sigma_m } = self.marginal.at(geometry.squares - half.norm_squared());
         let log_evidence = log - 0.5 * geometry.log_det - half_log_det
-            + geometry_prior(geometry.ratio * sigma_m, self.most_size)
+            + geometry_prior(geometry.ratio * sigma_m, geometry.rho, self.most_size)
             + size_prior(s * sigma_m, s * signals[0], self.most_size)
             + size_prior(t * sigma_m, t * signals[1], self.most_size);
         Some(EvidencePeak { log_evidence, sigma_m, geometry_ratio: geometry.ratio, size_ratio })

@@ -9,11 +9,20 @@ pub(super) const NO_GEOMETRY: f64 = 0.25;
 /// Touches of fixed points measure no length: an arm of half the size closes upon its points twice as well, noise and all. No error is believed there
 /// that is more than so many times as large as it usually is.
 pub(super) const MOST_OF_TOUCHES: f64 = 24.0;
+/// Signal of the smallest geometry that is looked at, over the noise.
+const SMALLEST_RHO: f64 = 0.18;
+/// Signal of the largest, over what the data have beside registration.
+const LARGEST_OF_LEFT: f64 = 32.0;
 /// ln prior mass of what is not believed at all.
 const NEVER: f64 = -1e6;
 
 /// Smallest size that is looked at, in prior sigmas.
 const SMALLEST: f64 = 1.0 / 64.0;
+
+/// Rms signal over `m` rows of geometry of one tolerance, with squares `lambda` along its own directions.
+pub(super) fn geometry_signal(m: f64, lambda: &DVector<f64>) -> f64 {
+    (lambda.sum().max(0.0) / m).sqrt()
+}
 
 /// Factor-of-two grids that cover what the data can mean, ascending.
 pub(super) struct RatioGrids {
@@ -36,15 +45,24 @@ impl RatioGrids {
             let steps = (to / from).log2().ceil().max(0.0) as i32;
             (0..=steps).map(move |k| from * f64::from(k).exp2())
         };
+        // What is a sixth of the noise is as good as none, and what is many times all that is left is none of these data's.
+        let signal = geometry_signal(m, lambda).max(1e-300);
+        let smallest = (0.25 / high_m).min(SMALLEST_RHO / signal);
+        let largest = (24.0 / low_m).min(LARGEST_OF_LEFT * high_m / low_m / signal).max(smallest);
         Self {
-            geometry: std::iter::once(0.0).chain(doubling(0.25 / high_m, 24.0 / low_m)).collect(),
+            geometry: std::iter::once(0.0).chain(doubling(smallest, largest)).collect(),
             size: doubling(SMALLEST / high_m, 24.0 / low_m).collect(),
         }
     }
 }
 
-/// ln prior mass of one factor-of-two cell at `s_g`: about the tolerance, with a tail for arms never calibrated, and none beyond `most`.
-pub(super) fn geometry_prior(s_g: f64, most: f64) -> f64 {
+/// Prior weight of geometry in proportion to the noise.
+const GEOMETRY_BY_NOISE: f64 = 0.3;
+
+/// ln prior mass of one factor-of-two cell at `s_g`, whose signal is `rho` times the noise: about the tolerance, with a tail for arms never
+/// calibrated, or, of one that was, so much as these data just begin to ask for; none beyond `most`. Without the last a single link
+/// or zero, whose size may be in proportion to the noise, would stand for what little all of them are off together.
+pub(super) fn geometry_prior(s_g: f64, rho: f64, most: f64) -> f64 {
     if s_g <= 0.0 {
         return NO_GEOMETRY.ln();
     }
@@ -52,8 +70,14 @@ pub(super) fn geometry_prior(s_g: f64, most: f64) -> f64 {
         return NEVER;
     }
     let x = s_g.ln();
-    let density = 0.85 * normal_pdf(x, -0.3, 0.8) + 0.15 * normal_pdf(x, 1.6, 1.0);
+    let by_tolerance = 0.85 * normal_pdf(x, -0.3, 0.8) + 0.15 * normal_pdf(x, 1.6, 1.0);
+    let density = (1.0 - GEOMETRY_BY_NOISE) * by_tolerance + GEOMETRY_BY_NOISE * in_proportion_to_noise(rho);
     ((1.0 - NO_GEOMETRY) * density * std::f64::consts::LN_2).max(1e-12).ln()
+}
+
+/// Density over ln rho of a signal that is `rho` times the noise, where nothing else is known of it.
+fn in_proportion_to_noise(rho: f64) -> f64 {
+    normal_pdf(rho.max(1e-9).ln(), 0.0, 1.1)
 }
 
 /// Prior weight of sizes in proportion to the noise.
@@ -67,8 +91,7 @@ pub(super) fn size_prior(s: f64, rho: f64, most: f64) -> f64 {
     }
     let x = s.max(1e-9).ln();
     let prior_sigma = 0.8 * normal_pdf(x, 0.0, 0.9) + 0.2 * normal_pdf(x, 1.2, 1.3);
-    let seen = normal_pdf(rho.max(1e-9).ln(), 0.0, 1.1);
-    let density = (1.0 - BY_NOISE) * prior_sigma + BY_NOISE * seen;
+    let density = (1.0 - BY_NOISE) * prior_sigma + BY_NOISE * in_proportion_to_noise(rho);
     (density * std::f64::consts::LN_2).max(1e-12).ln()
 }
 
@@ -86,6 +109,14 @@ mod tests {
                 .map(|s| size_prior(s, s * signal_of_unit_size, f64::INFINITY).exp())
                 .sum();
             assert!((total - 1.0).abs() < 1e-3, "{total}");
+        }
+        // Geometry of all joints, likewise, beside none at all.
+        for signal_of_tolerance in [0.01, 1.0, 300.0] {
+            let total: f64 = (-60..60)
+                .map(|k| f64::from(k).exp2())
+                .map(|s| geometry_prior(s, s * signal_of_tolerance, f64::INFINITY).exp())
+                .sum();
+            assert!((total - (1.0 - NO_GEOMETRY)).abs() < 1e-3, "{total}");
         }
         // 1/300 of usual: 6.3 standard deviations of the prior sigmas, but the middle of those by the noise:
         // ln(0.5 ln 2 / (1.1 sqrt(2 pi)))

@@ -105,7 +105,7 @@ impl Problem {
             self.candidate.scaled_signature(self.dataset.at(o), &mut out);
             out
         }));
-        let signal = (a.norm_squared() / m).sqrt();
+        let [signal, of_geometry] = [&a, &g].map(|columns| (columns.norm_squared() / m).sqrt());
         let ratios = |from: f64, to: f64| {
             let steps = ((to / from).ln() / STEP) as usize;
             (0..=steps).map(move |k| from * (STEP * k as f64).exp())
@@ -125,7 +125,10 @@ impl Problem {
                 let by_sigma = sigmas(noise).map(|(sigma_m, log_prior)| {
                     // Densities over the logarithms: the code's priors are masses of factor-of-two cells.
                     let geometry = match r > 0.0 {
-                        true => geometry_prior(r * sigma_m, f64::INFINITY) - LN_2.ln() + STEP.ln(),
+                        true => {
+                            geometry_prior(r * sigma_m, r * of_geometry, f64::INFINITY) - LN_2.ln()
+                                + STEP.ln()
+                        }
                         false => NO_GEOMETRY.ln(),
                     };
                     let size = match t > 0.0 {
@@ -319,6 +322,7 @@ fn two_causes_together_are_as_likely_as_dense_matrices_say() {
     });
     let signal = |m: &DMatrix<f64>| (m.norm_squared() / kept.len() as f64).sqrt();
     let mut exact = f64::NEG_INFINITY;
+    let of_geometry = signal(&geometry);
     for r in nuisance.geometry_terms.iter().map(|geometry| geometry.ratio) {
         for (i, k) in (0..25).map(|cell| (cell / 5 - 2, cell % 5 - 2)) {
             let [s, t] = [NEAR[0] * f64::from(i).exp2(), NEAR[1] * f64::from(k).exp2()];
@@ -331,7 +335,10 @@ fn two_causes_together_are_as_likely_as_dense_matrices_say() {
             let NoiseIntegral { log, sigma_m } = nuisance.marginal.at(e.dot(&cholesky.solve(&e)));
             let sizes = size_prior(s * sigma_m, s * signal(&a), f64::INFINITY)
                 + size_prior(t * sigma_m, t * signal(&b), f64::INFINITY);
-            exact = log_add(exact, log - half_log_det + geometry_prior(r * sigma_m, f64::INFINITY) + sizes);
+            exact = log_add(
+                exact,
+                log - half_log_det + geometry_prior(r * sigma_m, r * of_geometry, f64::INFINITY) + sizes,
+            );
         }
     }
     assert!((found.log_evidence - exact).abs() < 1e-6, "{} {exact}", found.log_evidence);
