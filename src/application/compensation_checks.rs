@@ -135,7 +135,7 @@ fn declared_twice<'f>(files: impl Iterator<Item = &'f SourceFile>) -> Option<Dia
     Some(
         Diagnostic::warning("input::name-twice", text)
             .at(second.span(*at))
-            .help("no controller loads both: each is corrected as if the other were not there; declare one as LOCAL, or load them one at a time"),
+            .help("no controller loads both in one task: each is corrected as if the other were not there; declare one as LOCAL, or load them one at a time"),
     )
 }
 
