@@ -233,7 +233,7 @@ mod long {
     /// them (15 of 24 seeds), else the noise itself, over time; never a cause.
     #[test]
     #[ignore = "long"]
-    fn geometry_in_slow_noise_that_nobody_stated_is_geometry() {
+    fn geometry_in_slow_noise_that_nobody_stated_is_no_cause() {
         let mut told = 0;
         for seed in 1..=8 {
             let recipe = Recipe { slowness: 0.85, geometry: 0.4, ..crate::recipe::planted(Vec::new(), 100) };

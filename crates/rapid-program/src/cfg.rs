@@ -223,7 +223,7 @@ impl<'a> CfgBuilder<'_, 'a> {
             return false;
         }
         let ctx = self.ctx;
-        let mut number = |expr| match self.evaluator.fold(expr, ctx, &Constant).ok()?.value {
+        let mut number = |expr| match self.evaluator.fold_held(expr, ctx, &Constant).ok()?.value {
             Value::Num(n) => Some(n),
             _ => None,
         };

@@ -87,6 +87,11 @@ pub(super) struct Binding<'a> {
     pub(super) value: Option<&'a Expr>,
 }
 
+/// Instructions that put a program displacement in force.
+pub(super) const DISPLACE: [&str; 3] = ["pdispadd", "pdispon", "pdispset"];
+/// Instructions that put offsets of external axes in force.
+pub(super) const OFFSET_EXTERNAL: [&str; 2] = ["eoffson", "eoffsset"];
+
 /// What, once in force, shifts, softens or binds all motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Blocker {

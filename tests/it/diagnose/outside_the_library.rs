@@ -126,7 +126,7 @@ mod long {
         }
     }
 
-    /// Four and twelve kilograms at the hand from row 30 to 55 and from 80 to 92, in a file without payload: joints 2 and 3 give by 8 urad/(N.m) under
+    /// Some kilograms at the hand from row 30 to 55 and from 80 to 92, in a file without payload: joints 2 and 3 give by 8 urad/(N.m) under
     /// their torque, the weight times how fast each joint lowers the hand. No steps of the base, and no bending.
     #[test]
     #[ignore = "long"]
@@ -147,6 +147,13 @@ mod long {
                 at(&given_rad)
             })
         };
+        // From which rows on it was another one. Line 1 is the header, row 0 line 2.
+        let changed = reason(3.0);
+        assert!(changed.contains("a load that was changed") && changed.contains("payload_kg"), "{changed}");
+        for line in ["32", "57", "82", "94"] {
+            assert!(changed.split(' ').any(|word| word == line), "{line}: {changed}");
+        }
+        // Where its spells over time lead by more than steps do, that alone is told.
         for load_kg in [4.0, 12.0] {
             let reason = reason(load_kg);
             assert!(reason.contains("under a load that") && reason.contains("payload_kg"), "{reason}");

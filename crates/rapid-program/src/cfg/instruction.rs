@@ -6,7 +6,7 @@ use crate::const_eval::Constant;
 use crate::convert;
 use crate::data::LoadData;
 use crate::expressions::{every_index, root_of, words};
-use crate::flow::{Blocker, FlowStep, Node};
+use crate::flow::{Blocker, DISPLACE, FlowStep, Node, OFFSET_EXTERNAL};
 use crate::ids::DatumId;
 use crate::index::Resolved;
 use crate::motion::MotionId;
@@ -49,12 +49,12 @@ impl<'a> CfgBuilder<'_, 'a> {
             "confj" => FlowStep::ConfJ(on),
             "gripload" => FlowStep::Grip(self.gripped(call)),
             "pdispset" if displaces_nothing => FlowStep::Blocker(Blocker::Displacement, None),
-            "pdispon" | "pdispset" | "pdispadd" => {
+            displaces if DISPLACE.contains(&displaces) => {
                 FlowStep::Blocker(Blocker::Displacement, active(self.displacement(&lower, call)))
             }
             "pdispoff" => FlowStep::Blocker(Blocker::Displacement, None),
             "eoffsset" if offsets_nothing => FlowStep::Blocker(Blocker::ExternalOffset, None),
-            "eoffson" | "eoffsset" => {
+            offsets if OFFSET_EXTERNAL.contains(&offsets) => {
                 FlowStep::Blocker(Blocker::ExternalOffset, active("an offset of external axes is in force"))
             }
             "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, None),

@@ -5,6 +5,8 @@
 
 use super::{ConstEvaluator, Precision, TrackedValues, Typed};
 use crate::convert;
+use crate::expressions::words;
+use crate::flow::{DISPLACE, OFFSET_EXTERNAL};
 use crate::functions;
 use crate::index::Ctx;
 use crate::names::{as_text, lower_case};
@@ -119,20 +121,28 @@ impl ConstEvaluator<'_> {
 }
 
 impl ConstEvaluator<'_> {
-    /// Whether a statement of the given files displaces the program, wherever that is.
+    /// Whether a statement of the given files displaces the program or its external axes, wherever that is.
     fn may_be_displaced(&self) -> bool {
         *self.displaced.get_or_init(|| {
             let mut found = false;
             for routine in &self.index.routines {
-                let mut visit = |stmt: &Stmt| {
-                    let StmtKind::Call(call) = &stmt.kind else { return };
-                    found |= match call.callee {
-                        Callee::Name(name) => {
-                            DISPLACE.contains(&&*lower_case(self.index.text(routine.ctx.file, name)))
-                        }
-                        // Any name may come of it.
-                        Callee::Late(_) => true,
-                    };
+                let named = |name: TextRange| {
+                    let name = lower_case(self.index.text(routine.ctx.file, name));
+                    DISPLACE.iter().chain(&OFFSET_EXTERNAL).any(|displaces| *displaces == name)
+                };
+                let mut visit = |stmt: &Stmt| match &stmt.kind {
+                    StmtKind::Call(call) => {
+                        found |= match call.callee {
+                            Callee::Name(name) => named(name),
+                            // Any name may come of it.
+                            Callee::Late(_) => true,
+                        };
+                    }
+                    StmtKind::Opaque => {
+                        let text = self.index.text(routine.ctx.file, stmt.range);
+                        found |= words(text, stmt.range.start).into_iter().any(named);
+                    }
+                    _ => {}
                 };
                 bodies(routine.tree).for_each(|body| every_statement(body, &mut visit));
             }
@@ -140,9 +150,6 @@ impl ConstEvaluator<'_> {
         })
     }
 }
-
-/// Instructions that displace the program or its external axes.
-const DISPLACE: [&str; 5] = ["pdispadd", "pdispon", "pdispset", "eoffson", "eoffsset"];
 
 fn function_result(name: &str) -> Why {
     why("keep::function-result", format!("the result of {name} is known at run time only"))
