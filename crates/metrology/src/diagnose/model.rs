@@ -89,7 +89,7 @@ impl FittedModel<'_> {
     /// without these, which are most of what there is to compute and to keep.
     #[must_use]
     pub(super) fn over_groups(self, group_of: &[usize]) -> Self {
-        let Self { linear, mut model, workspace: Workspace { design, library, column_index: tried } } = self;
+        let Self { linear, mut model, workspace: Workspace { design, library, .. } } = self;
         let dataset = &linear.dataset;
         let whitening = design.whitening().clone();
         drop(design);
@@ -97,15 +97,13 @@ impl FittedModel<'_> {
         if let Some(slow) = model.slow {
             slow.put(&mut design, dataset);
         }
-        design.expect(tried.values().map(Vec::len).sum());
+        design.expect(model.chosen.iter().map(|cause| cause.columns.len()).sum());
         let mut library = library.begun_anew(&design);
-        // Whatever was tried over all stations is likely to be tried over a part of them.
-        let mut tried: Vec<(Vec<usize>, usize)> =
-            tried.into_iter().map(|(c, columns)| (columns, c)).collect();
-        tried.sort_unstable();
-        let tried: Vec<usize> = tried.into_iter().map(|(_, candidate)| candidate).collect();
+        // What else was tried over all stations is not carried along: products of thousands of candidates with it would take more memory
+        // than all the rest, and trying it again where a part of the stations asks for it takes no longer.
+        let chosen: Vec<usize> = model.chosen.iter().map(|cause| cause.candidate).collect();
         let mut column_index = BTreeMap::new();
-        library.columns_in_design(&mut design, &mut column_index, &tried);
+        library.columns_in_design(&mut design, &mut column_index, &chosen);
         library.extend(&design);
         for cause in &mut model.chosen {
             cause.columns.clone_from(&column_index[&cause.candidate]);

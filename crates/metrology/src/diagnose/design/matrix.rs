@@ -7,7 +7,7 @@ use super::whitening::Whitening;
 use crate::diagnose::dataset::{Dataset, Observation, Twist, scaled};
 use crate::diagnose::effects::Candidate;
 use nalgebra::{DMatrix, DMatrixView};
-use std::borrow::Borrow;
+use std::borrow::{Borrow, Cow};
 use std::ops::Range;
 
 /// Manufacturing tolerance of a joint's frame: metres, and radians.
@@ -138,7 +138,9 @@ impl Design {
         });
         design.registration = 1..1 + flat.ncols();
         design.geometry = design.registration.end..design.registration.end + geometry.ncols();
-        design.place(&[&flat, &geometry]);
+        let parts = [flat, geometry];
+        let width = parts.iter().map(DMatrix::ncols).sum();
+        design.place(width, parts.len(), |_, part| Cow::Borrowed(&parts[part]));
         design
     }
 
@@ -233,8 +235,19 @@ impl Design {
 
     /// Adds columns and their products; gives their place.
     pub(crate) fn append(&mut self, columns: &DMatrix<f64>) -> Range<usize> {
+        self.append_parts(columns.ncols(), 1, |_, _| Cow::Borrowed(columns))
+    }
+
+    /// Puts `parts` parts of `width` columns in all behind the columns. Each part is made when its place is there, so that many
+    /// columns are never in memory twice; the design that makes it has no columns meanwhile.
+    pub(crate) fn append_parts<'a>(
+        &mut self,
+        width: usize,
+        parts: usize,
+        part: impl Fn(&Self, usize) -> Cow<'a, DMatrix<f64>>,
+    ) -> Range<usize> {
         let start = self.width();
-        self.place(&[columns]);
+        self.place(width, parts, part);
         start..self.width()
     }
 
@@ -247,17 +260,20 @@ impl Design {
         });
     }
 
-    /// Puts `more` behind the columns, and multiplies what has no products yet.
-    fn place(&mut self, more: &[&DMatrix<f64>]) {
+    /// Puts the parts of `more` columns behind the columns, and multiplies what has no products yet.
+    fn place<'a>(&mut self, more: usize, parts: usize, part: impl Fn(&Self, usize) -> Cow<'a, DMatrix<f64>>) {
         let known = self.gram.first().map_or(0, DMatrix::ncols);
         let mut at = self.width();
-        let width = at + more.iter().map(|columns| columns.ncols()).sum::<usize>();
+        let width = at + more;
         let columns = std::mem::replace(&mut self.columns, DMatrix::zeros(0, 0));
-        self.columns = columns.resize_horizontally(width, 0.0);
-        for columns in more {
-            self.columns.columns_mut(at, columns.ncols()).copy_from(columns);
-            at += columns.ncols();
+        let mut columns = columns.resize_horizontally(width, 0.0);
+        for number in 0..parts {
+            let part = part(self, number);
+            columns.columns_mut(at, part.ncols()).copy_from(&part);
+            at += part.ncols();
         }
+        debug_assert_eq!(at, width);
+        self.columns = columns;
         let all = &self.columns;
         let groups = &self.groups;
         parallel::for_each_mut(&mut self.gram, &|group, gram| {

@@ -2,7 +2,7 @@
 
 use super::chosen::ChosenCause;
 use super::library::Library;
-use crate::diagnose::design::{Design, side_by_side};
+use crate::diagnose::design::Design;
 use crate::diagnose::effects::{Candidate, steps_too_near};
 use crate::diagnose::gear_lines::AngleSpectra;
 use robot_model::deform::EffectKind;
@@ -126,10 +126,12 @@ impl Library<'_> {
             }
         }
         if !new.is_empty() {
-            let columns: Vec<_> = new.iter().map(|&c| self.columns_at(design, c)).collect();
-            let mut at = design.append(&side_by_side(&columns));
-            for (candidate, columns) in new.into_iter().zip(&columns) {
-                column_index.insert(candidate, at.by_ref().take(columns.ncols()).collect());
+            let width_of = |c: usize| self.candidates[c].prior_sigma.len();
+            let width = new.iter().map(|&c| width_of(c)).sum();
+            let mut at =
+                design.append_parts(width, new.len(), |design, number| self.columns_at(design, new[number]));
+            for candidate in new {
+                column_index.insert(candidate, at.by_ref().take(width_of(candidate)).collect());
             }
         }
         candidates.iter().map(|candidate| column_index[candidate].clone()).collect()
