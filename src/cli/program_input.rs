@@ -1,7 +1,7 @@
 //! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
 
 use super::files;
-use crate::application::check_text;
+use crate::application::{EarlierResult, check_text};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{PlacedProgram, ProgramFiles};
 use rapid_program::modules_of_pgf;
@@ -43,6 +43,8 @@ pub struct ProgramInput {
     pub others: Vec<(PathBuf, PathBuf)>,
     /// Modules of a folder that are encoded, as packages of options are: they stand among `others`.
     pub encoded: Vec<PathBuf>,
+    /// Modules of a folder that end in `_tc` and are no results: they stand among `others`.
+    pub not_read: Vec<PathBuf>,
     /// It is one module that came from standard input.
     pub is_standard: bool,
     /// It is a folder, with all that lies in it.
@@ -119,7 +121,7 @@ impl ProgramInput {
         }
     }
 
-    /// That encoded modules are not read, where there are any.
+    /// Which modules of a folder are not read: those that are encoded, and those that are called as results are.
     #[must_use]
     pub fn warnings(&self) -> Vec<LocatedDiagnostic> {
         let warning = |path: &PathBuf| {
@@ -130,7 +132,15 @@ impl ProgramInput {
             let help = "what calls it may move the arm or set data: such motions are kept; its text, where the supplier gives it, would tell";
             LocatedDiagnostic::new(Diagnostic::warning("input::encoded", text).help(help), &[])
         };
-        self.encoded.iter().map(warning).collect()
+        let not_read = |path: &PathBuf| {
+            let text = format!(
+                "{} is not read, as results of this program end in _tc, and is none: it is left as it is",
+                path.display()
+            );
+            let help = "give it another name, or name the modules on the command line";
+            LocatedDiagnostic::new(Diagnostic::warning("input::not-read", text).help(help), &[])
+        };
+        self.encoded.iter().map(warning).chain(self.not_read.iter().map(not_read)).collect()
     }
 
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
@@ -164,6 +174,7 @@ impl ProgramInput {
             bytes: Vec::new(),
             others: Vec::new(),
             encoded: Vec::new(),
+            not_read: Vec::new(),
             is_standard: false,
             is_folder: false,
         }
@@ -190,8 +201,9 @@ impl ProgramInput {
     fn folder(folder: &Path) -> Result<Self, Diagnostic> {
         let mut found = Vec::new();
         walk(folder, &mut found)?;
-        let (modules, others): (Vec<PathBuf>, Vec<PathBuf>) =
-            found.into_iter().partition(|path| has_extension(path, &MODULES) && !on_disk(path, folder));
+        let (modules, others): (Vec<PathBuf>, Vec<PathBuf>) = found
+            .into_iter()
+            .partition(|path| is_module(path) && !on_disk(path, folder) && !is_called_a_result(path));
         if modules.is_empty() {
             let text = format!("the folder {} holds no RAPID module", folder.display());
             return Err(Diagnostic::error("input::no-modules", text).help(
@@ -207,6 +219,7 @@ impl ProgramInput {
             paths: modules,
             bytes: Vec::new(),
             encoded: Vec::new(),
+            not_read: others.into_iter().filter(|path| is_called_a_result(path)).collect(),
             is_standard: false,
             is_folder: true,
         })
@@ -251,7 +264,17 @@ pub fn is_module(path: &Path) -> bool {
     has_extension(path, &MODULES)
 }
 
-/// All files under a folder in order of name; what ends in `_tc` is left out: it is a result.
+/// Whether a file or folder is called as results are.
+fn is_called_a_result(path: &Path) -> bool {
+    path.file_stem().is_some_and(|stem| stem.to_string_lossy().ends_with("_tc"))
+}
+
+/// Whether a module bears no mark of this program.
+fn is_no_result(path: &Path) -> Result<bool, Diagnostic> {
+    Ok(EarlierResult::of(&files::read(path, "module")?).is_none())
+}
+
+/// All files under a folder in order of name; what ends in `_tc` is left out, but for modules that are no results.
 fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
     let entries = fs::read_dir(folder).map_err(|cause| files::cannot_read(folder, "folder", &cause))?;
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
@@ -260,8 +283,7 @@ fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
         if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.')) {
             continue; // hidden: .git, .driftpost
         }
-        let is_result = path.file_stem().is_some_and(|stem| stem.to_string_lossy().ends_with("_tc"));
-        if is_result {
+        if is_called_a_result(&path) && !(path.is_file() && is_module(&path) && is_no_result(&path)?) {
             continue;
         }
         let kind = fs::symlink_metadata(&path).map_err(|c| files::cannot_read(&path, "file", &c))?;

@@ -31,14 +31,24 @@ fn a_folder_is_written_whole_under_the_same_names() {
     let module = fs::read_to_string("fixtures/golden/two_tools_loop/source/Cell.mod").unwrap();
     bench.file("cell/RAPID/TASK1/Cell.MOD", &module);
     bench.file("cell/RAPID/TASK1/Idle.sys", "MODULE Idle\n  VAR num n;\nENDMODULE");
-    bench.file("cell/old_tc.mod", "no module at all");
+    bench.file("cell/old_tc.mod", "MODULE Old\n  ! driftpost 0.1.0\n no module at all");
+    // Called as a result is, and none.
+    bench.file("cell/glue_tc.mod", "MODULE Glue\n  VAR num g;\nENDMODULE");
     bench.file("cell/notes.txt", b"\xff\x00");
     let folder = bench.path("cell").display().to_string();
     let output = driftpost(&["compensate", &folder, "--core", "separate", "--tolerance-mm", "0.05"]);
     assert_eq!(output.status.code(), Some(0), "{}", err(&output));
     let made: Vec<String> = bench.files().into_iter().filter(|f| f.starts_with("cell_tc/")).collect();
-    let expected =
-        [".driftpost", "RAPID/TASK1/Cell.MOD", "RAPID/TASK1/Idle.sys", "RAPID/TASK1/tcCore.mod", "notes.txt"];
+    let of_task = ["Cell.MOD", "Idle.sys", "tcCore.mod"].map(|name| format!("RAPID/TASK1/{name}"));
+    let [cell, idle, core] = of_task.each_ref().map(String::as_str);
+    let expected = [".driftpost", cell, idle, core, "glue_tc.mod", "notes.txt"];
+    assert!(
+        err(&output).contains("input::not-read") && err(&output).contains("glue_tc.mod"),
+        "{}",
+        err(&output)
+    );
+    assert!(!err(&output).contains("old_tc.mod"), "{}", err(&output));
+    assert_eq!(bench.text("cell_tc/glue_tc.mod"), bench.text("cell/glue_tc.mod"));
     assert_eq!(made, expected.map(|f| format!("cell_tc/{f}")));
     assert_eq!(fs::read(bench.path("cell_tc/notes.txt")).unwrap(), b"\xff\x00");
     assert_eq!(bench.text("cell_tc/RAPID/TASK1/Idle.sys"), bench.text("cell/RAPID/TASK1/Idle.sys"));
