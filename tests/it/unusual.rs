@@ -327,6 +327,29 @@ ENDMODULE\n"
     }
 }
 
+/// A type or a datum of the name of a type that added data have: the module would not load, or hold something else.
+#[test]
+fn a_program_that_hides_a_type_of_what_is_added_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let runs = |declaration: &str, form: &str| {
+        let text = format!(
+            "{HEAD}  {declaration}\n  PROC main()\n    MoveAbsJ jh,v100,fine,tool0;\n    MoveL pA,v100,fine,tool0;\n  ENDPROC\nENDMODULE\n"
+        );
+        std::fs::write(folder.path().join("Cell.mod"), text).unwrap();
+        let mut run = Command::cargo_bin("driftpost").unwrap();
+        let args = ["compensate", "Cell.mod", "--form", form, "-o", "out.mod", "--force", "--diff", "none"];
+        let run = run.current_dir(folder.path()).args(args).output().unwrap();
+        let message = String::from_utf8_lossy(&run.stderr).into_owned();
+        assert_eq!(run.status.success(), !message.contains("emit::hidden-name"), "{message}");
+        run.status.success()
+    };
+    for declaration in ["RECORD pose\n    num a;\n  ENDRECORD", "ALIAS num pose;", "VAR num pose;"] {
+        // A schedule adds no datum of that type.
+        assert!(!runs(declaration, "ramp") && runs(declaration, "schedule"), "{declaration}");
+    }
+    assert!(runs("RECORD place\n    num a;\n  ENDRECORD", "ramp"));
+}
+
 /// An array of a routine's own hides the module's of the same name: what was touched up goes where the motion found it.
 #[test]
 fn a_touched_up_element_goes_into_the_array_that_the_routine_sees() {

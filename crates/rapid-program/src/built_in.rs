@@ -3,20 +3,22 @@
 
 use super::move_instructions::move_form;
 use super::other_instructions::harmless;
+use super::record::TYPES;
 
 /// Whether a function is the controller's own.
 pub(super) fn is_built_in_function(name: &str) -> bool {
     FUNCTIONS.binary_search(&name).is_ok()
 }
 
-/// Whether a name in lower case is that of a function, an instruction or an error number of the controller, which a program may
+/// Whether a name in lower case is that of a function, an instruction, a type or an error number of the controller, which a program may
 /// hide by declaring it anew.
 #[must_use]
 pub fn is_controllers_own(name: &str) -> bool {
     is_built_in_function(name)
         || harmless(name)
         || move_form(name).is_some()
-        || name == "c_progdisp"
+        || TYPES.contains(&name)
+        || matches!(name, "c_progdisp" | "clock" | "dnum")
         || name.starts_with("err_")
 }
 

@@ -1,4 +1,4 @@
-//! `SetAllDataVal`, which sets what compensation adds to a program as well.
+//! `SetAllDataVal`, which sets what compensation adds to a program as well, and `SetDataSearch`, whose search finds it.
 
 use super::index::{Ctx, Index};
 use super::names::{as_text, lower_case};
@@ -10,8 +10,10 @@ use rapid_syntax::tree::{ArgKind, CallStmt, Callee, Expr, ExprKind, StmtKind};
 
 /// Types of data that clock and schedule have.
 const ADDED: [&str; 3] = ["bool", "num", "string"];
+/// Types of what is added for targets: arrays of them, and corrections.
+const OF_TARGETS: [&str; 3] = ["jointtarget", "pose", "robtarget"];
 
-/// Warnings of statements that set all data of a type that clock and schedule have, each once.
+/// Warnings of statements that set, or search for, all data of a type that is added, each once.
 pub(super) fn warnings(index: &Index<'_>) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for routine in &index.routines {
@@ -19,21 +21,25 @@ pub(super) fn warnings(index: &Index<'_>) -> Vec<Diagnostic> {
         for body in bodies(routine.tree) {
             every_naming_statement(index, ctx, body, &mut |stmt| {
                 let StmtKind::Call(call) = &stmt.kind else { return };
-                if let Some(what) = set_as_well(index, ctx, call) {
-                    found.push(warning(&what, Span { file: ctx.file, range: stmt.range }));
-                }
+                let at = Span { file: ctx.file, range: stmt.range };
+                found.extend(meant_as_well(index, ctx, call).map(|warning| warning.at(at)));
             });
         }
     }
     found
 }
 
-/// What a `SetAllDataVal` sets that may be of clock and schedule: a type, or whatever type is worked out.
-fn set_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<String> {
+/// The warning of a `SetAllDataVal` or a `SetDataSearch` that may mean what is added: of a type of it, or of whatever type is worked out.
+fn meant_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<Diagnostic> {
     let Callee::Name(name) = call.callee else { return None };
-    if lower_case(index.text(ctx.file, name)) != "setalldataval" || index.declares_routine(name, ctx) {
+    if index.declares_routine(name, ctx) {
         return None;
     }
+    let is_search = match &*lower_case(index.text(ctx.file, name)) {
+        "setalldataval" => false,
+        "setdatasearch" => true,
+        _ => return None,
+    };
     let literal = |expr: &Expr| {
         let is_text = matches!(expr.kind, ExprKind::String);
         is_text.then(|| as_text(&value::string(index.text(ctx.file, expr.range))).to_ascii_lowercase())
@@ -53,16 +59,25 @@ fn set_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<String> {
     if begins.is_some_and(|first| first.is_ascii_alphanumeric() && first != 't') {
         return None;
     }
-    match type_name? {
-        Some(name) => ADDED.contains(&&*name).then(|| format!("all data of type {name}")),
-        None => Some("all data of a type that only run time tells".to_owned()),
-    }
-}
-
-fn warning(what: &str, at: Span) -> Diagnostic {
-    let text =
-        format!("SetAllDataVal sets {what}, those of a compensated program's clock and schedule among them");
-    Diagnostic::warning("state::set-all-data", text)
-        .at(at)
-        .help("name what is meant with \\Object; added names begin with tc, and what they hold then freezes the correction or starts it anew")
+    let what = match type_name? {
+        Some(name) => {
+            let is_added = ADDED.contains(&&*name) || (is_search && OF_TARGETS.contains(&&*name));
+            is_added.then(|| format!("all data of type {name}"))?
+        }
+        None => "all data of a type that only run time tells".to_owned(),
+    };
+    let (text, help) = match is_search {
+        false => (
+            format!(
+                "SetAllDataVal sets {what}, those of a compensated program's clock and schedule among them"
+            ),
+            "name what is meant with \\Object; added names begin with tc, and what they hold then freezes the correction or starts it anew",
+        ),
+        true => (
+            format!("SetDataSearch finds {what}, what a compensated program adds among them"),
+            "name what is meant with \\Object; added names begin with tc: what is set of them freezes the correction, and arrays among them \
+             stop a GetDataVal into a single datum",
+        ),
+    };
+    Some(Diagnostic::warning("state::set-all-data", text).help(help))
 }

@@ -32,7 +32,7 @@ fn a_decision_by_where_the_arm_stands_is_named() {
 
 /// All data of a type: clock and schedule have numbers, texts and truth values of their own.
 #[test]
-fn a_statement_that_sets_all_data_of_a_type_is_named() {
+fn a_statement_that_sets_or_finds_all_data_of_a_type_is_named() {
     let found = |statement: &str| {
         let read = module(&format!("{}PROC main()\n{MOVE}{statement}\nENDPROC\n", data()));
         read.diagnostics.iter().filter(|found| found.code == "state::set-all-data").count()
@@ -45,6 +45,12 @@ fn a_statement_that_sets_all_data_of_a_type_is_named() {
         ("SetAllDataVal \"num\"\\Object:=\"n.*\",0;", 0),
         ("SetAllDataVal \"robtarget\",p;", 0),
         ("SetDataVal \"n1\",0;", 0),
+        // A search finds what is set, or read, one after the other.
+        ("SetDataSearch \"num\"\\PersSym;", 1),
+        ("SetDataSearch \"robtarget\"\\InMod:=\"M\";", 1),
+        ("SetDataSearch sType\\Object:=\".*\";", 1),
+        ("SetDataSearch \"robtarget\"\\Object:=\"p.*\";", 0),
+        ("SetDataSearch \"speeddata\";", 0),
     ] {
         assert_eq!(found(statement), named, "{statement}");
     }

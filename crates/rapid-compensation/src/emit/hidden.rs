@@ -41,12 +41,14 @@ pub(super) fn check(context: &EmitContext<'_>, changes: &Changes) -> Result<(), 
     Ok(())
 }
 
-/// Names and scopes of a module's data and routines.
+/// Names and scopes of a module's data, routines and types.
 fn declared(module: &Module) -> impl Iterator<Item = (TextRange, Scope)> {
     module.items.iter().filter_map(|item| match item {
         ModuleItem::Data(data) => Some((data.name, data.scope)),
         ModuleItem::Routine(routine) => Some((routine.name, routine.scope)),
-        _ => None,
+        ModuleItem::Record(record) => Some((record.name, record.scope)),
+        ModuleItem::Alias(alias) => Some((alias.name, alias.scope)),
+        ModuleItem::Comment(_) | ModuleItem::Opaque(_) => None,
     })
 }
 

@@ -236,7 +236,7 @@ pub enum EmitError {
     },
     /// A given module declares what clock and functions ask the controller for.
     #[error(
-        "{}:{line}: {name} is declared here and hides the controller's own, which clock and functions call: rename it{instead}",
+        "{}:{line}: {name} is declared here and hides the controller's own, which the added clock, data and functions name: rename it{instead}",
         path.display()
     )]
     HiddenName {
