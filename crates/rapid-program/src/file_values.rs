@@ -1,4 +1,5 @@
-//! Data that are worth what the file says of a PERS, or are made of it: a controller may hold another value than the file.
+//! Data that are worth what the file says of a PERS, or of a VAR that what is not given sets, or are made of them: a controller may hold
+//! another value than the file.
 //!
 //! Knows nothing of ways through the program. What is tracked [`state`](super::state) follows; of all other data any way counts.
 
@@ -48,16 +49,20 @@ impl FileValues {
     }
 }
 
-/// Whether a datum is a PERS whose value tells where a motion goes. Tools, work objects and loads are PERS as a rule, and taken as the
-/// files have them.
-pub(super) fn differs_on_controllers(index: &Index<'_>, datum: DatumId) -> bool {
-    let entry = &index.data[datum];
-    entry.kind == DatumKind::Declared(DataKind::Pers)
-        && !matches!(index.type_text(entry.type_name), "tooldata" | "wobjdata" | "loaddata")
+/// Whether a controller may hold another value of a datum than the file: a pendant, an operator panel or another task sets a PERS, and what is
+/// not given some VAR.
+pub(super) fn is_set_elsewhere(index: &Index<'_>, datum: DatumId) -> bool {
+    index.data[datum].kind == DatumKind::Declared(DataKind::Pers) || index.open_variables.contains(datum)
 }
 
-/// Whether a PERS goes into an expression: a pendant, an operator panel or another task sets such data, so that a controller may hold
-/// another value than the text has.
+/// The same of data whose value tells where a motion goes. Tools, work objects and loads are PERS as a rule, and taken as the
+/// files have them.
+pub(super) fn differs_on_controllers(index: &Index<'_>, datum: DatumId) -> bool {
+    is_set_elsewhere(index, datum)
+        && !matches!(index.type_text(index.data[datum].type_name), "tooldata" | "wobjdata" | "loaddata")
+}
+
+/// Whether a PERS goes into an expression, or another datum that is set elsewhere.
 pub(super) fn can_be_set(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
     first_pers(index, ctx, expr).is_some()
 }
@@ -84,7 +89,7 @@ pub(super) fn every_pers(
         if !seen.insert(datum) {
             continue;
         }
-        if entry.kind == DatumKind::Declared(DataKind::Pers) {
+        if is_set_elsewhere(index, datum) {
             visit(datum);
         } else if let Some(init) = entry.init {
             names_in(index, entry.ctx, init, &mut |datum| new.push(datum));

@@ -114,6 +114,8 @@ pub(super) struct Index<'a> {
     aliases: ByNumber<Sym, Sym>,
     /// Procedures that moves call in their corners, once they are looked for.
     pub(super) called_by_moves: IdSet<RoutineIndex>,
+    /// Variables that only what is not given can set, once they are looked for.
+    pub(super) open_variables: IdSet<DatumId>,
 }
 
 impl<'a> Index<'a> {
@@ -143,6 +145,7 @@ impl<'a> Index<'a> {
             records: ByNumber::default(),
             aliases: ByNumber::default(),
             called_by_moves: IdSet::default(),
+            open_variables: IdSet::default(),
         };
         index.intern_predefined(super::record::TYPES);
         let mut tasks: Vec<String> = Vec::new();

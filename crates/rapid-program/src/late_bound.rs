@@ -30,6 +30,19 @@ pub(super) fn reached(index: &Index<'_>, ctx: Ctx, name: &Expr, args: &[Arg]) ->
     index.routines.ids().filter(fits).collect()
 }
 
+/// Whether `CallByVar` of this text reaches a procedure of the same task, whatever the number.
+pub(super) fn reaches_by_number(index: &Index<'_>, ctx: Ctx, name: &Expr) -> bool {
+    let start = written(index, ctx, name, true).text;
+    let task = |ctx: Ctx| index.modules.get(ctx.module).map(|module| module.task);
+    index.routines.iter().any(|routine| {
+        let ends_in_digit = |name: &str| name.ends_with(|c: char| c.is_ascii_digit());
+        let called = index.names.text(routine.name);
+        routine.tree.kind == RoutineKind::Proc
+            && task(routine.ctx) == task(ctx)
+            && called.strip_prefix(start.as_str()).is_some_and(ends_in_digit)
+    })
+}
+
 /// Whether a routine has a parameter of an argument's type, where that is a datum.
 fn is_of_type(index: &Index<'_>, ctx: Ctx, value: &Expr, routine: &RoutineEntry<'_>) -> bool {
     let ExprKind::Name = value.kind else { return true };

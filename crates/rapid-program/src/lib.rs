@@ -36,6 +36,7 @@ mod mod_ref;
 mod motion_site;
 mod move_instructions;
 mod names;
+mod open_variables;
 mod order;
 mod other_instructions;
 mod other_tasks;

@@ -187,13 +187,15 @@ impl AfterTraps {
     }
 }
 
-/// A PERS whose value goes into a motion's target or frames: a controller may hold another value than the file.
+/// A PERS, or a VAR that others set, whose value goes into a motion's target or frames: a controller may hold another value than the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PersTarget {
     /// The motion that goes there.
     pub motion: MotionId,
-    /// The name of the PERS as it is declared.
+    /// Its name as it is declared.
     pub name: String,
+    /// It is no PERS but a VAR that nothing among the files sets, where not all of its task is given.
+    pub is_variable: bool,
     /// Where it is declared.
     pub declaration: Span,
     /// What of the motion it goes into.

@@ -19,6 +19,7 @@ use super::module_facts::facts;
 use super::motion::{Motion, MotionId, MotionSetup, Path, PersTarget, SkipReason, Target, WobjArgument};
 use super::motion_site::{MotionSite, MotionSites, MoveArgs};
 use super::names::{ByNumber, as_text};
+use super::open_variables::open_variables;
 use super::order::{MotionOrder, Predecessors, order};
 use super::other_tasks;
 use super::own_position::OwnPositions;
@@ -52,9 +53,7 @@ impl Program {
     pub fn read(mut files: Vec<SourceFile>, overrides: &Overrides) -> Self {
         let mut diagnostics = Vec::new();
         let given = super::overrides::given(overrides, &mut diagnostics);
-        let mut index = Index::new(&files);
-        index.called_by_moves = called_by_moves(&index);
-        let writes = Writes::new(&index);
+        let (index, writes) = indexed(&files);
         let mut evaluator = ConstEvaluator::new(&index, &writes);
         evaluator.given = given;
         super::overrides::unused(&evaluator, overrides, &mut diagnostics);
@@ -89,7 +88,8 @@ impl Program {
         diagnostics.extend(super::position_tests::warning(&index, &reader.own_positions));
         diagnostics.extend(reader.into_warnings());
         diagnostics.extend(about_what_is_given(&index, overrides));
-        diagnostics.extend(not_given.iter().map(|(name, at)| not_among_the_files(name, *at, &settable)));
+        diagnostics
+            .extend(not_given.iter().map(|(name, at)| not_among_the_files(&index, name, *at, &settable)));
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
         diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::keep_declarations);
@@ -108,6 +108,15 @@ impl Program {
             diagnostics,
         }
     }
+}
+
+/// What the files declare, and what they change of it.
+fn indexed(files: &[SourceFile]) -> (Index<'_>, Writes) {
+    let mut index = Index::new(files);
+    index.called_by_moves = called_by_moves(&index);
+    let writes = Writes::new(&index);
+    index.open_variables = open_variables(&index, &writes);
+    (index, writes)
 }
 
 /// Targets that a program assigns, by the ways on which their motions are come to.
@@ -148,8 +157,10 @@ fn about_what_is_given(index: &Index<'_>, overrides: &Overrides) -> Vec<Diagnost
 /// So many names are listed; behind them stands how many more there are.
 const MOST_LISTED: usize = 4;
 
-/// The warning of a routine that is called and not given; `settable`: the tools and work objects of motions that it can set.
-fn not_among_the_files(name: &str, at: Span, settable: &[String]) -> Diagnostic {
+/// The warning of a routine that is called and not given; `settable`: what motions go by and it can set.
+fn not_among_the_files(index: &Index<'_>, name: &str, at: Span, settable: &[String]) -> Diagnostic {
+    let written = as_text(index.text(at.file, at.range));
+    let name = if written.eq_ignore_ascii_case(name) { &written } else { name };
     let text = format!("{name} is not among the given files");
     let listed = match settable {
         [] => None,
@@ -203,7 +214,7 @@ struct MotionReader<'f, 'a> {
     last_skip: Option<Arc<SkipReason>>,
     /// Tools and work objects that motions use before the program sets them, once each.
     kept_over: BTreeMap<DatumId, Diagnostic>,
-    /// Tools and work objects of motions that other modules, given or not, can set.
+    /// Tools, work objects and variables of motions that other modules, given or not, can set.
     settable: IdSet<DatumId>,
     read_as_data: ReadAsData,
     /// The values that data can have, where they are a few.
@@ -305,7 +316,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         out
     }
 
-    /// Names of the tools and work objects of motions that other modules can set.
+    /// Names of what motions go by and other modules can set.
     fn settable_names(&self) -> Vec<String> {
         self.settable.iter().map(|datum| self.evaluator.name_of(datum)).collect()
     }
@@ -388,7 +399,11 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         }
         // Where joints lead hangs on neither tool nor work object.
         let frames_in = seen.any.filter(|_| path != Path::AbsJoint);
-        self.made_of_pers.extend(self.first_pers(motion, (args, targets), frames_in, ctx));
+        let made_of = self.first_pers(motion, (args, targets), frames_in, ctx);
+        if let Some((_, datum)) = made_of.as_ref().filter(|(made_of, _)| made_of.is_variable) {
+            self.settable.insert(*datum);
+        }
+        self.made_of_pers.extend(made_of.map(|(made_of, _)| made_of));
     }
 
     /// What the text of a motion says of its setup: which kind it is, in which loops it stands, the names of its frames, and which settings

@@ -27,6 +27,7 @@ use super::index::{Ctx, Index};
 use super::mod_ref::{RoutineEffects, routine_effects};
 use super::motion::{MotionId, SkipReason};
 use super::names::ByNumber;
+use super::open_variables::has_main;
 use super::own_position::OwnPositions;
 use super::tracked::{TrackedData, names_in};
 use super::value::{Value, Why};
@@ -230,7 +231,9 @@ impl StateAnalysis<'_, '_> {
         let [begins, by_hand] = self.not_called();
         for id in begins {
             let after = self.call(id, entered.clone());
-            if let Some(exit) = after.exit.filter(|_| self.is_main(id)) {
+            // Where `main` is not given it may call one after the other.
+            let goes_on = self.is_main(id) || !has_main(index, index.routines[id].ctx);
+            if let Some(exit) = after.exit.filter(|_| goes_on) {
                 self.end_cycle(&exit);
             }
         }

@@ -7,6 +7,7 @@ mod corpus;
 mod errors;
 mod named_on_reading;
 mod names;
+mod not_all_given;
 mod of_pers;
 mod order;
 mod pages;

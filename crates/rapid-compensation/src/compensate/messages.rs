@@ -166,7 +166,7 @@ impl Messages {
 
     /// Targets and frames made of a PERS: in `schedule` the file's value of a target stands there, else the correction of that value.
     fn add_values_of_the_file(&mut self, program: &Program, planned: &[PlannedMotion]) {
-        for PersTarget { motion, name, declaration, goes_into } in &program.made_of_pers {
+        for PersTarget { motion, name, is_variable, declaration, goes_into } in &program.made_of_pers {
             let compensated = |planned: &&PlannedMotion| planned.status == Status::Compensated;
             let (Some(motion), Some(planned)) =
                 (program.motion(*motion), planned.get(motion.index()).filter(compensated))
@@ -179,8 +179,15 @@ impl Messages {
                 _ => "ramp::pers-value",
             };
             let one_of = motion.targets.iter().any(Target::is_one_of);
-            let (what, help) = of_the_file(planned.form, *goes_into, one_of);
-            let message = format!("line {}: {name} is a PERS: {what}", motion.line);
+            let (what, mut help) = of_the_file(planned.form, *goes_into, one_of);
+            if *is_variable {
+                help = "give the file too that sets it, and the motion is corrected, or kept, by what it is set to";
+            }
+            let kind = match is_variable {
+                false => "is a PERS",
+                true => "is a VAR that nothing among the given files sets, and of its task not all is given",
+            };
+            let message = format!("line {}: {name} {kind}: {what}", motion.line);
             self.add(
                 Some(motion.setup.routine),
                 Diagnostic::warning(code, message)

@@ -93,7 +93,7 @@ impl<'a> CfgBuilder<'_, 'a> {
 
     /// Functions that are called in expressions, those of the program and those that are not given.
     pub(super) fn functions(
-        &self,
+        &mut self,
         expressions: impl IntoIterator<Item = &'a Expr>,
         at: Span,
         out: &mut Vec<Node<'a>>,
@@ -102,7 +102,11 @@ impl<'a> CfgBuilder<'_, 'a> {
             every_call(expr, &mut |name, args| match self.routine(name) {
                 Some(routine) => out.push(self.known_call(vec![routine], args, true)),
                 None if is_built_in_function(&lower_case(self.text(name))) => {}
-                None => self.doubtful(name, args, NotGiven::Function, at, out),
+                None => {
+                    self.doubtful(name, args, NotGiven::Function, at, out);
+                    let first = Span { file: self.ctx.file, range: name };
+                    self.out.not_given.entry(lower_case(self.text(name))).or_insert(first);
+                }
             });
         }
     }
@@ -124,7 +128,6 @@ impl<'a> CfgBuilder<'_, 'a> {
 
     /// A call by a name that is worked out at run time: one of the routines whose name fits.
     fn late(&mut self, expr: &'a Expr, args: &'a [Arg], stmt: Span, out: &mut Vec<Node<'a>>) {
-        let ctx = self.ctx;
         let required = args.iter().filter(|a| matches!(a.kind, ArgKind::Positional(_))).count();
         let called = self.called_name(expr);
         let (start, whole) = (called.start.rsplit(':').next().unwrap_or_default().to_owned(), called.whole);
@@ -139,13 +142,19 @@ impl<'a> CfgBuilder<'_, 'a> {
         if routines.is_empty() {
             self.doubtful(expr.range, args, NotGiven::Procedure, stmt, out);
         }
-        if whole && routines.is_empty() {
-            let at = Span { file: ctx.file, range: expr.range };
-            self.out.not_given.entry(start).or_insert(at);
+        if routines.is_empty() {
+            let name = if whole { start } else { self.computed_name(expr) };
+            let at = Span { file: self.ctx.file, range: expr.range };
+            self.out.not_given.entry(name).or_insert(at);
         }
         if !whole || routines.is_empty() {
             out.push(Node::Step(FlowStep::UnknownPosition));
         }
+    }
+
+    /// What stands in a message for the procedure whose name an expression works out.
+    fn computed_name(&self, expr: &Expr) -> String {
+        format!("the procedure that {} names", as_text(self.text(expr.range)))
     }
 
     /// The procedures of the same task with so many `required` parameters whose name fits.
@@ -220,7 +229,11 @@ impl<'a> CfgBuilder<'_, 'a> {
         let routines = self.procedures(0, &fits);
         if !routines.is_empty() {
             out.push(self.known_call(routines, &[], true));
+            return;
         }
+        let at = Span { file: self.ctx.file, range: text.range };
+        let name = self.computed_name(text);
+        self.out.not_given.entry(format!("{name} with a number")).or_insert(at);
     }
 }
 

@@ -130,7 +130,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         match instruction == "pdispon" && !self.has_option(call, "exep") {
             true => "a program displacement is in force, which holds the correction of the motion before it",
             false if instruction == "pdispset" && self.is_by_pers(call) => {
-                "a program displacement is in force that a PERS gives, which a controller may hold otherwise than the file"
+                "a program displacement is in force that a controller may hold otherwise than the file"
             }
             false => "a program displacement is in force",
         }

@@ -5,9 +5,10 @@ use super::skip_reasons::{SkipReasons, is_known_at_run_time, skip};
 use crate::const_eval::{Constant, NameMeaning};
 use crate::convert;
 use crate::data::external_axis_letter;
+use crate::file_values::is_set_elsewhere;
 use crate::finite_set::FiniteSet;
 use crate::ids::DatumId;
-use crate::index::{Ctx, DatumKind};
+use crate::index::Ctx;
 use crate::motion::{MotionId, Origin, Path, PersTarget, PersUse, SkipReason, Target, TargetValue};
 use crate::motion_site::MoveArgs;
 use crate::names::as_text;
@@ -15,7 +16,7 @@ use crate::state::{State, View};
 use crate::tracked::names_in_where;
 use crate::value::{DataName, Reached, Value, Why};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
-use rapid_syntax::tree::{DataKind, Expr, ExprKind, UnaryOp};
+use rapid_syntax::tree::{Expr, ExprKind, UnaryOp};
 use std::rc::Rc;
 
 /// A motion's targets, and what is to be looked at once its frames are known.
@@ -96,7 +97,7 @@ impl<'a> MotionReader<'_, 'a> {
         (args, targets): (&MoveArgs<'a>, &[Target]),
         state: Option<&State>,
         ctx: Ctx,
-    ) -> Option<PersTarget> {
+    ) -> Option<(PersTarget, DatumId)> {
         let index = self.evaluator.index;
         let followed = self.of_file.get(&motion).copied();
         let (mut named, mut made_of) = (None, followed.flatten());
@@ -107,7 +108,7 @@ impl<'a> MotionReader<'_, 'a> {
             let chosen = target.indices().filter(|_| is_any_element(target)).map(|indices| indices.range);
             let counts = |_, part: &Expr| !chosen.is_some_and(|range| range.contains(part.range));
             names_in_where(index, ctx, expr, &counts, &mut |datum| {
-                if index.data[datum].kind == DatumKind::Declared(DataKind::Pers) {
+                if is_set_elsewhere(index, datum) {
                     named.get_or_insert(datum);
                 }
                 if followed.is_none() {
@@ -127,7 +128,8 @@ impl<'a> MotionReader<'_, 'a> {
             None => (of_frames()?, PersUse::Frames),
         };
         let (name, declaration) = (self.evaluator.name_of(datum), index.declaration(datum));
-        Some(PersTarget { motion, name, declaration, goes_into })
+        let is_variable = index.open_variables.contains(datum);
+        Some((PersTarget { motion, name, is_variable, declaration, goes_into }, datum))
     }
 
     fn target(

@@ -78,18 +78,24 @@ impl<'a> MotionReader<'_, 'a> {
         let code = "keep::runtime-target";
         if let Some(pers) = self.goes_into_index_and_rest(expr, ctx) {
             let name = self.evaluator.name_of(pers);
+            let kind = self.kind_of(pers);
             let reason = format!(
-                "the PERS {name} chooses the element and goes into the rest of the target too: of the element that {name} chooses on \
+                "the {kind} {name} chooses the element and goes into the rest of the target too: of the element that {name} chooses on \
                  the controller the file tells no such target"
             );
             return (target, SkipReason { code, reason, because: Some(index.declaration(pers)) });
         }
-        let reason = format!("the PERS {} chooses it", self.evaluator.name_of(pers));
+        let reason = format!("the {} {} chooses it", self.kind_of(pers), self.evaluator.name_of(pers));
         let why = SkipReason { code, reason, because: Some(index.declaration(pers)) };
         match self.elements(expr, ctx, joints_wanted) {
             Some((values, indices)) => (target.with_elements(values, indices), why),
             None => (target, why),
         }
+    }
+
+    /// How a datum is declared that is set elsewhere.
+    fn kind_of(&self, datum: DatumId) -> &'static str {
+        if self.evaluator.index.open_variables.contains(datum) { "VAR" } else { "PERS" }
     }
 
     /// The PERS that chooses an element of a target and goes into the rest of it.

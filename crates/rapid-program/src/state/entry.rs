@@ -17,6 +17,7 @@ use crate::ids::{DatumId, IdSet, RoutineIndex, Slot, Table};
 use crate::index::DatumKind;
 use crate::mod_ref::RoutineEffects;
 use crate::motion::SkipReason;
+use crate::open_variables::{has_main, is_seen_by_others};
 use crate::value::{Value, Why};
 use rapid_syntax::diagnostic::Span;
 use rapid_syntax::tree::DataKind;
@@ -118,6 +119,13 @@ impl StateAnalysis<'_, '_> {
         entry.ctx.routine.is_none() && kept.contains(&entry.kind)
     }
 
+    /// Whether a variable may have been set before the first routine that is given: one that other modules see, of a task without `main`.
+    fn is_handed_over(&self, datum: DatumId) -> bool {
+        let index = self.evaluator.index;
+        let entry = &index.data[datum];
+        is_seen_by_others(entry) && !has_main(index, entry.ctx)
+    }
+
     /// The routines that nothing calls: those with which the program or a library begins, and those beside a `main`, which only a
     /// hand calls.
     pub(super) fn not_called(&self) -> [Vec<RoutineIndex>; 2] {
@@ -155,6 +163,8 @@ impl StateAnalysis<'_, '_> {
             if !self.watched.is_empty() && matches!(kind, DatumKind::Declared(_)) {
                 // What a cycle of the program has left in it the next one begins with.
                 value = Value::Unknown(unknown("it may be as the cycle before has left it"));
+            } else if self.is_handed_over(datum) {
+                value = Value::Unknown(unknown("main is not given, and may have set it"));
             }
             let outlives = self.outlives(datum);
             // What a search has found, and where the robot stood, the next cycle begins with, too.
