@@ -10,7 +10,7 @@ use super::linearise::{Linearised, rms_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds, is_usual};
-use super::normal_equations::ModelColumns;
+use super::normal_equations::{JointLines, ModelColumns};
 use super::options::DiagnosisOptions;
 use super::payload_centre::PayloadCentre;
 use super::search::ChosenCause;
@@ -45,19 +45,7 @@ pub(super) fn identify(
     let dataset = &*with_holding_torques(fitted);
     let candidates = workspace.library.candidates;
     let moments = steps_by_rows(dataset, candidates, &model.chosen)?;
-    let lines = spectrum::spectra(candidates, &model.chosen);
-    let in_spectrum = |c: &&ChosenCause| {
-        let variant = candidates[c.candidate].variant;
-        variant.n.is_some() && lines.iter().any(|of| variant.joint == Some(of.joint))
-    };
-    let (named, chosen): (Vec<&ChosenCause>, Vec<&ChosenCause>) = model.chosen.iter().partition(in_spectrum);
-    let columns = ModelColumns {
-        dataset,
-        whitening: workspace.design.whitening(),
-        targets: stations.targets,
-        causes: chosen.iter().map(|c| &candidates[c.candidate]).collect(),
-        lines,
-    };
+    let Parameters { columns, named, chosen, size_rad } = parameters(fitted, dataset, stations.targets);
     let start = Identified {
         robot: robot.name.clone(),
         joint_kinds: robot.kinds(),
@@ -71,10 +59,10 @@ pub(super) fn identify(
         fitted,
         columns,
         named,
+        size_rad,
         options,
     };
-    let causes: Vec<f64> = chosen.iter().map(|c| (3.0 * c.size_ratio).powi(-2)).collect();
-    let RefitModel { mut identified, values, centre_m } = refit.solved(start, &causes)?;
+    let RefitModel { mut identified, values, centre_m } = refit.solved(start, &precisions_of(&chosen))?;
     let whole = Arc::new(identified.clone());
     let ModelResiduals { residuals: left, registration } =
         refit.residuals_of(&refit.stations, &whole, centre_m)?;
@@ -92,6 +80,68 @@ pub(super) fn identify(
     identified.as_written().map_err(|error| NoModel::Unwritable { problem: error.to_string() })
 }
 
+/// Which parameters a model has.
+struct Parameters<'a> {
+    columns: ModelColumns<'a>,
+    /// Lines of spectra that have names.
+    named: Vec<&'a ChosenCause>,
+    /// What stands for itself.
+    chosen: Vec<&'a ChosenCause>,
+    /// Prior standard deviation of a spectrum's lines, radians.
+    size_rad: f64,
+}
+
+/// The parameters of the model of what was found: a spectrum in the place of a joint's several lines, unless the lines by themselves transfer
+/// clearly better.
+fn parameters<'a>(fitted: &'a FittedModel<'_>, dataset: &'a Dataset, targets: usize) -> Parameters<'a> {
+    let FittedModel { linear, model, workspace } = fitted;
+    let candidates = workspace.library.candidates;
+    let with = |lines: Vec<JointLines>| {
+        let in_spectrum = |c: &&ChosenCause| {
+            let variant = candidates[c.candidate].variant;
+            variant.n.is_some() && lines.iter().any(|of| variant.joint == Some(of.joint))
+        };
+        let (named, chosen): (Vec<&ChosenCause>, Vec<&ChosenCause>) =
+            model.chosen.iter().partition(in_spectrum);
+        let causes = chosen.iter().map(|c| &candidates[c.candidate]).collect();
+        let whitening = workspace.design.whitening();
+        let columns = ModelColumns { dataset, whitening, targets, causes, lines };
+        Parameters { columns, named, chosen, size_rad: 1.0 }
+    };
+    let plain = with(Vec::new());
+    let lines = spectrum::spectra(candidates, &model.chosen);
+    if lines.is_empty() {
+        return plain;
+    }
+    let geometry = geometry_precision(fitted);
+    let mut spectral = with(lines);
+    let transfer = |parameters: &Parameters<'_>, sizes_rad: &[f64]| {
+        let causes = precisions_of(&parameters.chosen);
+        let columns = &parameters.columns;
+        spectrum::transfer(columns, (&linear.residuals, &model.outliers), sizes_rad, &|size_rad| {
+            spectrum::precisions(columns, geometry, &causes, model.peak.sigma_m, size_rad)
+        })
+    };
+    let (left_by_lines, _) = transfer(&plain, &[1.0]);
+    let (left, size_rad) = transfer(&spectral, &spectrum::SIZES_RAD);
+    if left_by_lines < left + spectrum::LINES_LEAVE.ln() {
+        return plain;
+    }
+    spectral.size_rad = size_rad;
+    spectral
+}
+
+/// Precisions of causes that were chosen.
+fn precisions_of(chosen: &[&ChosenCause]) -> Vec<f64> {
+    chosen.iter().map(|c| (3.0 * c.size_ratio).powi(-2)).collect()
+}
+
+/// Precision of a model's geometry; without any its columns are held at nothing.
+fn geometry_precision(fitted: &FittedModel<'_>) -> f64 {
+    let ratio = fitted.model.peak.geometry_ratio;
+    if ratio > 0.0 { ratio.powi(-2) } else { NOTHING }
+}
+
 /// What is fitted again on the arm as it really moves.
 struct Refit<'a> {
     robot: Arc<SerialArm>,
@@ -101,6 +151,8 @@ struct Refit<'a> {
     columns: ModelColumns<'a>,
     /// Lines of spectra that have names.
     named: Vec<&'a ChosenCause>,
+    /// Prior standard deviation of a spectrum's lines, radians.
+    size_rad: f64,
     options: &'a DiagnosisOptions,
 }
 
@@ -126,15 +178,9 @@ impl Refit<'_> {
     /// The terms of `start`, by Gauss-Newton from nothing, the causes' sizes held by their precisions `causes`.
     fn solved(&self, start: Identified, causes: &[f64]) -> Result<RefitModel, NoModel> {
         let FittedModel { linear, model, .. } = self.fitted;
-        let (columns, sigma_m, ratio) = (&self.columns, model.peak.sigma_m, model.peak.geometry_ratio);
-        // Without geometry in the model its columns are held at nothing.
-        let geometry = if ratio > 0.0 { ratio.powi(-2) } else { NOTHING };
-        let precisions_at = |size_rad| spectrum::precisions(columns, geometry, causes, sigma_m, size_rad);
-        let size_rad = match columns.lines.is_empty() {
-            true => 1.0,
-            false => spectrum::size_rad(columns, &linear.residuals, &model.outliers, precisions_at),
-        };
-        let precisions = precisions_at(size_rad);
+        let (columns, sigma_m) = (&self.columns, model.peak.sigma_m);
+        let geometry = geometry_precision(self.fitted);
+        let precisions = spectrum::precisions(columns, geometry, causes, sigma_m, self.size_rad);
         let all: Vec<usize> = (0..linear.dataset.observations.len()).collect();
         let mut normal = columns.sum(&all, &linear.residuals);
         let mut solution = normal.solve(&precisions).ok_or(NoModel::NotSolved)?;

@@ -4,7 +4,9 @@
 //! part of the turn the wrong one is as bad as none. Where a joint has several lines, the model therefore has all
 //! periods, each with the same small prior, which spreads what cannot be told apart. The size of that prior is chosen by
 //! transfer: each joint's lowest and highest fifth of its angles, and the last fifth of the time, are held out whole.
-//! Random folds hardly tell sizes apart, and evidence prefers one five times as large (docs/FIELD_RESULTS.md).
+//! Random folds hardly tell sizes apart, and evidence prefers one five times as large (docs/FIELD_RESULTS.md). A gear that has a few
+//! lines and no more keeps them: held at the spectrum's small size they would be left to all other periods, which fill the gaps between
+//! the rows with something else.
 
 use super::dataset::{Dataset, Twist};
 use super::design::Whitening;
@@ -19,9 +21,13 @@ const FEWEST_LINES: usize = 3;
 /// Periods per turn that a spectrum goes up to; lines named beyond are in it too.
 const HIGHEST: u32 = 80;
 /// Prior standard deviations of a line that are tried, radians.
-const SIZES_RAD: [f64; 6] = [1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7];
+pub(super) const SIZES_RAD: [f64; 6] = [1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7];
 /// Share of the stations held out at each end of a joint's range and of the time.
 const SHARE: usize = 5;
+/// Share of what the spectrum leaves where it was held out under which the lines by themselves are taken. They were chosen with those
+/// stations, and look better there than they are: of a UR10 (docs/FIELD_RESULTS.md) 40 lines left 0.75 of what the spectrum did, and 4.5 times as
+/// much where they had not been chosen with the stations either. Where a gear had three to five lines and no more they left 0.25 to 0.65.
+pub(super) const LINES_LEAVE: f64 = 0.7;
 /// More stations than this are thinned out while the size is chosen.
 const MOST_STATIONS: usize = 3000;
 
@@ -59,14 +65,15 @@ pub(super) fn precisions(
     all
 }
 
-/// The size of a line that transfers best: least logarithm of the held-out errors, on average over what is held out.
+/// The size of a line, of those given in falling order, that transfers best: least logarithm of the held-out errors, on average over
+/// what is held out, and that average.
 #[must_use]
-pub(super) fn size_rad(
+pub(super) fn transfer(
     columns: &ModelColumns<'_>,
-    residuals: &[Twist],
-    outliers: &[bool],
-    precisions_at: impl Fn(f64) -> Vec<f64>,
-) -> f64 {
+    (residuals, outliers): (&[Twist], &[bool]),
+    sizes_rad: &[f64],
+    precisions_at: &dyn Fn(f64) -> Vec<f64>,
+) -> (f64, f64) {
     let kept = thinned(columns.dataset);
     // Thinned out, each station stands for several.
     let factor = columns.dataset.observations.len() as f64 / kept.len().max(1) as f64;
@@ -88,8 +95,8 @@ pub(super) fn size_rad(
             (part.into_iter().filter(|&i| !outliers[i]).collect(), train)
         })
         .collect();
-    let mut best = (f64::INFINITY, SIZES_RAD[0]);
-    for size_rad in SIZES_RAD {
+    let mut best = (f64::INFINITY, sizes_rad[0]);
+    for &size_rad in sizes_rad {
         let precisions = precisions_at(size_rad);
         let left = |(part, train): &(Vec<usize>, NormalEquations)| {
             let solved = train.solve(&precisions)?.values;
@@ -99,14 +106,14 @@ pub(super) fn size_rad(
         };
         let scores: Vec<f64> =
             parallel::map(held.len(), &|at| left(&held[at])).into_iter().flatten().collect();
-        let score: f64 = scores.iter().sum();
+        let score = scores.iter().sum::<f64>() / scores.len().max(1) as f64;
         if score > best.0 {
             // One valley: the first time it rises is its floor.
             break;
         }
         best = (score, size_rad);
     }
-    best.1
+    best
 }
 
 /// Every so many-th station.
