@@ -320,7 +320,8 @@ mod long {
         // What is left at a motion that is kept is told as that.
         let cube = std::fs::read_to_string(CUBE).unwrap();
         let first = cube.lines().find(|line| line.contains("MoveL")).unwrap();
-        let displaced = format!("PDispSet [[0,0,5],[1,0,0,0]];\n{first}\nENDPROC");
+        // Left in force it would displace all from the second call on.
+        let displaced = format!("PDispSet [[0,0,5],[1,0,0,0]];\n{first}\nPDispOff;\nENDPROC");
         std::fs::write(at("kept.mod"), cube.replacen("ENDPROC", &displaced, 1)).unwrap();
         let effect =
             ["--inject", "joint_offset:3,joint_compliance:3", "--seed", "2", "--json", &at("r.json")];
