@@ -43,6 +43,8 @@ pub(super) struct Dataset {
     pub several_starts: bool,
     /// First and last reading of the clock: minutes, over all sessions, or places in the file where those tell the order; `None` where neither does.
     pub clock: Option<[f64; 2]>,
+    /// Nights and other pauses of that clock, in order.
+    pub pauses: Vec<Pause>,
     /// Whether what neighbouring rows share is of their moment: by times, or by the order of rows that is not that of their places.
     pub neighbours_in_time: bool,
     /// Lowest and highest temperature of each joint.
@@ -94,6 +96,7 @@ impl Dataset {
         });
         let neighbours_in_time =
             clock.is_some() && (time_min.is_some() || !in_order_of_places(&observations));
+        let pauses = clock.map_or_else(Vec::new, |_| pauses(&observations));
         let loaded = Joints::from_fn(robot.joints.len(), |j| {
             observations.iter().any(|s| s.loads.torque_n_m[j].abs() > LEAST_TORQUE_N_M)
         });
@@ -116,6 +119,7 @@ impl Dataset {
             time_min,
             several_starts,
             clock,
+            pauses,
             joint_temperature_c,
             masses_known: robot.links.is_some(),
             rows_per_observation: if channels.orientation { 6 } else { 3 },
@@ -197,6 +201,43 @@ impl Dataset {
             None => observation.row / self.last_row.max(1.0),
         }
     }
+
+    /// The same with pauses closed: what is slow beside the rows of a day has nothing left of it on the next.
+    #[must_use]
+    pub(super) fn progress_at_work(&self, observation: &Observation) -> f64 {
+        let Some([low, high]) = self.clock.filter(|_| !self.pauses.is_empty()) else {
+            return self.progress(observation);
+        };
+        let before = |clock: f64| -> f64 {
+            self.pauses.iter().take_while(|pause| pause.end <= clock).map(|pause| pause.closed).sum()
+        };
+        let clock = observation.clock();
+        (clock - low - before(clock)) / (high - low - before(high))
+    }
+}
+
+/// A pause of the clock that is closed but for what a row takes ten times over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pause {
+    /// When work goes on.
+    end: f64,
+    /// How much of the clock is taken out.
+    closed: f64,
+}
+
+/// A gap of so many usual ones is a pause.
+const PAUSE_GAPS: f64 = 10.0;
+
+/// The pauses between rows, by the middle gap.
+fn pauses(observations: &[Observation]) -> Vec<Pause> {
+    let mut clocks: Vec<f64> = observations.iter().map(Observation::clock).collect();
+    clocks.sort_by(f64::total_cmp);
+    let gaps = || clocks.windows(2).map(|pair| (pair[1], pair[1] - pair[0])).filter(|(_, gap)| *gap > 0.0);
+    let mut sorted: Vec<f64> = gaps().map(|(_, gap)| gap).collect();
+    sorted.sort_by(f64::total_cmp);
+    let Some(middle) = sorted.get(sorted.len() / 2) else { return Vec::new() };
+    let longest = PAUSE_GAPS * middle;
+    gaps().filter(|(_, gap)| *gap > longest).map(|(end, gap)| Pause { end, closed: gap - longest }).collect()
 }
 
 /// Coordinates of a point.

@@ -2,13 +2,16 @@
 //!
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
+use super::effects::effect;
 use super::evaluate::{Evaluation, Prepared, evaluate};
 use super::linearise::linearise;
 use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
+use super::repeats_one_way::one_way;
 use super::stated_noise::{contradicted_noise, overstated_noise};
+use super::time_course::TimeCourse;
 use measurements::{
     Fault, Measurements, OneStand, RegisterError, RowCheck, StandError, Stations, check_rows,
     find_pose_names, from_one_stand, gather, turned,
@@ -21,6 +24,9 @@ use std::collections::BTreeSet;
 /// Fewer stations or poses than these say nothing.
 const FEWEST_STATIONS: usize = 12;
 const FEWEST_POSES: usize = 8;
+/// Poses that are enough for what changes over time, where so many stations come back to them: each is held against itself.
+const FEWEST_POSES_OVER_TIME: usize = 5;
+const FEWEST_STATIONS_OVER_TIME: usize = 30;
 
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
@@ -66,7 +72,11 @@ fn examine_in_pool(
         warnings.extend(seen.warnings.iter().map(Warning::from));
         let stations = usable_stations(&seen, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
-        evaluated(measured, &seen, options, wants_model)
+        let evaluation = evaluated(measured, &seen, options, wants_model)?;
+        match poses(&stations) < FEWEST_POSES && !changes_over_time(&evaluation.diagnosis) {
+            true => Err(too_few(&stations)),
+            false => Ok(evaluation),
+        }
     });
     let mut evaluation =
         evaluation.unwrap_or_else(|unusable| Evaluation::without_model(unusable.diagnosis()));
@@ -135,19 +145,37 @@ fn usable_stations(
     if !stations.channels.time {
         stations.stations.iter_mut().for_each(|s| s.t_min = None);
     }
-    let poses: BTreeSet<usize> = stations.stations.iter().map(|s| s.pose).collect();
-    if stations.stations.len() < FEWEST_STATIONS || poses.len() < FEWEST_POSES {
-        let repeated = if stations.stations.len() >= FEWEST_STATIONS {
-            "; how these repeat, and drift, is judged by driftpost accuracy"
-        } else {
-            ""
-        };
-        return Err(Unusable::TooLittle(format!(
-            "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot{repeated}",
-            poses.len()
-        )));
+    let poses = poses(&stations);
+    let often = stations.channels.time && stations.stations.len() >= FEWEST_STATIONS_OVER_TIME;
+    let enough = if often { FEWEST_POSES_OVER_TIME } else { FEWEST_POSES };
+    if stations.stations.len() < FEWEST_STATIONS || poses < enough {
+        return Err(too_few(&stations));
     }
     Ok(stations)
+}
+
+/// How many poses stations stand in.
+fn poses(stations: &Stations) -> usize {
+    stations.stations.iter().map(|station| station.pose).collect::<BTreeSet<usize>>().len()
+}
+
+/// That poses are too few for what is the same from the first row to the last.
+fn too_few(stations: &Stations) -> Unusable {
+    let repeated = if stations.stations.len() >= FEWEST_STATIONS {
+        "; how these repeat, and drift, is judged by driftpost accuracy"
+    } else {
+        ""
+    };
+    Unusable::TooLittle(format!(
+        "{} different poses are too few: base and target alone take 9 unknowns; 30 spread poses say something, 60 a lot{repeated}",
+        poses(stations)
+    ))
+}
+
+/// Whether a diagnosis names causes that change over time, and no other.
+fn changes_over_time(diagnosis: &Findings) -> bool {
+    let is_named = matches!(diagnosis.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+    is_named && diagnosis.causes.iter().all(|cause| effect(cause.effect).time() != TimeCourse::Constant)
 }
 
 /// That what sags was weighed with masses that nobody stated.
@@ -179,6 +207,13 @@ fn evaluated(
     let overstated = overstated_noise(stations, &registration, options);
     let options = &DiagnosisOptions { sigma_m: options.sigma_m.filter(|_| overstated.is_none()), ..*options };
     let linear = linearise(robot, stations, &registration, options.tool_m, turns)?;
+    if let Some(one_way) = one_way(measured.measurements, stations, &linear, options.sigma_m) {
+        let apart = one_way.apart(measured.measurements, stations);
+        let mut evaluation =
+            evaluated(MeasuredRobot { stations: &apart, ..measured }, seen, options, wants_model)?;
+        evaluation.diagnosis.warnings.insert(0, one_way.warning());
+        return Ok(evaluation);
+    }
     let noise = NoisePrior::new(stations.repeats.as_ref(), options.sigma_m);
     let mut evaluation = evaluate(&Prepared { measured, linear: &linear, noise, options }, wants_model);
     let guessed = guessed_masses(robot, &evaluation.diagnosis);

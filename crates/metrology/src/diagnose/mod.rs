@@ -45,6 +45,7 @@ mod outcome;
 mod outlier_history;
 mod payload_centre;
 mod play_ahead;
+mod repeats_one_way;
 mod robust_weights;
 mod rounded_scatter;
 mod rounding;

@@ -1,6 +1,6 @@
 //! Noise that is slow: a tracker in moving air, a hall that breathes. A nuisance beside causes, never a veto against them.
 //!
-//! Each coordinate gets slow functions of the measurement's progress, cosines of k half periods with the spectrum of an
+//! Each coordinate gets slow functions of the measurement's progress, with nights and other pauses closed, cosines of k half periods with the spectrum of an
 //! Ornstein-Uhlenbeck process (Uhlenbeck and Ornstein 1930): the k-th has the variance 1 / (1 + (pi k tau)^2). Amplitude and
 //! tau are those that are likeliest beside the causes; without 5 nats for it there is none.
 
@@ -50,7 +50,7 @@ fn columns(design: &Design, dataset: &Dataset, tau: f64) -> DMatrix<f64> {
     // A cosine has half a square on average.
     let total = (1..=waves).map(|k| 0.5 * variance(k)).sum::<f64>().max(1e-12);
     design.stack(dataset, 3 * waves, |_, observation, out| {
-        let progress = dataset.progress(observation);
+        let progress = dataset.progress_at_work(observation);
         for k in 1..=waves {
             let size_m = UNIT_M * (variance(k) / total).sqrt() * (PI * k as f64 * progress).cos();
             out.extend((0..3).map(|axis| -> Twist {

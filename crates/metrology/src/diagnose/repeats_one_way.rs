@@ -1,0 +1,215 @@
+//! Repeats of a pose that differ along the way on which one joint takes the point: the joint stood in two places, by its play, its friction or
+//! a payload that nobody recorded. Their scatter is then no noise, and their mean hides what differs.
+//!
+//! Noise has no such way, but may be larger across an instrument's beam than along it: what counts is what the repeats share with a joint beyond
+//! what their common covariance gives them. Where a smaller noise is stated, and is what is left across the joint's way, one common way is
+//! enough; and so it is that rows near each other in the file differ from their poses' means alike.
+
+use super::linearise::Linearised;
+use super::marginal::NoisePrior;
+use super::outcome::Warning;
+use measurements::{Measurements, Repeats, Station, Stations, alone};
+use nalgebra::{Matrix3, Vector3};
+use robot_model::robot::Axis;
+use robot_model::units::mm_from_m;
+use std::collections::BTreeMap;
+
+/// Beyond chance, normal quantile: with six joints once in five thousand files.
+const BEYOND_CHANCE: f64 = 4.0;
+/// Poses that are repeated, at least: fewer tell no covariance.
+const FEWEST_REPEATED: usize = 8;
+
+/// What the repeats of one station are, base axes.
+struct Repeated<'s> {
+    station: usize,
+    /// Off their mean, metres.
+    off_m: Vec<Vector3<f64>>,
+    of: &'s Station,
+}
+
+impl Repeated<'_> {
+    fn squares(&self) -> f64 {
+        self.off_m.iter().map(Vector3::norm_squared).sum()
+    }
+
+    fn along(&self, way: &Vector3<f64>) -> f64 {
+        self.off_m.iter().map(|off| off.dot(way).powi(2)).sum()
+    }
+
+    /// Repeats beyond the first.
+    fn freedom(&self) -> f64 {
+        self.of.rows.len() as f64 - 1.0
+    }
+}
+
+/// Repeats that are no noise.
+pub(super) struct OneWay {
+    /// The joint along whose way they differ; `None` where rows near each other differ alike.
+    joint: Option<Axis>,
+    seen_m: f64,
+    /// The noise across that way; `None` where it is the one stated.
+    across: Option<Repeats>,
+}
+
+/// Whether the repeats of `stations` differ along the way of one joint, or alike in rows near each other; `stated_m`: the noise of one coordinate as
+/// stated, metres.
+#[must_use]
+pub(super) fn one_way(
+    measurements: &Measurements,
+    stations: &Stations,
+    linear: &Linearised,
+    stated_m: Option<f64>,
+) -> Option<OneWay> {
+    let seen = stations.repeats.filter(|_| linear.dataset.stands == 1)?;
+    let repeated = repeated(measurements, stations, linear);
+    if repeated.len() < FEWEST_REPEATED {
+        return None;
+    }
+    let isotropic = Matrix3::identity();
+    let products =
+        |one: &Repeated<'_>| one.off_m.iter().map(|off| off * off.transpose()).sum::<Matrix3<f64>>();
+    let common: Matrix3<f64> = repeated.iter().map(products).sum();
+    let found = |joint: usize, across: Repeats| OneWay {
+        joint: Some(Axis::at(joint)),
+        seen_m: seen.sigma_m,
+        across: Some(across),
+    };
+    if let Some(joint) = most_beyond_chance(&repeated, linear, &common) {
+        return Some(found(joint, across(&repeated, linear, joint, seen)?));
+    }
+    let smaller = stated_m.filter(|&stated_m| stated_m < seen.sigma_m);
+    if smaller.is_none() || !NoisePrior::contradicted(Some(&seen), smaller) {
+        return None;
+    }
+    if let Some(joint) = most_beyond_chance(&repeated, linear, &isotropic)
+        && let Some(across) = across(&repeated, linear, joint, seen)
+        && !NoisePrior::contradicted(Some(&across), smaller)
+    {
+        return Some(found(joint, across));
+    }
+    differ_alike(&repeated).then_some(OneWay { joint: None, seen_m: seen.sigma_m, across: None })
+}
+
+/// The stations that hold several points.
+fn repeated<'s>(
+    measurements: &Measurements,
+    stations: &'s Stations,
+    linear: &Linearised,
+) -> Vec<Repeated<'s>> {
+    let base_from_instrument = linear.registration.instrument_from_base.rotation.inverse();
+    let off = |station: &Station| -> Option<Vec<Vector3<f64>>> {
+        let point =
+            |&row: &usize| Some(base_from_instrument * measurements.rows.get(row)?.reading.position_m()?);
+        let points: Option<Vec<Vector3<f64>>> = station.rows.iter().map(point).collect();
+        let points = points?;
+        let middle = points.iter().sum::<Vector3<f64>>() / points.len() as f64;
+        Some(points.into_iter().map(|point| point - middle).collect())
+    };
+    let all = stations.stations.iter().enumerate();
+    all.filter(|(_, of)| of.rows.len() > 1 && of.reading.involves_arm())
+        .filter_map(|(station, of)| Some(Repeated { station, off_m: off(of)?, of }))
+        .collect()
+}
+
+/// The joint along whose ways repeats of `covariance` differ most, beyond chance.
+fn most_beyond_chance(
+    repeated: &[Repeated<'_>],
+    linear: &Linearised,
+    covariance: &Matrix3<f64>,
+) -> Option<usize> {
+    (0..linear.dataset.joints())
+        .map(|joint| (joint, beyond_chance(repeated, linear, joint, covariance)))
+        .filter(|(_, z)| *z > BEYOND_CHANCE)
+        .max_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(joint, _)| joint)
+}
+
+/// The noise across a joint's ways.
+fn across(repeated: &[Repeated<'_>], linear: &Linearised, joint: usize, seen: Repeats) -> Option<Repeats> {
+    let (mut squares_m2, mut freedom) = (0.0, 0.0);
+    for one in repeated {
+        let Some(way) = way(linear, one.station, joint) else { continue };
+        squares_m2 += one.squares() - one.along(&way);
+        freedom += 2.0 * one.freedom();
+    }
+    let sigma_m = (squares_m2 / freedom).sqrt();
+    (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: freedom as usize, ..seen })
+}
+
+/// Whether rows near each other in the file lie off their poses' means in the same direction.
+fn differ_alike(repeated: &[Repeated<'_>]) -> bool {
+    let mut off: Vec<(usize, usize, Vector3<f64>)> = Vec::new();
+    for one in repeated {
+        let rows = one.of.rows.iter().zip(&one.off_m);
+        off.extend(rows.filter_map(|(&row, off)| Some((row, one.station, off.try_normalize(0.0)?))));
+    }
+    off.sort_by_key(|(row, ..)| *row);
+    let neighbours = off.windows(2).filter(|pair| pair[0].1 != pair[1].1);
+    let cosines: Vec<f64> = neighbours.map(|pair| pair[0].2.dot(&pair[1].2)).collect();
+    // The cosine of two directions by chance has the mean 0 and the variance 1 / 3.
+    cosines.iter().sum::<f64>() > BEYOND_CHANCE * (cosines.len() as f64 / 3.0).sqrt()
+}
+
+/// Direction in which a joint takes the point at a station; `None` where it hardly moves it.
+fn way(linear: &Linearised, station: usize, joint: usize) -> Option<Vector3<f64>> {
+    let column = linear.dataset.observations.get(station)?.jacobian_column(joint);
+    Vector3::new(column[0], column[1], column[2]).try_normalize(1e-3)
+}
+
+/// How far the share of the repeats' squares along a joint's ways lies beyond what `covariance` gives, in standard deviations.
+fn beyond_chance(
+    repeated: &[Repeated<'_>],
+    linear: &Linearised,
+    joint: usize,
+    covariance: &Matrix3<f64>,
+) -> f64 {
+    let (mut beyond, mut variance) = (0.0, 0.0);
+    for one in repeated {
+        let Some(way) = way(linear, one.station, joint) else { continue };
+        let share = (way.transpose() * covariance * way)[0] / covariance.trace();
+        let squares = one.squares();
+        beyond += one.along(&way) - share * squares;
+        // Of a normal direction the share has a beta distribution.
+        variance += squares * squares * share * (1.0 - share) / (1.5 * one.freedom() + 1.0);
+    }
+    if variance > 0.0 { beyond / variance.sqrt() } else { 0.0 }
+}
+
+impl OneWay {
+    /// Each row of `stations` as a station of its own, with the noise across that way.
+    #[must_use]
+    pub(super) fn apart(&self, measurements: &Measurements, stations: &Stations) -> Stations {
+        let mut rows: Vec<usize> = stations.stations.iter().flat_map(|s| s.rows.iter().copied()).collect();
+        rows.sort_unstable();
+        let pose_of: BTreeMap<usize, usize> =
+            stations.stations.iter().flat_map(|s| s.rows.iter().map(|&row| (row, s.pose))).collect();
+        let mut apart = alone(measurements, &rows);
+        for station in &mut apart {
+            // Repeats stay together in every fold.
+            station.pose =
+                station.rows.first().and_then(|row| pose_of.get(row)).copied().unwrap_or(station.pose);
+            station.t_min = station.t_min.filter(|_| stations.channels.time);
+        }
+        Stations { stations: apart, repeats: self.across, ..stations.clone() }
+    }
+
+    /// That these repeats are no noise.
+    #[must_use]
+    pub(super) fn warning(&self) -> Warning {
+        let seen_mm = mm_from_m(self.seen_m);
+        let how = match (self.joint, self.across) {
+            (Some(joint), Some(across)) => format!(
+                "along the way on which joint {joint} takes the point more than across it ({:.4} mm, which is taken for the noise)",
+                mm_from_m(across.sigma_m)
+            ),
+            _ => "alike in rows near each other, by more than the noise that was stated".to_owned(),
+        };
+        Warning {
+            code: "diagnose::repeats-one-way",
+            message: format!(
+                "the repeats of a pose differ by {seen_mm:.4} mm in one coordinate, {how}: joints stood in two places there, by the direction from \
+                 which they came or a payload that is not recorded; each row is a station of its own"
+            ),
+        }
+    }
+}
