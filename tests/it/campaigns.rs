@@ -32,6 +32,10 @@ fn friction_is_no_play() {
     assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
     assert_eq!(found["where"]["joint"], 2);
     assert!(found["reason"].as_str().unwrap().contains("gravity's torque"), "{}", found["reason"]);
+    // Orientation says little of it, and halves what a sigma over all six numbers says.
+    let found = diagnose("friction_with_orientation.csv", "irb6700", "0.04");
+    assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
+    assert!(found["reason"].as_str().unwrap().contains("gravity's torque"), "{}", found["reason"]);
     let found = diagnose("play.csv", "irb140", "0.05");
     assert_eq!(found["verdict"], "explained", "{}", found["reason"]);
     let first = &found["causes"][0];

@@ -3,6 +3,7 @@
 use super::cycles;
 use super::overtones::{has_corners, line_odds, overtones};
 use super::size::total_rms_m;
+use crate::diagnose::dataset::NUMBERS_OF_POINT;
 use crate::diagnose::effects::Candidate;
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
 use crate::diagnose::gp_alternative::{self, Ball, GpAlternative, WeightedAlternative};
@@ -264,6 +265,8 @@ pub(super) fn loaded_play(
     rest: &HypothesisRanking,
 ) -> Option<usize> {
     let library = &fitted.workspace.library;
+    // A sigma is of all rows of a station, its orientation's too, which see little of what joints near the base do.
+    let of_points = (fitted.linear.dataset.rows_per_observation as f64 / NUMBERS_OF_POINT as f64).sqrt();
     let is_friction = |(k, peak): &(usize, EvidencePeak)| {
         let GpAlternative::LoadedPlay(joint) = library.gp_alternatives[*k].gp_alternative else {
             return false;
@@ -273,7 +276,8 @@ pub(super) fn loaded_play(
             candidate.kind == EffectKind::Backlash && candidate.variant.joint == Some(joint)
         });
         let play_m = play.map_or(0.0, |play| total_rms_m(fitted, std::slice::from_ref(play)));
-        rest.over_null_nats(peak) > ALARM_NATS && left_over_m(rest, *k) > NEGLIGIBLE_STRUCTURE_RATIO * play_m
+        let left_m = of_points * left_over_m(rest, *k);
+        rest.over_null_nats(peak) > ALARM_NATS && left_m > NEGLIGIBLE_STRUCTURE_RATIO * play_m
     };
     rest.gp_alternatives().find(is_friction).map(|(k, _)| k)
 }
