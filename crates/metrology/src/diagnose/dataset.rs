@@ -220,7 +220,7 @@ impl Dataset {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pause {
     /// When work goes on.
-    end: f64,
+    pub end: f64,
     /// How much of the clock is taken out.
     closed: f64,
 }

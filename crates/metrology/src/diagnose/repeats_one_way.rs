@@ -1,14 +1,15 @@
 //! Repeats of a pose that differ along the way on which one joint takes the point: the joint stood in two places, by its play, its friction or
 //! a payload that nobody recorded. Their scatter is then no noise, and their mean hides what differs.
 //!
-//! Noise has no such way, but may be larger across an instrument's beam than along it: what counts is what the repeats share with a joint beyond
-//! what their common covariance gives them. Where a smaller noise is stated, and is what is left across the joint's way, one common way is
-//! enough; and so it is that rows near each other in the file differ from their poses' means alike.
+//! It is asked where a smaller noise is stated than they show: a joint that dithers makes noise along its way, too. An instrument's noise may be
+//! larger in one direction than in others: what counts is what the repeats share with a joint beyond what their common covariance gives
+//! them, and where the noise stated is what is left across the joint's way, a part of that is enough. So it is that rows near each other in the
+//! file lie off their poses' means alike.
 
 use super::linearise::Linearised;
 use super::marginal::NoisePrior;
 use super::outcome::Warning;
-use measurements::{Measurements, Repeats, Station, Stations, alone};
+use measurements::{Measurements, Repeats, Station, Stations, alone, median};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
@@ -16,6 +17,8 @@ use std::collections::BTreeMap;
 
 /// Beyond chance, normal quantile: with six joints once in five thousand files.
 const BEYOND_CHANCE: f64 = 4.0;
+/// The same beyond what all repeats have in common, where the noise stated is what is left across.
+const BEYOND_COMMON: f64 = 2.0;
 /// Poses that are repeated, at least: fewer tell no covariance.
 const FEWEST_REPEATED: usize = 8;
 
@@ -47,8 +50,8 @@ pub(super) struct OneWay {
     /// The joint along whose way they differ; `None` where rows near each other differ alike.
     joint: Option<Axis>,
     seen_m: f64,
-    /// The noise across that way; `None` where it is the one stated.
-    across: Option<Repeats>,
+    /// The noise across that way, or from row to row.
+    across: Repeats,
 }
 
 /// Whether the repeats of `stations` differ along the way of one joint, or alike in rows near each other; `stated_m`: the noise of one coordinate as
@@ -61,33 +64,38 @@ pub(super) fn one_way(
     stated_m: Option<f64>,
 ) -> Option<OneWay> {
     let seen = stations.repeats.filter(|_| linear.dataset.stands == 1)?;
-    let repeated = repeated(measurements, stations, linear);
-    if repeated.len() < FEWEST_REPEATED {
-        return None;
-    }
-    let isotropic = Matrix3::identity();
-    let products =
-        |one: &Repeated<'_>| one.off_m.iter().map(|off| off * off.transpose()).sum::<Matrix3<f64>>();
-    let common: Matrix3<f64> = repeated.iter().map(products).sum();
-    let found = |joint: usize, across: Repeats| OneWay {
-        joint: Some(Axis::at(joint)),
-        seen_m: seen.sigma_m,
-        across: Some(across),
-    };
-    if let Some(joint) = most_beyond_chance(&repeated, linear, &common) {
-        return Some(found(joint, across(&repeated, linear, joint, seen)?));
-    }
     let smaller = stated_m.filter(|&stated_m| stated_m < seen.sigma_m);
     if smaller.is_none() || !NoisePrior::contradicted(Some(&seen), smaller) {
         return None;
     }
-    if let Some(joint) = most_beyond_chance(&repeated, linear, &isotropic)
-        && let Some(across) = across(&repeated, linear, joint, seen)
-        && !NoisePrior::contradicted(Some(&across), smaller)
-    {
-        return Some(found(joint, across));
+    let repeated = repeated(measurements, stations, linear);
+    if repeated.len() < FEWEST_REPEATED {
+        return None;
     }
-    differ_alike(&repeated).then_some(OneWay { joint: None, seen_m: seen.sigma_m, across: None })
+    let products =
+        |one: &Repeated<'_>| one.off_m.iter().map(|off| off * off.transpose()).sum::<Matrix3<f64>>();
+    let common: Matrix3<f64> = repeated.iter().map(products).sum();
+    let beyond =
+        |joint: usize, covariance: &Matrix3<f64>| beyond_chance(&repeated, linear, joint, covariance);
+    let joints: Vec<(usize, f64)> =
+        (0..linear.dataset.joints()).map(|joint| (joint, beyond(joint, &common))).collect();
+    let isotropic = Matrix3::identity();
+    let is_left_across = |across: &Repeats| !NoisePrior::contradicted(Some(across), smaller);
+    let along_joint = joints
+        .iter()
+        .filter_map(|&(joint, z)| Some((joint, z, across(&repeated, linear, joint, seen)?)))
+        .filter(|(joint, z, across)| {
+            *z > BEYOND_CHANCE
+                || (*z > BEYOND_COMMON
+                    && beyond(*joint, &isotropic) > BEYOND_CHANCE
+                    && is_left_across(across))
+        })
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    let (joint, across) = match along_joint {
+        Some((joint, _, across)) => (Some(Axis::at(joint)), across),
+        None => (None, alike(&repeated, seen)?),
+    };
+    Some(OneWay { joint, seen_m: seen.sigma_m, across })
 }
 
 /// The stations that hold several points.
@@ -111,19 +119,6 @@ fn repeated<'s>(
         .collect()
 }
 
-/// The joint along whose ways repeats of `covariance` differ most, beyond chance.
-fn most_beyond_chance(
-    repeated: &[Repeated<'_>],
-    linear: &Linearised,
-    covariance: &Matrix3<f64>,
-) -> Option<usize> {
-    (0..linear.dataset.joints())
-        .map(|joint| (joint, beyond_chance(repeated, linear, joint, covariance)))
-        .filter(|(_, z)| *z > BEYOND_CHANCE)
-        .max_by(|a, b| a.1.total_cmp(&b.1))
-        .map(|(joint, _)| joint)
-}
-
 /// The noise across a joint's ways.
 fn across(repeated: &[Repeated<'_>], linear: &Linearised, joint: usize, seen: Repeats) -> Option<Repeats> {
     let (mut squares_m2, mut freedom) = (0.0, 0.0);
@@ -136,18 +131,32 @@ fn across(repeated: &[Repeated<'_>], linear: &Linearised, joint: usize, seen: Re
     (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: freedom as usize, ..seen })
 }
 
-/// Whether rows near each other in the file lie off their poses' means in the same direction.
-fn differ_alike(repeated: &[Repeated<'_>]) -> bool {
-    let mut off: Vec<(usize, usize, Vector3<f64>)> = Vec::new();
+/// The noise that changes from row to row, where rows near each other in the file lie off their poses' means in the same direction.
+fn alike(repeated: &[Repeated<'_>], seen: Repeats) -> Option<Repeats> {
+    /// Middle of a chi-square of three degrees of freedom.
+    const MIDDLE_OF_SQUARES: f64 = 2.366;
+    let mut off: Vec<(usize, usize, Vector3<f64>, f64)> = Vec::new();
     for one in repeated {
-        let rows = one.of.rows.iter().zip(&one.off_m);
-        off.extend(rows.filter_map(|(&row, off)| Some((row, one.station, off.try_normalize(0.0)?))));
+        // Of n repeats one lies off their mean by (n - 1) / n of the variance.
+        let share = one.freedom() / (one.freedom() + 1.0);
+        off.extend(one.of.rows.iter().zip(&one.off_m).map(|(&row, off)| (row, one.station, *off, share)));
     }
     off.sort_by_key(|(row, ..)| *row);
-    let neighbours = off.windows(2).filter(|pair| pair[0].1 != pair[1].1);
-    let cosines: Vec<f64> = neighbours.map(|pair| pair[0].2.dot(&pair[1].2)).collect();
+    let neighbours: Vec<_> = off.windows(2).filter(|pair| pair[0].1 != pair[1].1).collect();
+    let cosine = |pair: &&[(usize, usize, Vector3<f64>, f64)]| {
+        Some(pair[0].2.try_normalize(0.0)?.dot(&pair[1].2.try_normalize(0.0)?))
+    };
+    let cosines: Vec<f64> = neighbours.iter().filter_map(cosine).collect();
     // The cosine of two directions by chance has the mean 0 and the variance 1 / 3.
-    cosines.iter().sum::<f64>() > BEYOND_CHANCE * (cosines.len() as f64 / 3.0).sqrt()
+    if cosines.iter().sum::<f64>() <= BEYOND_CHANCE * (cosines.len() as f64 / 3.0).sqrt() {
+        return None;
+    }
+    let mut variances: Vec<f64> = neighbours
+        .iter()
+        .map(|pair| (pair[1].2 - pair[0].2).norm_squared() / (pair[0].3 + pair[1].3) / MIDDLE_OF_SQUARES)
+        .collect();
+    let sigma_m = median(&mut variances).sqrt();
+    (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: neighbours.len(), ..seen })
 }
 
 /// Direction in which a joint takes the point at a station; `None` where it hardly moves it.
@@ -190,19 +199,21 @@ impl OneWay {
                 station.rows.first().and_then(|row| pose_of.get(row)).copied().unwrap_or(station.pose);
             station.t_min = station.t_min.filter(|_| stations.channels.time);
         }
-        Stations { stations: apart, repeats: self.across, ..stations.clone() }
+        Stations { stations: apart, repeats: Some(self.across), ..stations.clone() }
     }
 
     /// That these repeats are no noise.
     #[must_use]
     pub(super) fn warning(&self) -> Warning {
         let seen_mm = mm_from_m(self.seen_m);
-        let how = match (self.joint, self.across) {
-            (Some(joint), Some(across)) => format!(
-                "along the way on which joint {joint} takes the point more than across it ({:.4} mm, which is taken for the noise)",
-                mm_from_m(across.sigma_m)
+        let across_mm = mm_from_m(self.across.sigma_m);
+        let how = match self.joint {
+            Some(joint) => format!(
+                "along the way on which joint {joint} takes the point more than across it ({across_mm:.4} mm, which is taken for the noise)"
             ),
-            _ => "alike in rows near each other, by more than the noise that was stated".to_owned(),
+            None => format!(
+                "alike in rows near each other, which differ by {across_mm:.4} mm, taken for the noise"
+            ),
         };
         Warning {
             code: "diagnose::repeats-one-way",

@@ -23,6 +23,8 @@ const STATIONS_PER_WAVE: usize = 6;
 const MOST_STATIONS: usize = 2000;
 /// The same of a set without times: more rows are of several days, and the pauses between them are in no column.
 const MOST_WITHOUT_TIMES: usize = 500;
+/// More pauses than this are the way in which it was measured.
+const MOST_PAUSES: usize = 6;
 /// Size of a column, metres: near the noise, so that amplitudes are near one.
 const UNIT_M: f64 = 1e-4;
 
@@ -43,16 +45,20 @@ impl SlowNoise {
     }
 }
 
-/// One shift along each axis for each wave, sized to [`UNIT_M`] together.
+/// One shift along each axis for each wave, sized to [`UNIT_M`] together, and one as large for what lies behind each pause: a hall is not what it was
+/// the day before.
 fn columns(design: &Design, dataset: &Dataset, tau: f64) -> DMatrix<f64> {
+    let pauses = if dataset.pauses.len() > MOST_PAUSES { &[][..] } else { &dataset.pauses[..] };
     let waves = (dataset.observations.len() / STATIONS_PER_WAVE).min(MOST_WAVES);
     let variance = |k: usize| 1.0 / (1.0 + (PI * k as f64 * tau).powi(2));
     // A cosine has half a square on average.
     let total = (1..=waves).map(|k| 0.5 * variance(k)).sum::<f64>().max(1e-12);
-    design.stack(dataset, 3 * waves, |_, observation, out| {
+    design.stack(dataset, 3 * (waves + pauses.len()), |_, observation, out| {
         let progress = dataset.progress_at_work(observation);
-        for k in 1..=waves {
-            let size_m = UNIT_M * (variance(k) / total).sqrt() * (PI * k as f64 * progress).cos();
+        let waves =
+            (1..=waves).map(|k| UNIT_M * (variance(k) / total).sqrt() * (PI * k as f64 * progress).cos());
+        let levels = pauses.iter().map(|pause| if observation.clock() < pause.end { 0.0 } else { UNIT_M });
+        for size_m in waves.chain(levels) {
             out.extend((0..3).map(|axis| -> Twist {
                 let mut shift = Twist::default();
                 shift[axis] = size_m;
