@@ -219,7 +219,10 @@ impl ProgramInput {
             paths: modules,
             bytes: Vec::new(),
             encoded: Vec::new(),
-            not_read: others.into_iter().filter(|path| is_called_a_result(path)).collect(),
+            not_read: others
+                .into_iter()
+                .filter(|path| is_called_a_result(path) && !on_disk(path, folder))
+                .collect(),
             is_standard: false,
             is_folder: true,
         })

@@ -131,6 +131,7 @@ const FUNCTIONS: &[&str] = &[
     "indspeed",
     "iounitstate",
     "isbrakecheckactive",
+    "iscollfree",
     "iscyclicbool",
     "isfile",
     "isleadthrough",

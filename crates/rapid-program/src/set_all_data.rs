@@ -55,7 +55,7 @@ fn meant_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<Diagnos
         }
     }
     // A pattern that begins with a letter of its own finds no name that begins with tc.
-    let begins = object.as_deref().and_then(|pattern| pattern.chars().next());
+    let begins = object.as_deref().and_then(|pattern| pattern.trim_start_matches('^').chars().next());
     if begins.is_some_and(|first| first.is_ascii_alphanumeric() && first != 't') {
         return None;
     }

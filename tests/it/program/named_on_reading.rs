@@ -50,6 +50,7 @@ fn a_statement_that_sets_or_finds_all_data_of_a_type_is_named() {
         ("SetDataSearch \"robtarget\"\\InMod:=\"M\";", 1),
         ("SetDataSearch sType\\Object:=\".*\";", 1),
         ("SetDataSearch \"robtarget\"\\Object:=\"p.*\";", 0),
+        ("SetDataSearch \"robtarget\"\\Object:=\"^p.*\";", 0),
         ("SetDataSearch \"speeddata\";", 0),
     ] {
         assert_eq!(found(statement), named, "{statement}");

@@ -132,6 +132,9 @@ fn a_routine_is_not_the_controllers_for_the_first_letters_of_its_name() {
         "CorrClear",
         "EGMStop e",
         "ClkReset c",
+        "ClearIOBuff ch",
+        "RaiseToUser \\Continue",
+        "WaitAndRecProf s",
         "UIMsgBox \"x\"",
     ] {
         let read = module(&format!("{}PROC main()\n{own};\n{MOVE}ENDPROC", data()));

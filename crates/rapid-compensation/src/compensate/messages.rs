@@ -185,7 +185,9 @@ impl Messages {
             }
             let kind = match is_variable {
                 false => "is a PERS",
-                true => "is a VAR that nothing among the given files sets, and of its task not all is given",
+                true => {
+                    "is a VAR that nothing among the given files sets, while main or something that is called is not among them"
+                }
             };
             let message = format!("line {}: {name} {kind}: {what}", motion.line);
             self.add(
