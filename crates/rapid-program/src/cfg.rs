@@ -14,7 +14,7 @@ use super::ids::{DatumId, RoutineIndex, Table};
 use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::motion::SkipReason;
 use super::motion_site::MotionSites;
-use super::names::Sym;
+use super::names::{Sym, lower_case};
 use super::tracked::TrackedData;
 use super::value::{Value, Why};
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -170,11 +170,16 @@ impl<'a> CfgBuilder<'_, 'a> {
             StmtKind::Raise(_) if self.recovery.next => {}
             StmtKind::Raise(_) | StmtKind::Retry | StmtKind::TryNext | StmtKind::Exit => out.push(Node::Stop),
             StmtKind::Opaque => self.opaque_statement(stmt, at, out),
-            StmtKind::Data(_)
-            | StmtKind::Connect(_)
-            | StmtKind::Empty
-            | StmtKind::Placeholder
-            | StmtKind::Comment => {}
+            StmtKind::Connect(connect) => self.connected(connect.trap),
+            StmtKind::Data(_) | StmtKind::Empty | StmtKind::Placeholder | StmtKind::Comment => {}
+        }
+    }
+
+    /// Notes a trap that is not given.
+    fn connected(&mut self, trap: TextRange) {
+        if self.routine(trap).is_none() {
+            let first = Span { file: self.ctx.file, range: trap };
+            self.out.not_given.entry(lower_case(self.text(trap))).or_insert(first);
         }
     }
 

@@ -7,6 +7,7 @@ use super::built_in::{is_built_in_function, is_controllers_own};
 use super::expressions::{every_call, expressions_of, value_of};
 use super::ids::{DatumId, IdSet};
 use super::index::{Ctx, Datum, DatumKind, Index};
+use super::interrupting::called_by;
 use super::late_bound::{reached, reaches_by_number};
 use super::names::lower_case;
 use super::repeated_moves::every_naming_statement;
@@ -79,9 +80,15 @@ fn calls_another(index: &Index<'_>, ctx: Ctx, stmt: &Stmt) -> bool {
     };
     let mut found = match &stmt.kind {
         StmtKind::Call(call) => match &call.callee {
-            Callee::Name(name) => is_another(*name, is_controllers_own) || calls_by_number(*name, &call.args),
+            Callee::Name(name) => {
+                is_another(*name, is_controllers_own)
+                    || calls_by_number(*name, &call.args)
+                    || called_by(index, ctx, call)
+                        .is_some_and(|name| reached(index, ctx, name, &[]).is_empty())
+            }
             Callee::Late(name) => reached(index, ctx, name, &call.args).is_empty(),
         },
+        StmtKind::Connect(connect) => is_another(connect.trap, |_| false),
         _ => false,
     };
     for expr in expressions_of(stmt) {

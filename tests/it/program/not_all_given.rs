@@ -41,9 +41,14 @@ fn a_variable_that_only_another_module_can_set_is_told_of() {
         assert_eq!(made_of(&read(scope, to_pick, more)), [], "{scope}{more}");
     }
     // What is called and not given can set it: a procedure, a function, one of a name that is worked out.
-    for call in
-        ["GetVision;", "IF FindPart() rPick;", "%\"rJob\"+NumToStr(nDepth,0)%;", "CallByVar \"rJob\",2;"]
-    {
+    for call in [
+        "GetVision;",
+        "IF FindPart() rPick;",
+        "%\"rJob\"+NumToStr(nDepth,0)%;",
+        "CallByVar \"rJob\",2;",
+        "CONNECT iNew WITH tNotGiven;",
+        "MoveLSync p,v100,z10,t,\"rNotGiven\";",
+    ] {
         let called = read("", to_pick, &format!("PROC main()\n{call}\nrPick;\nENDPROC"));
         assert_eq!(made_of(&called), [(0, "pPick", true), (1, "nDepth", true)], "{call}");
         let not_given = called.diagnostics.iter().find(|found| found.code == "resolve::routine-not-given");

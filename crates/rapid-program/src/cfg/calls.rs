@@ -69,7 +69,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         site.is_some_and(|site| matches!(site.form.special, Special::Plain | Special::Unsupported))
     }
 
-    fn routine(&self, name: TextRange) -> Option<RoutineIndex> {
+    pub(super) fn routine(&self, name: TextRange) -> Option<RoutineIndex> {
         match self.index().routine(self.label(name)?, self.ctx) {
             Resolved::Here(id) | Resolved::Elsewhere(id) | Resolved::Twice(id, _) => Some(id),
             Resolved::Nowhere => None,
