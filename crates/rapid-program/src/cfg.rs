@@ -178,9 +178,14 @@ impl<'a> CfgBuilder<'_, 'a> {
     /// Notes a trap that is not given.
     fn connected(&mut self, trap: TextRange) {
         if self.routine(trap).is_none() {
-            let first = Span { file: self.ctx.file, range: trap };
-            self.out.not_given.entry(lower_case(self.text(trap))).or_insert(first);
+            self.not_given(lower_case(self.text(trap)), trap);
         }
+    }
+
+    /// Notes what is called at `range` and is not given: its name in lower case, and the first place alone.
+    fn not_given(&mut self, name: String, range: TextRange) {
+        let at = Span { file: self.ctx.file, range };
+        self.out.not_given.entry(name).or_insert(at);
     }
 
     fn opaque_statement(&mut self, stmt: &Stmt, at: Span, out: &mut Vec<Node<'a>>) {

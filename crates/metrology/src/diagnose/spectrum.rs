@@ -25,8 +25,8 @@ pub(super) const SIZES_RAD: [f64; 6] = [1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7];
 /// Share of the stations held out at each end of a joint's range and of the time.
 const SHARE: usize = 5;
 /// Share of what the spectrum leaves where it was held out under which the lines by themselves are taken. They were chosen with those
-/// stations, and look better there than they are: of a UR10 (docs/FIELD_RESULTS.md) 40 lines left 0.75 of what the spectrum did, and 4.5 times as
-/// much where they had not been chosen with the stations either. Where a gear had three to five lines and no more they left 0.25 to 0.65.
+/// stations, and look better there than they are: of a UR10 (docs/FIELD_RESULTS.md), without the lowest fifth of joint 1's angles, the many lines left 0.75 of what
+/// the spectrum did, and 4.5 times as much in that fifth. Where a virtual gear had a few lines they left 0.25 to 0.66.
 pub(super) const LINES_LEAVE: f64 = 0.7;
 /// More stations than this are thinned out while the size is chosen.
 const MOST_STATIONS: usize = 3000;

@@ -58,8 +58,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         let Some(called) = self.fixed_text(text) else { return };
         let name = called.rsplit(':').next().unwrap_or_default().to_owned();
         if self.procedures(0, &|other| other == name).is_empty() {
-            let at = Span { file: self.ctx.file, range: text.range };
-            self.out.not_given.entry(name).or_insert(at);
+            self.not_given(name, text.range);
         }
     }
 
@@ -104,8 +103,7 @@ impl<'a> CfgBuilder<'_, 'a> {
                 None if is_built_in_function(&lower_case(self.text(name))) => {}
                 None => {
                     self.doubtful(name, args, NotGiven::Function, at, out);
-                    let first = Span { file: self.ctx.file, range: name };
-                    self.out.not_given.entry(lower_case(self.text(name))).or_insert(first);
+                    self.not_given(lower_case(self.text(name)), name);
                 }
             });
         }
@@ -144,8 +142,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         }
         if routines.is_empty() {
             let name = if whole { start } else { self.computed_name(expr) };
-            let at = Span { file: self.ctx.file, range: expr.range };
-            self.out.not_given.entry(name).or_insert(at);
+            self.not_given(name, expr.range);
         }
         if !whole || routines.is_empty() {
             out.push(Node::Step(FlowStep::UnknownPosition));
@@ -231,9 +228,8 @@ impl<'a> CfgBuilder<'_, 'a> {
             out.push(self.known_call(routines, &[], true));
             return;
         }
-        let at = Span { file: self.ctx.file, range: text.range };
         let name = self.computed_name(text);
-        self.out.not_given.entry(format!("{name} with a number")).or_insert(at);
+        self.not_given(format!("{name} with a number"), text.range);
     }
 }
 

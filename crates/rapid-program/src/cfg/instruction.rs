@@ -78,9 +78,8 @@ impl<'a> CfgBuilder<'_, 'a> {
             _ if moves_arm(&lower) => FlowStep::UnknownPosition,
             _ if harmless(&lower) => return,
             _ => {
-                let first = Span { file: self.ctx.file, range: name };
                 self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
-                self.out.not_given.entry(lower).or_insert(first);
+                self.not_given(lower, name);
                 FlowStep::UnknownPosition
             }
         };
