@@ -149,6 +149,31 @@ fn an_array_of_three_dimensions_is_corrected_where_its_index_is_known_at_run_tim
     assert_eq!(made.motions[3].0, "compensated");
 }
 
+/// RAPID takes `pRow` and `PROW` for one name; what stands in the motions comes back in the spelling of each.
+#[test]
+fn an_array_in_two_spellings_is_corrected_and_comes_back_as_written() {
+    let target = |y: i32| format!("[[450,{y},300],[0,0,1,0],[0,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]]");
+    let body = format!(
+        "  CONST robtarget pRow{{2}}:=[{},{}];
+  PROC main()
+    MoveAbsJ jh,v100,fine,tool0;
+    FOR i FROM 1 TO 2 DO
+      MoveL pRow{{i}},v100,fine,tool0;
+      MoveL PROW{{i}},v100,fine,tool0;
+      MoveL prow{{3-i}},v100,fine,tool0;
+    ENDFOR
+  ENDPROC\n",
+        target(40),
+        target(80)
+    );
+    for form in ["schedule", "ramp", "auto", "live"] {
+        // What cannot be got back is not written.
+        let made = made(form, &body);
+        assert!(made.motions.iter().all(|(status, _)| status == "compensated"), "{form}: {:?}", made.motions);
+        assert!(made.corrected_mm < 0.0052, "{form}: {}", made.corrected_mm);
+    }
+}
+
 #[test]
 fn a_clock_under_another_name_is_the_one_that_is_started() {
     let body = "  PERS num tcMode:=7;

@@ -14,7 +14,7 @@ use rapid_syntax::diagnostic::{Span, TextRange};
 pub(super) struct TargetKey {
     /// Where the target is declared, of one that is named and of which no index chooses.
     pub(super) declaration: Option<Span>,
-    /// Its text in the motion; of an array's element that of the array, in lower case.
+    /// Its text in the motion; of an array's element that of the array.
     pub(super) text: Vec<u8>,
 }
 
@@ -50,8 +50,8 @@ impl<'t> Argument<'t> {
             true => file.text(name).trim_ascii().strip_suffix(b"{").unwrap_or_default().trim_ascii(),
             false => b"",
         };
-        // An expression is put back as it stands, to the byte.
-        let text = if indices.is_element { base.to_ascii_lowercase() } else { argument.to_vec() };
+        // What stands in its place is put back to the byte: another spelling of the name is another text.
+        let text = if indices.is_element { base.to_vec() } else { argument.to_vec() };
         let key = Some(TargetKey { declaration: None, text });
         Ok(Self { base, index: Some(file.text(indices.range)), dims: indices.dims.to_vec(), key })
     }
