@@ -152,6 +152,71 @@ fn a_column_pasted_over_another_is_named_with_it() {
     }
 }
 
+/// Every fifth row: metres off, and no registration of the others is led astray by them.
+#[test]
+fn a_cell_pasted_over_another_in_some_rows_is_named_with_its_rows() {
+    let mut sheet = Sheet::new();
+    let (y, z) = (sheet.at("y_mm"), sheet.at("z_mm"));
+    let pasted: Vec<usize> = (2..sheet.rows.len()).step_by(5).collect();
+    for &k in &pasted {
+        sheet.rows[k][z] = sheet.rows[k][y].clone();
+    }
+    let expected: Vec<u64> = pasted.iter().map(|k| *k as u64 + 2).collect();
+    assert_eq!(sheet.fault(), ("nothing_fits".to_owned(), "y_mm, z_mm".to_owned(), expected));
+}
+
+/// A sheet in which the comma of a decimal number was taken for one of thousands.
+#[test]
+fn a_column_without_its_decimal_marks_is_named() {
+    for (name, decimals) in [("z_mm", 4), ("q3_deg", 2)] {
+        let without = |cell: &str| format!("{:.decimals$}", cell.parse::<f64>().unwrap()).replace('.', "");
+        let sheet = Sheet::new().changed(&[name], 0, without);
+        let (kind, column, found) = sheet.fault();
+        assert_eq!((kind, column), named("column_units", name));
+        assert!(found.is_empty(), "{found:?}");
+        let answer = diagnose(as_text(&sheet.names, &sheet.rows).as_bytes(), &[]);
+        assert!(answer.json.unwrap()["reason"].as_str().unwrap().contains("decimal marks"));
+    }
+}
+
+/// Points from files p1, p10, p11, p2 beside joints in the order in which they were measured, and the other way round.
+#[test]
+fn points_sorted_by_the_letters_of_their_numbers_are_named() {
+    let sheet = Sheet::new();
+    let mut by_letters: Vec<usize> = (0..sheet.rows.len()).collect();
+    by_letters.sort_by_key(|k| format!("p{}", k + 1));
+    for columns in [&POINT[..], &JOINTS] {
+        let mut sheet = Sheet::new();
+        let was = sheet.rows.clone();
+        for name in columns {
+            let at = sheet.at(name);
+            for (row, from) in sheet.rows.iter_mut().zip(&by_letters) {
+                row[at].clone_from(&was[*from][at]);
+            }
+        }
+        let answer = diagnose(as_text(&sheet.names, &sheet.rows).as_bytes(), &[]).json.unwrap();
+        assert_eq!(answer["fault"]["kind"], "rows_shifted", "{}", answer["reason"]);
+        assert!(answer["reason"].as_str().unwrap().contains("(1, 10, 11, 2)"), "{}", answer["reason"]);
+    }
+}
+
+/// Each pose three times, one after the other: the z of the rows beside would be right, and what stands there is nobody's.
+#[test]
+fn a_false_cell_among_repeats_is_not_called_late() {
+    let mut sheet = Sheet::new();
+    sheet.rows = sheet.rows.iter().flat_map(|row| std::iter::repeat_n(row.clone(), 3)).collect();
+    let (id, z) = (sheet.at("id"), sheet.at("z_mm"));
+    for (k, row) in sheet.rows.iter_mut().enumerate() {
+        row[id] = k.to_string();
+        let off_mm = if k % 40 == 7 { 700.0 } else { 0.01 * f64::from(k as u8 % 3) };
+        row[z] = format!("{:.4}", row[z].parse::<f64>().unwrap() + off_mm);
+    }
+    let answer = diagnose(as_text(&sheet.names, &sheet.rows).as_bytes(), &[]).json.unwrap();
+    assert!(answer["fault"].is_null(), "{}", answer["reason"]);
+    let set_aside = answer["false_rows"].as_array().unwrap();
+    assert_eq!(set_aside.len(), 5, "{set_aside:?}");
+}
+
 /// Joints that the display gave with one decimal from some row on.
 #[test]
 fn joints_rounded_from_a_row_on_are_named_with_their_rows() {

@@ -5,6 +5,7 @@ use crate::Station;
 use crate::column_names::POINT;
 use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::{deg_from_rad, rad_from_deg};
+use std::f64::consts::TAU;
 
 /// The units that points come in beside millimetres.
 pub(super) const LENGTHS: [(f64, &str); 4] =
@@ -38,11 +39,12 @@ impl Change {
     }
 }
 
-/// What may have happened to rows or to a column of `arm`'s, of what is alike the more usual first.
+/// What may have happened to some of these rows or to a column of `arm`'s, of what is alike the more usual first.
 #[must_use]
-pub(super) fn changes(arm: &SerialArm) -> Vec<Change> {
+pub(super) fn changes<'s>(arm: &SerialArm, rows: impl Iterator<Item = &'s Station> + Clone) -> Vec<Change> {
     let turning: Vec<usize> = (0..arm.joints.len()).filter(|&j| !arm.joints[j].kind.slides()).collect();
     let mut all = of_points();
+    all.extend(without_marks(arm, &turning, rows));
     all.extend(of_single_joints(arm, &turning));
     all.extend(of_two_joints(arm));
     let columns = || arm.columns();
@@ -90,6 +92,42 @@ fn of_points() -> Vec<Change> {
                 position_m.swap_rows(k, other);
             }
         }));
+    }
+    all
+}
+
+/// Decimals that a column is written with, the usual ones first: without its decimal mark a number is ten to their power times too large.
+const DECIMALS: [i32; 6] = [3, 4, 2, 1, 5, 6];
+
+/// No instrument reads a point further off, and no joint turns further.
+const FURTHEST_M: f64 = 30.0;
+const MOST_RAD: f64 = 2.0 * TAU;
+
+/// Columns whose decimal marks are lost: those that hold more than can be.
+fn without_marks<'s>(
+    arm: &SerialArm,
+    turning: &[usize],
+    rows: impl Iterator<Item = &'s Station> + Clone,
+) -> Vec<Change> {
+    let lost = |column: &str, scale: fn(&mut Station, usize, f64), at: usize| -> Vec<Change> {
+        let of = |decimals: i32| {
+            let times = 10_f64.powi(decimals);
+            let description =
+                format!("column {column} is {times} times too large: its decimal marks are lost");
+            Change::new(FaultKind::ColumnUnits, column, description, move |s| scale(s, at, 1.0 / times))
+        };
+        DECIMALS.into_iter().map(of).collect()
+    };
+    let largest = |of: &dyn Fn(&Station) -> f64| rows.clone().map(|row| of(row).abs()).fold(0.0, f64::max);
+    let mut all = Vec::new();
+    for (k, axis) in POINT.into_iter().enumerate() {
+        let read_m = |row: &Station| row.reading.position_m().map_or(0.0, |point_m| point_m[k]);
+        if largest(&read_m) > FURTHEST_M {
+            all.extend(lost(axis, on_axis, k));
+        }
+    }
+    for &j in turning.iter().filter(|&&j| largest(&|row| row.q_rad[j]) > MOST_RAD) {
+        all.extend(lost(&arm.column(Axis::at(j)), |s, j, factor| s.q_rad[j] *= factor, j));
     }
     all
 }

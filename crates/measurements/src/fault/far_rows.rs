@@ -4,7 +4,8 @@
 
 use super::{Fault, FaultKind};
 use crate::initial_guess::with_fixed_points_beyond;
-use crate::{Registration, Station, register};
+use crate::register::register_from_usual_starts;
+use crate::{Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::robot::SerialArm;
 use std::ops::Range;
@@ -94,7 +95,9 @@ pub(super) fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector
         let part: Vec<&PosedRow> = rows[from..to].iter().step_by(step).collect();
         let stations: Vec<Station> = part.iter().map(|row| row.station.clone()).collect();
         let poses: Vec<Isometry3<f64>> = part.iter().map(|row| row.pose).collect();
-        let Ok(registration) = register(&stations, &poses, targets, tool_m) else { continue };
+        let Ok(registration) = register_from_usual_starts(&stations, &poses, targets, tool_m) else {
+            continue;
+        };
         let registration = with_fixed_points_beyond(&stations, registration, &all, &all_poses);
         let off_m: Vec<f64> =
             rows.iter().map(|row| registration.residual_m(&row.station, &row.pose).norm()).collect();

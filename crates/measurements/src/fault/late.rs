@@ -83,8 +83,11 @@ impl FarRows<'_> {
     /// The far rows that have the point of another row.
     fn with_point_of_other(&self, late: Lateness) -> Vec<usize> {
         self.near_as(|i| {
-            let other = self.rows.get(late.source(i)?)?;
-            Some(self.registration.residual_m(&self.rows[i].station, &other.pose).norm())
+            let (row, other) = (&self.rows[i].station, self.rows.get(late.source(i)?)?);
+            // Its target's name may have stayed where the other's point has come.
+            let of_other = Station { target: other.station.target, ..row.clone() };
+            let off_m = |station: &Station| self.registration.residual_m(station, &other.pose).norm();
+            Some(off_m(row).min(off_m(&of_other)))
         })
     }
 
@@ -106,9 +109,15 @@ impl FarRows<'_> {
         let tried = Lateness::all().flat_map(|late| LateColumn::all(self.robot).map(move |c| (late, c)));
         let explained = |(late, column): (Lateness, LateColumn)| {
             let which = self.near_as(|i| {
+                let row = &self.rows[i].station;
+                let off_m = |station: &Station, cell: &Station| {
+                    let station = column.copied(station, cell)?;
+                    Some(self.registration.residual_m(&station, &station.pose(&chain)).norm())
+                };
                 let written = self.rows.get(late.written(i)?)?;
-                let station = column.copied(&self.rows[i].station, &written.station)?;
-                Some(self.registration.residual_m(&station, &station.pose(&chain)).norm())
+                // Repeats have each other's cells: what stands here must be that of the other row as well.
+                let source = self.rows.get(late.source(i)?)?;
+                Some(off_m(row, &written.station)?.max(off_m(&source.station, row)?))
             });
             (which, (late, column))
         };

@@ -1,5 +1,6 @@
 //! A file that contradicts itself or the robot: units, axes, columns, rows, robot and tool, tried one by one.
 
+mod by_name;
 mod change;
 mod coded;
 mod columns;

@@ -1,5 +1,6 @@
-//! Columns that cannot be what their names say where nothing fits: one pasted over another, one sorted by itself.
+//! Columns that cannot be what their names say where nothing fits: one pasted over another, in all rows or in some, one sorted by itself.
 
+use super::far_rows::{FarRows, PartFault};
 use super::{Fault, FaultKind};
 use crate::Station;
 use crate::column_names::POINT;
@@ -64,4 +65,24 @@ pub(super) fn find(robot: &SerialArm, stations: &[Station]) -> Option<Fault> {
         Some(Fault::of_all(FaultKind::RowsShifted, Some(&column.name), reason))
     };
     copied.or_else(sorted)
+}
+
+impl FarRows<'_> {
+    /// Two coordinates that are the same number to the last digit in most of the far rows, and hardly in any other.
+    pub(super) fn copied(&self) -> Option<PartFault> {
+        let tried = [(0, 1), (0, 2), (1, 2)].into_iter().map(|(a, b)| {
+            let is_copied = |i: &usize| {
+                let point_m = self.rows[*i].station.reading.position_m();
+                point_m
+                    .is_some_and(|point_m| point_m[a] != 0.0 && point_m[a].to_bits() == point_m[b].to_bits())
+            };
+            (self.far.iter().copied().filter(is_copied).collect(), [POINT[a], POINT[b]])
+        });
+        let (which, [one, other]) = self.best(tried)?;
+        Some(self.fault(FaultKind::NothingFits, &format!("{one}, {other}"), &which, |count, lines| {
+            format!(
+                "in {count} rows ({lines}) the columns {one} and {other} hold the same number: one was pasted over the other"
+            )
+        }))
+    }
 }

@@ -2,6 +2,7 @@
 //!
 //! Rows far off what most of the others agree with are tried with what could have happened to them, one explanation at a time.
 
+use super::by_name::sorted_by_name;
 use super::change::{Change, changes};
 use super::far_rows::{FEWEST, FarRows, MOST, Part, PartFault, PosedRow, best_part};
 use super::frozen;
@@ -55,6 +56,7 @@ pub fn find_in_rows(
     let stations: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
     let poses: Vec<Isometry3<f64>> = rows.iter().map(|row| row.pose).collect();
     all_late(&stations, &poses, targets)
+        .or_else(|| sorted_by_name(&stations, &poses, targets))
         .or_else(|| column_late(robot, &stations, targets))
         .map(PartFault::Fault)
 }
@@ -95,7 +97,7 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     if let Some(coded) = off.coded() {
         return Some(coded);
     }
-    let columns = off.single_columns().or_else(|| off.exchanged_targets(targets));
+    let columns = off.copied().or_else(|| off.single_columns()).or_else(|| off.exchanged_targets(targets));
     let here_and_there = (off.far.len() as f64) < MOST * (last - first + 1) as f64
         && off.stretch().len() < FEWEST_IN_A_STRETCH;
     if columns.is_some() || (here_and_there && !off.are_late()) {
@@ -126,7 +128,8 @@ impl FarRows<'_> {
             self.registration.residual_m(&station, &station.pose(&chain)).norm()
         };
         let explained = |change: Change| (self.near_as(|i| Some(off_m(&change, i))), change);
-        let (which, change) = self.best(changes(self.robot).into_iter().map(explained))?;
+        let (which, change) = self
+            .best(changes(self.robot, self.rows.iter().map(|row| &row.station)).into_iter().map(explained))?;
         let left_m = median(&mut which.iter().map(|&i| off_m(&change, i)).collect::<Vec<f64>>());
         (left_m < EXPLAINED * self.limit_m).then(|| {
             self.fault(change.kind, &change.column, &which, |count, lines| {

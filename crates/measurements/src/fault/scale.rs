@@ -3,7 +3,8 @@
 use super::trials::{most_left_m, trial};
 use super::{Fault, FaultKind};
 use crate::column_names::POINT;
-use crate::{Reading, Registration, Station, register};
+use crate::register::register_from_usual_starts;
+use crate::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
@@ -69,7 +70,7 @@ fn right_scale(
 ) -> Option<f64> {
     let excess_at = |factor: f64| -> Option<f64> {
         let tried = scaled(stations, factor);
-        excess(&tried, poses, &register(&tried, poses, targets, None).ok()?)
+        excess(&tried, poses, &register_from_usual_starts(&tried, poses, targets, None).ok()?)
     };
     let mut known = (1.0, excess(stations, poses, registration)?);
     if known.1.abs() < 0.5 * OTHER_SCALE {

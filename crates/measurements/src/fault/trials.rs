@@ -1,6 +1,7 @@
 //! The stations that explanations are tried on, and what a registration of them leaves.
 
-use crate::{Station, register};
+use crate::Station;
+use crate::register::register_from_usual_starts;
 use nalgebra::Isometry3;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
@@ -50,7 +51,7 @@ pub(super) fn left_m(robot: &SerialArm, stations: &[Station], targets: usize) ->
 
 /// The same with the flange's poses given.
 pub(super) fn most_left_m(stations: &[Station], poses: &[Isometry3<f64>], targets: usize) -> Option<f64> {
-    let fit = register(stations, poses, targets, None).ok()?;
+    let fit = register_from_usual_starts(stations, poses, targets, None).ok()?;
     let mut off_m: Vec<f64> =
         stations.iter().zip(poses).map(|(s, pose)| fit.residual_m(s, pose).norm()).collect();
     Some(most_m(&mut off_m))

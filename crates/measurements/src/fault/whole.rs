@@ -4,7 +4,8 @@ use super::FURTHEST_ZERO_RAD;
 use super::change::{Change, DEG_PER_GON, LENGTHS, TURN_RAD, changes};
 use super::trials::{few, left_m, most_m, trial};
 use super::{Fault, FaultKind, frozen, pasted, scale};
-use crate::{MIDDLE_OF_3D, Reading, Registration, Station, register};
+use crate::register::register_from_usual_starts;
+use crate::{MIDDLE_OF_3D, Reading, Registration, Station};
 use nalgebra::Vector3;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Robot, SerialArm};
@@ -225,7 +226,7 @@ impl Trial<'_> {
     fn columns(&self) -> Option<Fault> {
         let of_columns =
             |change: &Change| matches!(change.kind, FaultKind::ColumnUnits | FaultKind::JointColumns);
-        let tried = changes(self.robot).into_iter().filter(of_columns);
+        let tried = changes(self.robot, self.stations.iter()).into_iter().filter(of_columns);
         let tried = tried.filter_map(|change| self.with(&change.change).map(|left_m| (left_m, change)));
         let (left_m, change) =
             tried.reduce(|best, next| if next.0 < CLEARLY * best.0 { next } else { best })?;
@@ -240,7 +241,7 @@ impl Trial<'_> {
         let stands_still = |j: &usize| of_arm().all(|s| s.q_rad[*j].to_bits() == first[*j].to_bits());
         (0..self.robot.joints.len()).filter(stands_still).find_map(|j| {
             let free = frozen::with_free_joint(self.robot, &self.stations, j, |stations, poses| {
-                register(stations, poses, self.targets, None).ok()
+                register_from_usual_starts(stations, poses, self.targets, None).ok()
             })?;
             let is_it = explains(left_m(self.robot, &free, self.targets), self.left_m);
             is_it.then(|| frozen::one_joint(self.robot, j, of_arm().map(|s| s.line).collect()))
