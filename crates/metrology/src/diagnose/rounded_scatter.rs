@@ -19,7 +19,9 @@ const SMALL_NOISE_SHARES: [f64; 4] = [0.001, 0.003, 0.008, 0.02];
 
 /// What rounding joints does to the measured points, and how likely residuals are with it and without.
 pub(super) struct RoundedScatter {
-    /// Covariance of each observation's point that is not set aside, of what is rounded another way at each, m^2.
+    /// Observations that are not set aside, by their places among these, of the same target with the same joints: rounded the same way.
+    repeats: Vec<Vec<usize>>,
+    /// For each of these the covariance of the point, of what is rounded another way at each, m^2.
     shapes: Vec<Matrix3<f64>>,
     /// What the rounding of each value that comes again and again does at its standard deviation, three rows for each of these points, metres.
     shared_m: DMatrix<f64>,
@@ -74,11 +76,12 @@ impl RoundedScatter {
                 }
             }
         }
-        let shapes = kept.iter().map(|(observation, is_rounded)| match is_rounded {
-            true => shape(observation),
-            false => Matrix3::zeros(),
-        });
-        Self { shapes: shapes.collect(), shared_m, known_m2 }
+        let repeats = repeats(&kept);
+        let of_first = |places: &Vec<usize>| match places.first().map(|&place| kept[place]) {
+            Some((observation, true)) => shape(observation),
+            Some((_, false)) | None => Matrix3::zeros(),
+        };
+        Self { shapes: repeats.iter().map(of_first).collect(), repeats, shared_m, known_m2 }
     }
 
     /// Whether a joint came back to some value again and again.
@@ -88,12 +91,18 @@ impl RoundedScatter {
 
     /// Square of one coordinate that this rounding leads one to expect where it differs from row to row.
     pub(super) fn expected_m2(&self) -> f64 {
-        self.shapes.iter().map(Matrix3::trace).sum::<f64>() / (3.0 * self.shapes.len() as f64)
+        let each = self.shapes.iter().zip(&self.repeats);
+        each.map(|(shape, places)| places.len() as f64 * shape.trace()).sum::<f64>() / self.numbers()
     }
 
     /// The same with what is rounded the same way again and again.
     pub(super) fn expected_with_shared_m2(&self) -> f64 {
-        self.expected_m2() + self.shared_m.norm_squared() / (3.0 * self.shapes.len() as f64)
+        self.expected_m2() + self.shared_m.norm_squared() / self.numbers()
+    }
+
+    /// How many coordinates there are.
+    fn numbers(&self) -> f64 {
+        3.0 * self.repeats.iter().map(Vec::len).sum::<usize>() as f64
     }
 
     /// `residuals` without what values that come again and again may have left in them, by rounding or by whatever else.
@@ -110,7 +119,7 @@ impl RoundedScatter {
 
     /// Mean square of one coordinate of `residuals`.
     pub(super) fn mean_square(&self, residuals: &[Vector3<f64>]) -> f64 {
-        residuals.iter().map(Vector3::norm_squared).sum::<f64>() / (3.0 * self.shapes.len() as f64)
+        residuals.iter().map(Vector3::norm_squared).sum::<f64>() / self.numbers()
     }
 
     /// ln likelihood of residuals that are plain noise.
@@ -148,15 +157,21 @@ impl RoundedScatter {
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// With a share of the rounding's covariance beside noise of one variance.
+    /// With a share of the rounding's covariance beside noise of one variance: the mean of repeats has both, what they differ by noise alone.
     fn log_likelihood(&self, residuals: &[Vector3<f64>], share: f64, noise_m2: f64) -> f64 {
+        let noise_m2 = noise_m2.max(LEAST_M2);
         self.shapes
             .iter()
-            .zip(residuals)
-            .map(|(shape, e)| {
-                let c = covariance(shape, share, noise_m2);
-                c.cholesky()
-                    .map_or(f64::NEG_INFINITY, |l| -0.5 * e.dot(&l.solve(e)) - 0.5 * l.determinant().ln())
+            .zip(&self.repeats)
+            .map(|(shape, places)| {
+                let count = places.len() as f64;
+                let e = summed(places, |place| residuals[place]) / count.sqrt();
+                let squares: f64 = places.iter().map(|&place| residuals[place].norm_squared()).sum();
+                let apart = (squares - e.norm_squared()) / noise_m2 + 3.0 * (count - 1.0) * noise_m2.ln();
+                let c = covariance(shape, share * count, noise_m2);
+                c.cholesky().map_or(f64::NEG_INFINITY, |l| {
+                    -0.5 * (e.dot(&l.solve(&e)) + l.determinant().ln() + apart)
+                })
             })
             .sum()
     }
@@ -173,14 +188,17 @@ impl RoundedScatter {
         let count = common_m.ncols();
         let mut inner = DMatrix::identity(count, count);
         let mut along = DVector::zeros(count);
-        for (i, (shape, e)) in self.shapes.iter().zip(residuals).enumerate() {
-            let Some(inverse) = covariance(shape, share, noise_m2).try_inverse() else {
+        for (shape, places) in self.shapes.iter().zip(&self.repeats) {
+            let count = places.len() as f64;
+            let Some(inverse) = covariance(shape, share * count, noise_m2).try_inverse() else {
                 return f64::NEG_INFINITY;
             };
-            let own = common_m.fixed_rows::<3>(3 * i);
-            let weighted = inverse * own;
+            // Repeats are moved alike: only their mean is.
+            let mean = |of: DMatrix<f64>| of / count.sqrt();
+            let own = mean(places.iter().map(|&place| common_m.rows(3 * place, 3).into_owned()).sum());
+            let weighted = inverse * &own;
             inner += own.tr_mul(&weighted);
-            along += weighted.tr_mul(e);
+            along += weighted.tr_mul(&(summed(places, |place| residuals[place]) / count.sqrt()));
         }
         let Some(cholesky) = inner.cholesky() else { return f64::NEG_INFINITY };
         let half_log_det: f64 = cholesky.l_dirty().diagonal().iter().map(|pivot| pivot.ln()).sum();
@@ -189,8 +207,25 @@ impl RoundedScatter {
     }
 }
 
+/// No noise has a smaller variance, m^2.
+const LEAST_M2: f64 = 1e-14;
+
 fn covariance(shape: &Matrix3<f64>, share: f64, noise_m2: f64) -> Matrix3<f64> {
-    shape * share + Matrix3::identity() * noise_m2.max(1e-14)
+    shape * share + Matrix3::identity() * noise_m2.max(LEAST_M2)
+}
+
+fn summed(places: &[usize], of: impl Fn(usize) -> Vector3<f64>) -> Vector3<f64> {
+    places.iter().map(|&place| of(place)).sum()
+}
+
+/// The places of observations that show the same target, the arm in the same joints, rounded or not.
+fn repeats(observations: &[(&Observation, bool)]) -> Vec<Vec<usize>> {
+    let mut places: BTreeMap<(usize, bool, Vec<u64>), Vec<usize>> = BTreeMap::new();
+    for (place, (observation, is_rounded)) in observations.iter().enumerate() {
+        let joints = observation.q_rad.iter().map(|q| q.to_bits()).collect();
+        places.entry((observation.target, *is_rounded, joints)).or_default().push(place);
+    }
+    places.into_values().collect()
 }
 
 #[cfg(test)]
@@ -206,7 +241,42 @@ mod tests {
             let along = Vector3::new(1.0, 0.3 * i as f64, -0.5);
             along * along.transpose()
         };
-        RoundedScatter { shapes: (0..5).map(shape).collect(), shared_m: filled(15, 2), known_m2: None }
+        let repeats = (0..5).map(|i| vec![i]).collect();
+        RoundedScatter {
+            repeats,
+            shapes: (0..5).map(shape).collect(),
+            shared_m: filled(15, 2),
+            known_m2: None,
+        }
+    }
+
+    /// Two poses, one of them come back to twice: against the determinant and the inverse of the whole covariance, 12 x 12.
+    #[test]
+    fn a_pose_that_comes_back_is_rounded_as_it_was() {
+        let (share, noise_m2) = (0.9, 0.2);
+        let of = scatter();
+        let pose_of = [0, 1, 0, 0];
+        // Repeats are moved alike by what is shared.
+        let shared_m = DMatrix::from_fn(12, 2, |row, c| of.shared_m[(3 * pose_of[row / 3] + row % 3, c)]);
+        let repeats = vec![vec![0, 2, 3], vec![1]];
+        let of = RoundedScatter { repeats, shapes: of.shapes[1..3].to_vec(), shared_m, known_m2: None };
+        let all = filled(12, 3).column(2).into_owned();
+        let residuals: Vec<Vector3<f64>> = (0..4).map(|i| all.fixed_rows::<3>(3 * i).into_owned()).collect();
+        let mut whole = DMatrix::identity(12, 12) * noise_m2;
+        for (a, b) in
+            (0..4).flat_map(|a| (0..4).map(move |b| (a, b))).filter(|(a, b)| pose_of[*a] == pose_of[*b])
+        {
+            let mut own = whole.fixed_view_mut::<3, 3>(3 * a, 3 * b);
+            own += of.shapes[pose_of[a]] * share;
+        }
+        let exact = |whole: &DMatrix<f64>| {
+            -0.5 * all.dot(&(whole.clone().try_inverse().unwrap() * &all)) - 0.5 * whole.determinant().ln()
+        };
+        let found = of.log_likelihood(&residuals, share, noise_m2);
+        assert!((found - exact(&whole)).abs() < 1e-9, "{found} {}", exact(&whole));
+        let whole = whole + &of.shared_m * of.shared_m.transpose();
+        let found = of.log_likelihood_beside(&of.shared_m, &residuals, share, noise_m2);
+        assert!((found - exact(&whole)).abs() < 1e-9, "{found} {}", exact(&whole));
     }
 
     /// Against the determinant and the inverse of the whole covariance, 15 x 15.
