@@ -49,3 +49,81 @@ fn what_sways_is_structure_beside_geometry() {
     assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
     assert_eq!(found["where"]["time"], "drift", "{}", found["where"]);
 }
+
+/// A synthetic set's rows with these minutes in the place of its own, in their order, and without temperatures, which go by themselves.
+fn at_minutes(effects: &str, seed: &str, minutes: impl Fn(usize, f64) -> f64) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let sets = folder.path().join("sets");
+    let arguments = ["--effects", effects, "--n", "140", "--seed", seed];
+    Command::cargo_bin("driftpost").unwrap().arg("synth").arg(&sets).args(arguments).assert().success();
+    let text = std::fs::read_to_string(sets.join("set_0000/measurements.csv")).unwrap();
+    let (header, rows) = text.split_once('\n').unwrap();
+    let names: Vec<&str> = header.split(',').collect();
+    let kept = |cells: &[&str]| -> Vec<String> {
+        let kept = cells.iter().zip(&names).filter(|(_, name)| !name.starts_with("temp"));
+        kept.map(|(cell, _)| (*cell).to_owned()).collect()
+    };
+    let header = kept(&names);
+    let at = header.iter().position(|name| name == "t_min").unwrap();
+    let moved = rows.lines().enumerate().map(|(k, line)| {
+        let mut cells = kept(&line.split(',').collect::<Vec<_>>());
+        let t_min = minutes(k, cells[at].parse().unwrap());
+        cells[at] = format!("{t_min:.3}");
+        (t_min, cells.join(","))
+    });
+    let mut moved: Vec<(f64, String)> = moved.collect();
+    moved.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let rows: String = moved.into_iter().map(|(_, row)| row + "\n").collect();
+    format!("{}\n{rows}", header.join(","))
+}
+
+/// Every other row on the next day, as long behind a cold start as it was: the file's clock goes on over the night, the arm is cold
+/// again.
+#[test]
+fn an_arm_that_is_cold_again_after_a_night_warms_up_anew() {
+    for seed in ["3", "4"] {
+        let next_day = |k: usize, t_min: f64| t_min + if k.is_multiple_of(2) { 0.0 } else { 1500.0 };
+        let text = at_minutes("thermal_joint_drift:2", seed, next_day);
+        let found = super::sound_file::diagnose(text.as_bytes(), &[]);
+        let answer = found.json.as_ref().unwrap();
+        let first = &answer["causes"][0];
+        assert_eq!(
+            (&first["effect"], &first["joint"]),
+            (&"thermal_joint_drift".into(), &2.into()),
+            "{answer}"
+        );
+        assert_eq!(answer["verdict"], "explained", "{}", answer["reason"]);
+        let warnings = answer["warnings"].as_array().unwrap();
+        assert!(warnings.iter().any(|w| w["code"] == "diagnose::cold-start"), "{warnings:?}");
+        // All in one day nothing begins anew.
+        let found =
+            super::sound_file::diagnose(at_minutes("thermal_joint_drift:2", seed, |_, t| t).as_bytes(), &[]);
+        assert!(!found.json.unwrap()["warnings"].to_string().contains("cold-start"));
+    }
+}
+
+/// A base that settles within a thirtieth of the measurement, by a millimetre: what time constants too far from its own leave is no step.
+#[test]
+fn a_base_that_settles_soon_has_not_stepped() {
+    for seed in ["5", "6"] {
+        let text = at_minutes("joint_compliance:2", seed, |_, t_min| t_min);
+        let (header, rows) = text.split_once('\n').unwrap();
+        let at = |name: &str| header.split(',').position(|other| other == name).unwrap();
+        let number = |cells: &[String], name: &str| -> f64 { cells[at(name)].parse().unwrap() };
+        let rows: Vec<Vec<String>> =
+            rows.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+        let last_min = rows.iter().map(|cells| number(cells, "t_min")).fold(0.0, f64::max);
+        let settled = rows.into_iter().map(|mut cells| {
+            let grown = 1.0 - (-number(&cells, "t_min") / (0.035 * last_min)).exp();
+            for (name, by_mm) in [("x_mm", 0.9), ("y_mm", -0.5)] {
+                cells[at(name)] = format!("{:.4}", number(&cells, name) + by_mm * grown);
+            }
+            cells.join(",") + "\n"
+        });
+        let text = format!("{header}\n{}", settled.collect::<String>());
+        let found = super::sound_file::diagnose(text.as_bytes(), &[]);
+        let causes = found.causes();
+        assert_eq!(causes[0], "base_drift", "{causes:?}");
+        assert!(!causes.contains(&"base_step") && !causes.contains(&"tool_step"), "{causes:?}");
+    }
+}

@@ -23,6 +23,7 @@ use super::options::DiagnosisOptions;
 use super::outcome::{ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning};
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
+use super::search::ChosenCause;
 use super::stated_noise::understated_noise;
 use super::step_fault::impossible_step;
 use super::tool_apart::tool_elsewhere;
@@ -61,13 +62,34 @@ pub(super) struct Evaluation {
     pub diagnosis: Findings,
     /// What was found, as a model.
     pub identified: Option<Identified>,
+    /// What the search has found; `None` where the file could not be evaluated.
+    pub found: Option<FoundModel>,
+}
+
+/// Of the best model what another reading of the same file is held against.
+pub(super) struct FoundModel {
+    /// ln evidence of the data, but for what is the same whatever is taken for their noise.
+    pub log_evidence: f64,
+    /// Whether something in it warms up by a law of time.
+    pub warms_up: bool,
+}
+
+impl FoundModel {
+    fn of(fitted: &FittedModel<'_>) -> Self {
+        let candidates = fitted.workspace.library.candidates;
+        let law = |cause: &ChosenCause| candidates[cause.candidate].settling_law();
+        Self {
+            log_evidence: fitted.log_evidence(),
+            warms_up: fitted.model.chosen.iter().any(|cause| law(cause).is_some()),
+        }
+    }
 }
 
 impl Evaluation {
     /// A diagnosis of which no model can be made.
     #[must_use]
     pub(super) fn without_model(diagnosis: Findings) -> Self {
-        Self { diagnosis, identified: None }
+        Self { diagnosis, identified: None, found: None }
     }
 }
 
@@ -106,6 +128,8 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     if let Some(fault) = step.or_else(|| noise_beyond_stated(measured, &fitted, &judgement)) {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
+    let limits = DetectionLimits::of(&fitted);
+    let found = Some(FoundModel::of(&fitted));
     let mut fitted = fitted.over_groups(&folds.group_of);
     let shrink = heldout::shrink(&mut fitted, &folds);
     if shrink.ratio.is_some_and(|ratio| ratio > FOLLOWED)
@@ -121,16 +145,16 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
             Identification::of(measured, prepared.options, &problem, &fitted, judged)
         }
     });
-    let mut diagnosis = consequences(prepared, shrink, &mut fitted, judgement);
+    let mut diagnosis = consequences(prepared, shrink, &mut fitted, (judgement, limits));
     name_untestable(&mut diagnosis, visible.untestable, &fitted);
     let Some(identification) = identification else {
         let why = misses_stated(&fitted, prepared.options).or_else(|| only_cause_beyond(&fitted));
         diagnosis.no_model = why.map(|why| why.to_string());
-        return Evaluation::without_model(diagnosis);
+        return Evaluation { found, ..Evaluation::without_model(diagnosis) };
     };
     diagnosis.warnings.splice(0..0, identification.warnings());
     diagnosis.no_model = identification.no_model();
-    Evaluation { diagnosis, identified: identification.found.ok() }
+    Evaluation { diagnosis, identified: identification.found.ok(), found }
 }
 
 /// Puts what base and target take whole before what would have to be too large to be seen.
@@ -162,7 +186,7 @@ fn consequences(
     prepared: &Prepared<'_>,
     shrink: ErrorReduction,
     fitted: &mut FittedModel<'_>,
-    judgement: Judgement,
+    (judgement, limits): (Judgement, DetectionLimits),
 ) -> Findings {
     let Prepared { measured, linear, options, .. } = *prepared;
     let geometry_tolerances = fitted.model.peak.geometry_ratio * fitted.model.peak.sigma_m;
@@ -170,7 +194,6 @@ fn consequences(
     let zeros_alone = (geometry_tolerances > BEYOND).then(|| zeros(fitted)).flatten();
     let next = next_measurements(measured.robot, fitted, &judgement, options);
     let false_rows = false_rows(measured, fitted);
-    let limits = DetectionLimits::of(fitted);
     Findings {
         warnings: region_warning(&shrink, fitted)
             .into_iter()

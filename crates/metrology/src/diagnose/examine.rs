@@ -2,6 +2,7 @@
 //!
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
+use super::cold_starts::ColdStarts;
 use super::effects::effect;
 use super::evaluate::{Evaluation, Prepared, evaluate};
 use super::linearise::linearise;
@@ -41,7 +42,7 @@ pub fn diagnose_and_identify(
     robot: &SerialArm,
     options: &DiagnosisOptions,
 ) -> (Findings, Option<Identified>) {
-    let Evaluation { diagnosis, identified } = examine(measurements, robot, options, true);
+    let Evaluation { diagnosis, identified, .. } = examine(measurements, robot, options, true);
     let found_by = Some(FoundBy::Diagnosis(diagnosis.verdict));
     let identified = identified.map(|model| Identified { found_by, ..model });
     (diagnosis, identified)
@@ -72,7 +73,11 @@ fn examine_in_pool(
         warnings.extend(seen.warnings.iter().map(Warning::from));
         let stations = usable_stations(&seen, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
-        let evaluation = evaluated(measured, &seen, options, wants_model)?;
+        let mut evaluation = evaluated(measured, &seen, options, wants_model)?;
+        if let Some(cold) = ColdStarts::of(&stations) {
+            let measured = MeasuredRobot { stations: &cold.stations, ..measured };
+            evaluation = cold.likelier(evaluation, evaluated(measured, &seen, options, wants_model)?);
+        }
         match poses(&stations) < FEWEST_POSES && !changes_over_time(&evaluation.diagnosis) {
             true => Err(too_few(&stations)),
             false => Ok(evaluation),

@@ -33,7 +33,7 @@ pub(super) fn with_finer_taus(candidates: &[Candidate], fitted: &FittedModel<'_>
 }
 
 fn tau_min(candidate: &Candidate) -> Option<f64> {
-    candidate.warm_up_law()?.tau_min()
+    candidate.settling_law()?.tau_min()
 }
 
 /// Time constants about one, for those of a coarse grid.
@@ -49,7 +49,7 @@ struct FinerTaus {
 
 impl FinerTaus {
     fn about(cause: &Candidate, candidates: &[Candidate]) -> Option<Self> {
-        let chosen = cause.warm_up_law()?;
+        let chosen = cause.settling_law()?;
         let chosen_min = chosen.tau_min()?;
         let key = cause.cause_key();
         let of_cause = candidates.iter().filter(|candidate| candidate.cause_key() == key);
@@ -67,7 +67,7 @@ impl FinerTaus {
     fn of(&self, candidate: &Candidate) -> Candidate {
         let mut finer = candidate.clone();
         let at = tau_min(candidate).and_then(|tau| self.coarse_min.iter().position(|coarse| *coarse == tau));
-        if let (Some(law), Some(at)) = (candidate.warm_up_law(), at) {
+        if let (Some(law), Some(at)) = (candidate.settling_law(), at) {
             let steps = at as f64 - (self.coarse_min.len() / 2) as f64;
             let about_min = self.about_min(&law);
             finer.variant.growth = Growth::Law(law.with_tau_min(about_min * self.ratio.powf(steps)));

@@ -6,6 +6,7 @@
 mod angle_grid;
 mod balancing;
 mod cause;
+mod cold_starts;
 mod comparison;
 mod dataset;
 mod design;

@@ -156,13 +156,20 @@ impl Candidate {
         CauseKey { kind: self.kind, joint, joint_b }
     }
 
-    /// The law by which it warms up over time; `None` of what follows temperatures, and of what is no warm-up.
+    /// The law by which it settles over time, whatever settles; `None` of what follows temperatures, steps or stands.
     #[must_use]
-    pub(crate) fn warm_up_law(&self) -> Option<GrowthLaw> {
-        match (self.kind, self.variant.growth) {
-            (EffectKind::ThermalJointDrift | EffectKind::ThermalLinkGrowth, Growth::Law(law)) => Some(law),
+    pub(crate) fn settling_law(&self) -> Option<GrowthLaw> {
+        match self.variant.growth {
+            Growth::Law(law) => Some(law),
             _ => None,
         }
+    }
+
+    /// The same of joints and links alone.
+    #[must_use]
+    pub(crate) fn warm_up_law(&self) -> Option<GrowthLaw> {
+        let is_of_arm = matches!(self.kind, EffectKind::ThermalJointDrift | EffectKind::ThermalLinkGrowth);
+        self.settling_law().filter(|_| is_of_arm)
     }
 
     /// Whether it stands for one effect in all joints at once: what the search looks at together, and never names so.

@@ -35,16 +35,16 @@ pub(super) fn drifts(dataset: &Dataset) -> Vec<DriftPrior> {
     let hours = dataset.time_min.map_or(USUAL_HOURS, |_| h_from_min(span_min));
     let settling = |share: f64| Growth::Law(GrowthLaw::Exp { tau_min: share * span_min });
     let grown_m = 3e-5 * hours.clamp(0.5, 4.0);
-    // What settles within half an hour does so in a twentieth of a long day, too.
-    [
-        (Growth::Linear { from_min, to_min }, 0.7),
-        (settling(0.05), 0.05),
-        (settling(0.15), 0.1),
-        (settling(0.4), 0.15),
-    ]
-    .map(|(growth, weight)| DriftPrior { growth, weight, grown_m })
-    .into()
+    // What settles within half an hour does so in a thirtieth of a long day, too.
+    let settle = SETTLING_SHARES.map(|(share, weight)| (settling(share), weight));
+    let all = std::iter::once((Growth::Linear { from_min, to_min }, 0.7)).chain(settle);
+    all.map(|(growth, weight)| DriftPrior { growth, weight, grown_m }).collect()
 }
+
+/// Time constants with which base or target may settle, as shares of the whole measurement, and their prior weights: where the nearest is a half
+/// off, what is left of a large drift looks like a step.
+const SETTLING_SHARES: [(f64, f64); 7] =
+    [(0.03, 0.03), (0.05, 0.03), (0.08, 0.03), (0.13, 0.05), (0.21, 0.05), (0.34, 0.06), (0.55, 0.05)];
 
 /// The effect `kind` of a change over time, of these usual sizes: for an arm that stood as its model says before it changed, and for one that was
 /// calibrated warm, or after a jump, and so has a constant beside it. In a large set with the constant alone: the variants without it cost memory, and
