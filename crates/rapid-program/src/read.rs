@@ -363,8 +363,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         };
         let (skip_reason, known_at_run_time) = reasons.reported();
         self.note_frames((seen, skip_reason.is_none()), &args, ctx, Span { file: ctx.file, range });
-        let one_of = skip_reason.is_none() && targets.iter().any(Target::is_one_of);
-        let other_later = skip_reason.is_none() && !setup.later_frames.is_empty();
+        let is_several = !setup.later_frames.is_empty() || targets.iter().any(Target::is_one_of);
         if skip_reason.is_none() {
             self.note_targets((at, &args, (ctx, form.path)), (&targets, seen), read_elsewhere);
         }
@@ -377,7 +376,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
             targets: targets.into_iter().collect(),
             previous: None,
             from_start: false,
-            run_time: (known_at_run_time || one_of || other_later)
+            run_time: (known_at_run_time || is_several && skip_reason.is_none())
                 && args.tool.is_some()
                 && !asked_twice.any(|expr| is_asked_once(index, ctx, expr)),
             setup: self.shared_setup(setup),

@@ -12,7 +12,7 @@ use super::marginal::NoisePrior;
 use super::model::{FittedModel, Model, Workspace};
 use super::outlier_history::OutlierHistory;
 use super::robust_weights::{FALSE_SIGMAS, RobustWeights, upper_median};
-use super::search::{ALARM_NATS, ChosenCause, Library, cause_columns};
+use super::search::{ALARM_NATS, ChosenCause, Library, NearTop, cause_columns};
 use super::slow_noise::{self, SlowNoise};
 use super::time_course::TimeCourse;
 use std::collections::BTreeMap;
@@ -76,18 +76,20 @@ struct WithoutLibrary<'a> {
     linear: &'a Linearised,
     model: Model,
     design: Design,
+    near_top: NearTop,
     column_index: BTreeMap<usize, Vec<usize>>,
 }
 
 impl<'a> WithoutLibrary<'a> {
     fn of(fitted: FittedModel<'a>) -> Self {
-        let FittedModel { linear, model, workspace: Workspace { design, column_index, .. } } = fitted;
-        Self { linear, model, design, column_index }
+        let FittedModel { linear, model, workspace: Workspace { design, library, column_index } } = fitted;
+        Self { linear, model, design, near_top: library.near_top, column_index }
     }
 
     fn with_library(self, problem: &SearchProblem<'a>) -> FittedModel<'a> {
-        let Self { linear, model, design, column_index } = self;
-        let library = Library::new(&design, &linear.dataset, problem.candidates);
+        let Self { linear, model, design, near_top, column_index } = self;
+        let mut library = Library::new(&design, &linear.dataset, problem.candidates);
+        library.near_top = near_top;
         FittedModel { linear, model, workspace: Workspace { design, library, column_index } }
     }
 }

@@ -98,10 +98,10 @@ impl FittedModel<'_> {
             slow.put(&mut design, dataset);
         }
         design.expect(model.chosen.iter().map(|cause| cause.columns.len()).sum());
-        let mut library = library.begun_anew(&design);
-        // What else was tried over all stations is not carried along: products of thousands of candidates with it would take more memory
-        // than all the rest, and trying it again where a part of the stations asks for it takes no longer.
         let chosen: Vec<usize> = model.chosen.iter().map(|cause| cause.candidate).collect();
+        let mut library = library.of_near_top(&design, &chosen);
+        // Columns of what else was tried over all stations are not carried along: products of all that is searched with them would take more
+        // memory than all the rest, and trying them again where a part of the stations asks for it takes no longer.
         let mut column_index = BTreeMap::new();
         library.columns_in_design(&mut design, &mut column_index, &chosen);
         library.extend(&design);

@@ -49,7 +49,7 @@ impl<'a> Sight<'a> {
         let Self { dataset, design, nuisance } = self;
         let mut shares = vec![None; candidates.len()];
         let mut products = vec![Products::none(); candidates.len()];
-        for motions in design.scaled_motions_of(dataset, candidates, &|c| !is_line(c)) {
+        for motions in design.scaled_motions_of(dataset, candidates, &|c| !is_line(&candidates[c])) {
             design.begin_scaled(&motions, &mut products);
             design.extend_scaled(&motions, &mut products);
             for &member in &motions.members {

@@ -71,19 +71,20 @@ impl ScaledMotions {
 }
 
 impl Design {
-    /// Those of the `candidates` that are asked for and are each one motion scaled: by joint and by body.
+    /// Those of the `candidates` that are asked for, by index, and are each one motion scaled: by joint and by body.
     #[must_use]
     pub(crate) fn scaled_motions_of(
         &self,
         dataset: &Dataset,
         candidates: &[Candidate],
-        is_asked: &dyn Fn(&Candidate) -> bool,
+        is_asked: &dyn Fn(usize) -> bool,
     ) -> Vec<ScaledMotions> {
         let joints = (0..dataset.joints()).map(|j| Motion::Joint(Axis::at(j)));
         let bodies = [RigidBody::Base, RigidBody::Tool].map(Motion::Body);
         let motions: Vec<Motion> = joints.chain(bodies).collect();
-        let motion_of = |c: &Candidate| is_asked(c).then(|| c.effect().motion(&c.variant)).flatten();
-        let motion_of: Vec<Option<Motion>> = candidates.iter().map(motion_of).collect();
+        let motion_of =
+            |(at, c): (usize, &Candidate)| is_asked(at).then(|| c.effect().motion(&c.variant)).flatten();
+        let motion_of: Vec<Option<Motion>> = candidates.iter().enumerate().map(motion_of).collect();
         parallel::map(motions.len(), &|at| {
             let is_member = |c: &usize| motion_of[*c] == Some(motions[at]);
             let members = (0..candidates.len()).filter(is_member).collect();

@@ -14,11 +14,11 @@ const MOST_BY_COLUMNS: usize = 5;
 /// A candidate over a nuisance model; [`NuisanceModel::update`] follows a nuisance model that has grown.
 pub(crate) struct Projected {
     pub(super) own: DMatrix<f64>,
-    with_y: DVector<f64>,
+    pub(super) with_y: DVector<f64>,
     /// With the geometry's columns.
     pub(super) geometry: DMatrix<f64>,
     /// How many of the nuisance model's directions are projected out.
-    known: usize,
+    pub(super) known: usize,
 }
 
 /// What geometry of one size leaves of a candidate.

@@ -16,6 +16,7 @@ mod elimination;
 mod pair;
 mod principal;
 mod prior;
+mod projection;
 mod screening;
 mod sum;
 #[cfg(test)]

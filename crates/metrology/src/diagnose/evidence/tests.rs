@@ -12,6 +12,7 @@ use measurements::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Joints, SerialArm};
+use std::collections::BTreeSet;
 use std::f64::consts::LN_2;
 
 /// A data set of points with noise of `sigma_m`, and `size` prior standard deviations of `candidate` in it.
@@ -233,6 +234,39 @@ fn what_the_nuisance_takes_of_a_candidate_is_what_dense_matrices_say() {
     let exact = [left(&a).dot(&weighted), data.dot(&weighted.column(0))];
     assert!((own - exact[0]).abs() < 1e-6 * exact[0], "{own} {exact:?}");
     assert!((with_data - exact[1]).abs() < 1e-6 * exact[1].abs(), "{with_data} {exact:?}");
+}
+
+/// Candidates of one to six parameters at once, with slow noise among what is projected out and without: what is left of each is what is
+/// left of it by itself.
+#[test]
+fn candidates_at_once_are_what_each_is_by_itself() {
+    let problem = problem(7, 2e-5, 1.0, 0.5);
+    let noise = NoisePrior { known: None, from_repeats: false, stated_more_m: None };
+    let (mut design, _) = problem.nuisance(noise);
+    let testable = testable_effects(&problem.dataset).candidates;
+    let cause: Vec<usize> = design.append(&design.columns_of(&problem.dataset, &problem.candidate)).collect();
+    let slow =
+        design.append(&DMatrix::from_fn(72, 3, |r, c| ((r % 3 == c) as u8 as f64) * (r as f64 / 9.0).cos()));
+    let sums: Vec<_> = testable
+        .iter()
+        .map(|candidate| design.products(&design.columns_of(&problem.dataset, candidate)).sum(&[0]))
+        .collect();
+    let widths: BTreeSet<usize> = sums.iter().map(|sums| sums.own.nrows()).collect();
+    assert!(widths.len() > 2, "{widths:?}");
+    let near = |a: &DMatrix<f64>, b: &DMatrix<f64>, scale: f64| (a - b).amax() <= 1e-11 * scale;
+    for ratio in [0.0, 1.5] {
+        design.set_slow(SlowColumns { columns: slow.clone(), size_ratio: ratio });
+        let nuisance = NuisanceModel::new(&design, &[0], &cause, noise);
+        let together = nuisance.project_together(&sums.iter().collect::<Vec<_>>());
+        assert_eq!(together.len(), sums.len());
+        for (sums, together) in sums.iter().zip(&together) {
+            let alone = nuisance.project(sums);
+            assert!(near(&alone.own, &together.own, sums.own.amax()));
+            assert!(near(&alone.geometry, &together.geometry, sums.cross.amax()));
+            assert!((&alone.with_y - &together.with_y).amax() <= 1e-11 * sums.cross.amax());
+        }
+        assert!(nuisance.project_together(&[]).is_empty());
+    }
 }
 
 /// Two of three causes taken out of a nuisance model, with slow noise and without, against one that was made of the third alone;

@@ -30,10 +30,16 @@ pub(super) struct Search<'s> {
     pub chosen: Vec<ChosenCause>,
     /// What was ever near the top: only these can take another's place.
     pub near: BTreeSet<usize>,
+    /// All that are searched, by their numbers.
     pub tracked: Vec<TrackedCandidate>,
 }
 
 impl Search<'_> {
+    /// One of those that are searched.
+    pub(super) fn tracked(&self, candidate: usize) -> &TrackedCandidate {
+        &self.tracked[self.tracked.partition_point(|tracked| tracked.candidate < candidate)]
+    }
+
     /// What is chosen, but those in the places `without`.
     pub(super) fn others(&self, without: &[usize]) -> Vec<ChosenCause> {
         let kept = self.chosen.iter().enumerate().filter(|(i, _)| !without.contains(i));
@@ -54,16 +60,15 @@ impl Library<'_> {
         others: &[ChosenCause],
     ) -> (NuisanceModel, HypothesisRanking) {
         let nuisance = search.nuisance(others);
-        for &c in &search.near {
-            let tracked_candidate = &mut search.tracked[c];
-            self.products[c].sum_more(search.subset, &mut tracked_candidate.sums);
-            tracked_candidate.projected = nuisance.project(&tracked_candidate.sums);
-        }
+        let near = &search.near;
+        let is_near = |tracked: &&mut TrackedCandidate| near.contains(&tracked.candidate);
+        let tracked: Vec<&mut TrackedCandidate> = search.tracked.iter_mut().filter(is_near).collect();
+        self.project_anew(&nuisance, search.subset, tracked);
         let open: Vec<&TrackedCandidate> = search
             .near
             .iter()
             .filter(|&&c| self.allowed(c, others) && !self.of_all_joints(c))
-            .map(|&c| &search.tracked[c])
+            .map(|&c| search.tracked(c))
             .collect();
         let ranking = self.rank(&nuisance, &open, false);
         (nuisance, ranking)

@@ -3,7 +3,7 @@
 
 use super::chosen::ChosenCause;
 use super::exchange::{MOST_SWAPPED, Search};
-use super::library::{Library, TrackedCandidate};
+use super::library::{AT_ONCE, Library, TrackedCandidate};
 use super::ranking::{BestEffect, HypothesisRanking};
 use crate::diagnose::design::Design;
 use crate::diagnose::evidence::NuisanceModel;
@@ -67,13 +67,15 @@ impl Library<'_> {
                 break;
             }
             nuisance = search.nuisance(&search.chosen);
-            parallel::for_each_mut(&mut search.tracked, &|_, f| {
-                self.products[f.candidate].sum_more(subset, &mut f.sums);
-                f.projected = nuisance.project(&f.sums);
+            parallel::for_each_chunk_mut(&mut search.tracked, AT_ONCE, &|_, some| {
+                self.project_anew(&nuisance, subset, some.iter_mut().collect());
             });
         }
         self.restart(&mut search, start);
         self.drop_offsets(&mut search);
+        if subset.len() == search.design.groups() {
+            self.near_top.candidates.append(&mut search.near);
+        }
         search.chosen
     }
 

@@ -18,6 +18,8 @@ const MOST_KEPT: usize = 40_000_000;
 const FEW_KEPT: usize = MOST_KEPT / 4;
 /// Features of GP alternatives are kept for no more stations than this: 80 MB.
 const MAX_OBSERVATIONS_KEPT: usize = 1000;
+/// Candidates that are looked at in one go, by products of matrices that stay in the processor's nearest memory.
+pub(super) const AT_ONCE: usize = 64;
 /// Computes the features of a GP alternative.
 pub(super) type ColumnsOf<'a> = dyn Fn(GpAlternative) -> DMatrix<f64> + Sync + 'a;
 
@@ -38,7 +40,7 @@ pub(crate) struct Library<'a> {
     pub dataset: &'a Dataset,
     /// Every variant of every effect that the data can show.
     pub candidates: &'a [Candidate],
-    /// Their products with the design.
+    /// Products with the design, of those that are searched.
     pub products: Vec<Products>,
     /// ln prior of each.
     pub log_prior: Vec<f64>,
@@ -54,8 +56,20 @@ pub(crate) struct Library<'a> {
     pub(super) angles: Joints<usize>,
     /// When the readings of each stop were made.
     pub(super) stops: Vec<StopTime>,
-    /// Pairs of causes that the search over all data weighed in the place of one.
-    pub(super) near_pairs: Vec<[usize; 2]>,
+    /// Which candidates are searched.
+    is_searched: Vec<bool>,
+    /// What the search over all data has seen near the top.
+    pub(crate) near_top: NearTop,
+}
+
+/// What a search over all data has seen near the top: over a part of the data nothing else is looked at, as what is far behind with all of
+/// them is not first with four fifths.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NearTop {
+    /// Candidates that were weighed in full in some place.
+    pub(super) candidates: BTreeSet<usize>,
+    /// Pairs of causes that were weighed in the place of one.
+    pub(super) pairs: Vec<[usize; 2]>,
 }
 
 /// Where a candidate's whitened columns come from.
@@ -92,30 +106,30 @@ impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
     pub(crate) fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
-        Self::keeping(MOST_KEPT, design, dataset, candidates)
+        Self::keeping(MOST_KEPT, design, dataset, candidates, vec![true; candidates.len()])
     }
 
-    /// The same, where columns may take so many numbers to be kept.
-    fn keeping(most_kept: usize, design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
-        let scaled = design.scaled_motions_of(dataset, candidates, &|_| true);
-        let mut room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
+    /// Those of the candidates that are searched, where columns may take so many numbers to be kept.
+    fn keeping(
+        most_kept: usize,
+        design: &Design,
+        dataset: &'a Dataset,
+        candidates: &'a [Candidate],
+        is_searched: Vec<bool>,
+    ) -> Self {
+        let scaled = design.scaled_motions_of(dataset, candidates, &|c| is_searched[c]);
         let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
         for (motion, scaled) in scaled.iter().enumerate() {
             for (member, &c) in scaled.members.iter().enumerate() {
                 sources[c] = ColumnSource::Scaled { motion, member };
             }
         }
-        let keep: Vec<bool> = candidates
-            .iter()
-            .zip(&sources)
-            .map(|(c, source)| {
-                let fits = matches!(source, ColumnSource::Computed) && c.prior_sigma.len() <= room;
-                room -= if fits { c.prior_sigma.len() } else { 0 };
-                fits
-            })
-            .collect();
+        let room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
+        let keep = kept_within(room, candidates, &|c| {
+            is_searched[c] && matches!(sources[c], ColumnSource::Computed)
+        });
         let computed = parallel::map(sources.len(), &|c| match sources[c] {
-            ColumnSource::Computed => {
+            ColumnSource::Computed if is_searched[c] => {
                 let columns = design.columns_of(dataset, &candidates[c]);
                 (design.products(&columns), keep[c].then_some(columns))
             }
@@ -146,19 +160,26 @@ impl<'a> Library<'a> {
             gp_alternatives: Vec::new(),
             angles: angles(dataset),
             stops: stop_times(dataset),
-            near_pairs: Vec::new(),
+            is_searched,
+            near_top: NearTop::default(),
         }
     }
 
-    /// The same candidates over another design of the same stations, without GP alternatives and with few columns kept; what a search over
-    /// all data has weighed is kept.
+    /// What the search over all data has seen near the top, and `chosen`, over another design of the same stations, without GP alternatives
+    /// and with few columns kept: for searches over parts of the data.
     #[must_use]
-    pub(crate) fn begun_anew(mut self, design: &Design) -> Self {
-        let near_pairs = std::mem::take(&mut self.near_pairs);
+    pub(crate) fn of_near_top(mut self, design: &Design, chosen: &[usize]) -> Self {
+        let near_top = std::mem::take(&mut self.near_top);
+        let mut is_searched = vec![false; self.candidates.len()];
+        let near = near_top.candidates.iter().chain(near_top.pairs.iter().flatten()).chain(chosen);
+        let of_all_joints = (0..self.candidates.len()).filter(|&c| self.all_offsets(c));
+        for c in near.copied().chain(of_all_joints).chain(self.single_offsets()) {
+            is_searched[c] = true;
+        }
         let (dataset, candidates) = (self.dataset, self.candidates);
         // Before as much is asked for again.
         drop(self);
-        Self { near_pairs, ..Self::keeping(FEW_KEPT, design, dataset, candidates) }
+        Self { near_top, ..Self::keeping(FEW_KEPT, design, dataset, candidates, is_searched) }
     }
 
     /// Adds `list` of GP alternatives, each with its share of the prior of what no effect explains.
@@ -226,10 +247,11 @@ impl<'a> Library<'a> {
         for motions in &self.scaled {
             design.extend_scaled(motions, &mut self.products);
         }
-        let sources = &self.sources;
+        let (sources, is_searched) = (&self.sources, &self.is_searched);
         parallel::for_each_mut(&mut self.products, &|c, products| match &sources[c] {
             ColumnSource::Scaled { .. } => {}
             ColumnSource::Kept(columns) => design.extend(products, columns),
+            ColumnSource::Computed if !is_searched[c] => {}
             ColumnSource::Computed => design.extend(products, &design.columns_of(dataset, &candidates[c])),
         });
         parallel::for_each_mut(&mut self.gp_alternatives, &|_, s| match &s.columns {
@@ -265,13 +287,32 @@ impl<'a> Library<'a> {
         }
     }
 
-    /// All candidates over `nuisance`.
+    /// All that are searched over `nuisance`, by their numbers.
     pub(super) fn track(&self, nuisance: &NuisanceModel, subset: &[usize]) -> Vec<TrackedCandidate> {
-        parallel::map(self.candidates.len(), &|candidate| {
-            let sums = self.products[candidate].sum(subset);
-            let projected = nuisance.project(&sums);
-            TrackedCandidate { candidate, sums, projected }
-        })
+        let searched: Vec<usize> = (0..self.candidates.len()).filter(|&c| self.is_searched[c]).collect();
+        let tracked = parallel::map_chunks(&searched, AT_ONCE, &|_, some| {
+            let sums: Vec<Sums> = some.iter().map(|&c| self.products[c].sum(subset)).collect();
+            let projected = nuisance.project_together(&sums.iter().collect::<Vec<_>>());
+            let of_one = |((&candidate, sums), projected)| TrackedCandidate { candidate, sums, projected };
+            some.iter().zip(sums).zip(projected).map(of_one).collect::<Vec<_>>()
+        });
+        tracked.into_iter().flatten().collect()
+    }
+
+    /// Puts tracked candidates over another nuisance model.
+    pub(super) fn project_anew(
+        &self,
+        nuisance: &NuisanceModel,
+        subset: &[usize],
+        mut tracked: Vec<&mut TrackedCandidate>,
+    ) {
+        for one in &mut tracked {
+            self.products[one.candidate].sum_more(subset, &mut one.sums);
+        }
+        let projected = nuisance.project_together(&tracked.iter().map(|one| &one.sums).collect::<Vec<_>>());
+        for (one, projected) in tracked.into_iter().zip(projected) {
+            one.projected = projected;
+        }
     }
 
     /// Brings the tracked candidates up to date with a nuisance model that has grown.
@@ -286,6 +327,16 @@ impl<'a> Library<'a> {
             nuisance.update(&mut f.projected, &f.sums);
         });
     }
+}
+
+/// Which of the `candidates` that are `computed` are kept, the first that so many columns hold.
+fn kept_within(mut room: usize, candidates: &[Candidate], is_computed: &dyn Fn(usize) -> bool) -> Vec<bool> {
+    let fits = |(c, candidate): (usize, &Candidate)| {
+        let fits = is_computed(c) && candidate.prior_sigma.len() <= room;
+        room -= if fits { candidate.prior_sigma.len() } else { 0 };
+        fits
+    };
+    candidates.iter().enumerate().map(fits).collect()
 }
 
 #[cfg(test)]

@@ -10,5 +10,5 @@ mod pairs;
 mod ranking;
 
 pub(super) use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
-pub(super) use library::Library;
+pub(super) use library::{Library, NearTop};
 pub(super) use ranking::{Hypothesis, HypothesisRanking, RankedHypothesis};

@@ -8,11 +8,11 @@
 use super::chosen::{ChosenCause, DROP_NATS, NULL_PRIOR};
 use super::exchange::Search;
 use super::greedy::BESIDE;
-use super::library::Library;
+use super::library::{AT_ONCE, Library, TrackedCandidate};
 use super::ranking::sign_nats;
-use crate::diagnose::design::side_by_side;
+use crate::diagnose::design::{Sums, side_by_side};
 use crate::diagnose::effects::CauseKey;
-use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, PairPeak, Projected, joined};
+use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, PairPeak, Projected, Screened, joined};
 use nalgebra::{DMatrix, DVector};
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
@@ -154,7 +154,7 @@ impl PoolVariants {
         let data = bare.absorbed_of_data(geometry_ratio);
         let mut absorbed = DMatrix::zeros(data.len(), self.gram.ncols());
         for (start, PoolVariant { candidate, projected, .. }) in self.starts.iter().zip(&self.variants) {
-            let sums = &search.tracked[*candidate].sums;
+            let sums = &search.tracked(*candidate).sums;
             let width = sums.own.nrows();
             absorbed.columns_mut(*start, width).copy_from(&bare.absorbed(projected, sums, geometry_ratio));
             with_data.rows_mut(*start, width).copy_from(&sums.cross.column(0));
@@ -176,7 +176,7 @@ impl Library<'_> {
     /// Each chosen cause against the likeliest two in its place; where none was found, two against nothing.
     pub(super) fn split(&mut self, search: &mut Search<'_>, alarm_nats: f64) {
         let whole = search.subset.len() == search.design.groups();
-        if !whole && self.near_pairs.is_empty() {
+        if !whole && self.near_top.pairs.is_empty() {
             return;
         }
         let now = search.nuisance(&search.chosen).null();
@@ -196,7 +196,7 @@ impl Library<'_> {
             };
             let pairs = self.pairs_to_weigh(search, &open, &now);
             if whole {
-                self.near_pairs.extend(&pairs);
+                self.near_top.pairs.extend(&pairs);
             }
             if let Some([first, second]) = self.better_pair(search, &open, pairs, alarm_nats) {
                 search.near.extend([first.candidate, second.candidate]);
@@ -333,24 +333,30 @@ impl Library<'_> {
         OpenPlace { bare, others, single }: &OpenPlace,
     ) -> Vec<PoolVariant> {
         let grid = bare.screening_grid(&bare.null());
-        let mut of_cause: BTreeMap<CauseKey, PoolVariant> = BTreeMap::new();
-        for tracked in &search.tracked {
-            let c = tracked.candidate;
-            if Some(c) != *single && !(self.may_be_of_pair(search, c) && self.allowed(c, others)) {
-                continue;
-            }
-            let projected = bare.project(&tracked.sums);
-            let cause = self.candidates[c].cause_key();
-            let known_nats = of_cause.get(&cause).map_or(f64::NEG_INFINITY, |known| known.screening_nats);
-            // What stands there now is compared as it is.
-            let screening_nats = if Some(c) == *single {
-                f64::INFINITY
-            } else {
-                let screened = bare.screened(&projected, &grid);
-                bare.screening_evidence(&screened, &grid).log_evidence + self.log_prior[c]
+        let may_be_one =
+            |c: usize| Some(c) == *single || self.may_be_of_pair(search, c) && self.allowed(c, others);
+        let open: Vec<&TrackedCandidate> =
+            search.tracked.iter().filter(|tracked| may_be_one(tracked.candidate)).collect();
+        let variants = parallel::map_chunks(&open, AT_ONCE, &|_, some| {
+            let sums: Vec<&Sums> = some.iter().map(|tracked| &tracked.sums).collect();
+            let projected = bare.project_together(&sums);
+            let screened = bare.screened_together(&projected.iter().collect::<Vec<_>>(), &grid);
+            let nats = |(tracked, screened): (&&TrackedCandidate, &Screened<'_>)| match tracked.candidate {
+                // What stands there now is compared as it is.
+                c if Some(c) == *single => f64::INFINITY,
+                c => bare.screening_evidence(screened, &grid).log_evidence + self.log_prior[c],
             };
-            if screening_nats > known_nats {
-                of_cause.insert(cause, PoolVariant { screening_nats, candidate: c, projected });
+            let nats: Vec<f64> = some.iter().zip(&screened).map(nats).collect();
+            let variant = |((tracked, projected), screening_nats): ((&&TrackedCandidate, Projected), f64)| {
+                PoolVariant { screening_nats, candidate: tracked.candidate, projected }
+            };
+            some.iter().zip(projected).zip(nats).map(variant).collect::<Vec<_>>()
+        });
+        let mut of_cause: BTreeMap<CauseKey, PoolVariant> = BTreeMap::new();
+        for variant in variants.into_iter().flatten() {
+            let cause = self.candidates[variant.candidate].cause_key();
+            if of_cause.get(&cause).is_none_or(|known| variant.screening_nats > known.screening_nats) {
+                of_cause.insert(cause, variant);
             }
         }
         of_cause.into_values().collect()
@@ -366,7 +372,7 @@ impl Library<'_> {
         self.may_be_imitation(candidate)
             && (!step || search.near.contains(&candidate))
             && (small || offset)
-            && (whole || self.near_pairs.iter().flatten().any(|&near| near == candidate))
+            && (whole || self.near_top.pairs.iter().flatten().any(|&near| near == candidate))
     }
 
     /// The pairs that at a first look are about as likely as `single`, or as nothing, the likeliest first.

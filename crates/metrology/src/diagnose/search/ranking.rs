@@ -1,15 +1,13 @@
 //! All hypotheses for one place of the model, by their evidence.
 
 use super::chosen::NULL_PRIOR;
-use super::library::{Library, TrackedCandidate};
+use super::library::{AT_ONCE, Library, TrackedCandidate};
 use crate::diagnose::evidence::{EvidencePeak, NuisanceModel, Projected, Screened, ScreeningPoint};
 use crate::diagnose::marginal::{log_sum, normal_cdf};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Candidates that are looked at after their upper bounds.
 const LONG_LIST: usize = 320;
-/// Candidates that are turned to geometry's directions at one go, by a product of matrices that stay in the processor's nearest memory.
-const AT_ONCE: usize = 64;
 /// Candidates that are evaluated in full after a first look.
 const SHORT_LIST: usize = 96;
 /// A GP alternative this far behind is not looked at again.
@@ -277,8 +275,10 @@ impl Library<'_> {
         screening_grid: &[ScreeningPoint],
         null: &EvidencePeak,
     ) -> Vec<WeightedHypothesis> {
-        let projected: Vec<Projected> =
-            parallel::map(self.gp_alternatives.len(), &|k| nuisance.project(&self.gp_alternatives[k].sums));
+        let projected = parallel::map_chunks(&self.gp_alternatives, AT_ONCE, &|_, some| {
+            nuisance.project_together(&some.iter().map(|alternative| &alternative.sums).collect::<Vec<_>>())
+        });
+        let projected: Vec<Projected> = projected.into_iter().flatten().collect();
         let seen: Vec<(Screened<'_>, EvidencePeak)> = parallel::map(projected.len(), &|k| {
             let screened = nuisance.screened(&projected[k], screening_grid);
             let first = nuisance.screening_evidence(&screened, screening_grid);
