@@ -20,6 +20,8 @@ const FEW_KEPT: usize = MOST_KEPT / 4;
 const MAX_OBSERVATIONS_KEPT: usize = 1000;
 /// Candidates that are looked at in one go, by products of matrices that stay in the processor's nearest memory.
 pub(super) const AT_ONCE: usize = 64;
+/// So many lines of gears are a spectrum's.
+const SEVERAL_LINES: usize = 3;
 /// Computes the features of a GP alternative.
 pub(super) type ColumnsOf<'a> = dyn Fn(GpAlternative) -> DMatrix<f64> + Sync + 'a;
 
@@ -166,15 +168,20 @@ impl<'a> Library<'a> {
     }
 
     /// What the search over all data has seen near the top, and `chosen`, over another design of the same stations, without GP alternatives
-    /// and with few columns kept: for searches over parts of the data.
+    /// and with few columns kept: for searches over parts of the data. Beside several lines of gears all lines: many are about as likely, and
+    /// which of them are taken is a part of what poses held out judge.
     #[must_use]
     pub(crate) fn of_near_top(mut self, design: &Design, chosen: &[usize]) -> Self {
         let near_top = std::mem::take(&mut self.near_top);
         let mut is_searched = vec![false; self.candidates.len()];
         let near = near_top.candidates.iter().chain(near_top.pairs.iter().flatten()).chain(chosen);
-        let of_all_joints = (0..self.candidates.len()).filter(|&c| self.all_offsets(c));
-        for c in near.copied().chain(of_all_joints).chain(self.single_offsets()) {
+        for c in near.copied().chain(self.single_offsets()) {
             is_searched[c] = true;
+        }
+        let is_line = |c: usize| self.candidates[c].kind == EffectKind::GearMesh;
+        let has_spectrum = chosen.iter().filter(|&&c| is_line(c)).count() >= SEVERAL_LINES;
+        for (c, is_searched) in is_searched.iter_mut().enumerate() {
+            *is_searched |= self.all_offsets(c) || has_spectrum && is_line(c);
         }
         let (dataset, candidates) = (self.dataset, self.candidates);
         // Before as much is asked for again.

@@ -39,6 +39,8 @@ pub(super) struct TwoStates {
     pub distance: f64,
     /// ln evidence over noise alone, larger noise than stated among it, of all that could be in two states, nats.
     pub gain_nats: f64,
+    /// The noise beside them, metres.
+    pub sigma_m: f64,
 }
 
 /// What one station says of two states, by its weight.
@@ -57,6 +59,8 @@ struct Weighed {
     gain_nats: f64,
     /// Half the distance that fits the stations best, each at its expected state.
     fitted_half: f64,
+    /// The noise beside it, metres.
+    sigma_m: f64,
 }
 
 /// The noise that states are held against.
@@ -100,8 +104,8 @@ pub(super) fn two_states(fitted: &FittedModel<'_>, residuals: &[Twist], used: f6
         let along = about_their_mean(along.collect());
         tried.extend(SIZES.map(|k| {
             let half = state.smallest() * STEP.powi(k);
-            let Weighed { gain_nats, fitted_half } = plain.weigh(&along, half);
-            TwoStates { state, distance: 2.0 * fitted_half, gain_nats }
+            let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, half);
+            TwoStates { state, distance: 2.0 * fitted_half, gain_nats, sigma_m }
         }));
     }
     let best = tried.iter().copied().reduce(|a, b| if b.gain_nats > a.gain_nats { b } else { a })?;
@@ -133,7 +137,7 @@ impl Plain {
     fn weigh(&self, along: &[Along], half: f64) -> Weighed {
         let apart: f64 = along.iter().map(|a| half * half * a.motion).sum();
         let mut integral = NoiseIntegral { log: self.log, sigma_m: self.sigma_m };
-        let mut weighed = Weighed { gain_nats: f64::NEG_INFINITY, fitted_half: half };
+        let mut weighed = Weighed { gain_nats: f64::NEG_INFINITY, fitted_half: half, sigma_m: self.sigma_m };
         for _ in 0..ROUNDS {
             let variance = integral.sigma_m.powi(2);
             let (mut taken, mut price) = (0.0, 0.0);
@@ -146,7 +150,8 @@ impl Plain {
             let squares = self.squares + self.free * apart - 2.0 * taken;
             integral = self.marginal.at(squares.max(1e-3 * self.squares));
             let fitted_half = half * taken / apart.max(1e-300);
-            weighed = Weighed { gain_nats: integral.log - self.log - price, fitted_half };
+            let gain_nats = integral.log - self.log - price;
+            weighed = Weighed { gain_nats, fitted_half, sigma_m: integral.sigma_m };
         }
         weighed
     }
@@ -200,7 +205,8 @@ mod tests {
     #[test]
     fn a_gap_is_told_with_its_size() {
         let (along, plain) = stations(HALF_RAD, 2e-5);
-        let Weighed { gain_nats, fitted_half } = plain.weigh(&along, HALF_RAD);
+        let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, HALF_RAD);
+        assert!((sigma_m - 2e-5).abs() < 0.2 * 2e-5, "{sigma_m}");
         assert!((fitted_half - HALF_RAD).abs() < 0.05 * HALF_RAD, "{fitted_half}");
         // ln of how much larger noise alone is, for each row, less ln 2 for each side.
         let by_hand = 90.0 * ((180.0 + 25.0 * 60.0) / 180.0_f64).ln() - 60.0 * 2.0_f64.ln();

@@ -16,6 +16,9 @@ use crate::diagnose::search::{
 
 /// Share of two states that nothing in the file tells apart in structure of no named cause.
 const WEIGHT: f64 = 0.1;
+/// States beside which more than so many times the noise is left that is stated or repeated are not all that is in the file: no column is told
+/// by them.
+const MOST_LEFT: f64 = 1.8;
 
 /// What is in two states, where the `verdict` is that something is not explained and they explain it better than structure does, with
 /// and without the causes that are `chosen`; `rest` is ranked beside these, `scatter_nats` what plain scatter along a joint gains.
@@ -45,6 +48,9 @@ pub(super) fn in_two_states(
         .take(1 + usize::from(!chosen.is_empty()))
         .filter_map(|(odds, chosen)| states_beside(fitted, chosen).map(|states| (odds, states)))
         .filter(|(_, states)| states.gain_nats > ALARM_NATS.max(scatter_nats + DROP_NATS))
+        .filter(|(_, states)| {
+            model.noise.known.is_none_or(|known| states.sigma_m < MOST_LEFT * known.sigma_m)
+        })
         .collect();
     let odds = |(causes, states): &(f64, TwoStates)| {
         causes + states.gain_nats + (UNEXPLAINED_PRIOR * WEIGHT / NULL_PRIOR).ln()
