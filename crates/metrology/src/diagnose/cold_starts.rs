@@ -55,6 +55,16 @@ impl ColdStarts {
         })
     }
 
+    /// Whether a second reading may say more than `as_written`: where something changes over time, or is not explained.
+    #[must_use]
+    pub(super) fn may_tell(as_written: &Evaluation) -> bool {
+        let is_open = matches!(
+            as_written.diagnosis.verdict,
+            Verdict::UnexplainedStructure | Verdict::UnexplainedScatter
+        );
+        as_written.found.as_ref().is_some_and(|found| is_open || found.changes)
+    }
+
     /// Of the diagnosis of minutes as they stand and of that of minutes that begin anew the likelier one: the second where something warms
     /// up in it, which then says so.
     #[must_use]
@@ -81,8 +91,8 @@ impl ColdStarts {
         Warning {
             code: "diagnose::cold-start",
             message: format!(
-                "t_min goes on over a pause ({}), and behind it something warms up anew: minutes were counted from there. Where t_min of each row is since the \
-                 cold start before it, nothing has to be guessed",
+                "t_min goes on over a pause ({}), and behind it something warms up anew: minutes were counted from there. Write t_min since the cold start \
+                 before each row: a model of it is validated by the minutes as they stand in a file",
                 pauses.join(", ")
             ),
         }

@@ -23,9 +23,9 @@ use super::options::DiagnosisOptions;
 use super::outcome::{ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning};
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
-use super::search::ChosenCause;
 use super::stated_noise::understated_noise;
 use super::step_fault::impossible_step;
+use super::time_course::TimeCourse;
 use super::tool_apart::tool_elsewhere;
 use super::verdict::{Judgement, judge, worse_elsewhere};
 use super::visible::visible;
@@ -72,15 +72,18 @@ pub(super) struct FoundModel {
     pub log_evidence: f64,
     /// Whether something in it warms up by a law of time.
     pub warms_up: bool,
+    /// Whether something in it changes over time.
+    pub changes: bool,
 }
 
 impl FoundModel {
     fn of(fitted: &FittedModel<'_>) -> Self {
         let candidates = fitted.workspace.library.candidates;
-        let law = |cause: &ChosenCause| candidates[cause.candidate].settling_law();
+        let chosen = || fitted.model.chosen.iter().map(|cause| &candidates[cause.candidate]);
         Self {
             log_evidence: fitted.log_evidence(),
-            warms_up: fitted.model.chosen.iter().any(|cause| law(cause).is_some()),
+            warms_up: chosen().any(|candidate| candidate.settling_law().is_some()),
+            changes: chosen().any(|candidate| candidate.effect().time() != TimeCourse::Constant),
         }
     }
 }

@@ -74,9 +74,11 @@ fn examine_in_pool(
         let stations = usable_stations(&seen, &checked, options.sigma_m)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
         let mut evaluation = evaluated(measured, &seen, options, wants_model)?;
-        if let Some(cold) = ColdStarts::of(&stations) {
+        if let Some(cold) = ColdStarts::of(&stations).filter(|_| ColdStarts::may_tell(&evaluation)) {
             let measured = MeasuredRobot { stations: &cold.stations, ..measured };
-            evaluation = cold.likelier(evaluation, evaluated(measured, &seen, options, wants_model)?);
+            if let Ok(anew) = evaluated(measured, &seen, options, wants_model) {
+                evaluation = cold.likelier(evaluation, anew);
+            }
         }
         match poses(&stations) < FEWEST_POSES && !changes_over_time(&evaluation.diagnosis) {
             true => Err(too_few(&stations)),
