@@ -139,39 +139,6 @@ fn rounded_joints_are_named_with_their_columns_in_few_rows() {
     }
 }
 
-/// The poses of a set of rounded joints three times, in rounds: each time they are rounded the same way, and what many lines of gears follow
-/// is still that.
-#[test]
-fn rounded_joints_are_named_where_poses_come_back() {
-    let folder = TempDir::new().unwrap();
-    let sets = folder.path().join("sets");
-    let mut command = Command::cargo_bin("driftpost").unwrap();
-    command.arg("synth").arg(&sets);
-    command
-        .args(["--effects", "joint_rounding", "--n", "27", "--sets", "3", "--seed", "4"])
-        .assert()
-        .success();
-    for set in 0..3 {
-        let text = fs::read_to_string(sets.join(format!("set_{set:04}/measurements.csv"))).unwrap();
-        let (header, rows) = text.split_once('\n').unwrap();
-        let names: Vec<&str> = header.split(',').collect();
-        let at = |name: &str| names.iter().position(|n| *n == name).unwrap();
-        let mut rounds = format!("{header}\n");
-        for (k, line) in std::iter::repeat_n(rows.lines(), 3).flatten().enumerate() {
-            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
-            cells[at("id")] = k.to_string();
-            cells[at("t_min")] = format!("{k}");
-            for (axis, name) in ["x_mm", "y_mm", "z_mm"].into_iter().enumerate() {
-                let even = 2.0 * ((k as f64 + 1.0).powi(2) * [2.0_f64, 3.0, 5.0][axis].sqrt()).fract() - 1.0;
-                cells[at(name)] = format!("{:.4}", cells[at(name)].parse::<f64>().unwrap() + 0.02 * even);
-            }
-            rounds += &(cells.join(",") + "\n");
-        }
-        let (kind, column, _) = fault_with(&rounds, &["--sigma-mm", "0.02"]);
-        assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q1_deg to q6_deg"), "set {set}");
-    }
-}
-
 #[test]
 fn a_fault_of_most_rows_or_of_all_is_named_as_one_of_few_is() {
     let (names, rows) = cells();

@@ -72,7 +72,7 @@ pub fn register(
 /// The same where many guesses are tried at what is wrong: false stations may lead it astray.
 ///
 /// # Errors
-/// As [`register`].
+/// Too few or too alike poses, as in [`register`].
 pub(super) fn register_from_usual_starts(
     stations: &[Station],
     base_from_flange: &[Isometry3<f64>],

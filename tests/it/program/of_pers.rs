@@ -1,7 +1,7 @@
 //! The PERS of whose value in the file motions are made, which a controller may hold otherwise: named in a target, copied, handed on,
 //! counted to, or gone into a tool or a work object.
 
-use super::{at, codes, module, tool};
+use super::{at, codes, main_of, module, tool};
 use rapid_program::Program;
 use rapid_program::motion::PersUse;
 
@@ -183,5 +183,32 @@ CONST robtarget pa{{3}}:=[{},{},{}];",
         let motion = &read.motions[0];
         let is_all = motion.targets[0].indices().is_some_and(|indices| indices.occurring.is_none());
         assert_eq!((codes(&read), is_all), (vec![expected], expected == "-"), "{target}");
+    }
+}
+
+/// A tool that is another one from the second pass on takes nothing of what keeps a motion in every form: asked at run time, a
+/// search would stop beside its place, and a point that holds where the arm stood would be corrected twice.
+#[test]
+fn what_keeps_a_motion_keeps_it_with_whatever_tool() {
+    let moves = [
+        ("p", "", "-"),
+        ("v", "", "keep::own-position"),
+        ("p", "\\Corr", "keep::path-correction"),
+        ("p\\ID:=10", "", "keep::multimove"),
+    ];
+    let of_moves: String = moves
+        .iter()
+        .map(|(point, after, _)| format!("MoveL {point},v100,fine,t\\WObj:=w{after};\n"))
+        .collect();
+    let data = format!("{}VAR robtarget v;\nVAR robtarget f;", super::state::data());
+    let body = format!("v:=CRobT(\\Tool:=t\\WObj:=w);\n{of_moves}SearchL DI1,f,p,v100,t\\WObj:=w;\n");
+    let by_hand = format!("{body}ENDPROC\nPROC by_hand()\nt:={};", tool(3));
+    for body in [format!("{body}t:={};", tool(3)), by_hand] {
+        let read = main_of(&data, &body);
+        let mut expected: Vec<&str> = moves.iter().map(|(_, _, code)| *code).collect();
+        expected.push("keep::search");
+        assert_eq!(codes(&read), expected);
+        let run_time: Vec<bool> = read.motions.iter().map(|motion| motion.run_time).collect();
+        assert_eq!(run_time, [true, false, false, false, false]);
     }
 }

@@ -46,33 +46,6 @@ fn a_parameter_that_is_handed_different_tools_is_called_that() {
     );
 }
 
-/// A tool that is another one from the second pass on takes nothing of what keeps a motion in every form: asked at run time, a
-/// search would stop beside its place, and a point that holds where the arm stood would be corrected twice.
-#[test]
-fn what_keeps_a_motion_keeps_it_with_whatever_tool() {
-    let moves = [
-        ("p", "", "-"),
-        ("v", "", "keep::own-position"),
-        ("p", "\\Corr", "keep::path-correction"),
-        ("p\\ID:=10", "", "keep::multimove"),
-    ];
-    let of_moves: String = moves
-        .iter()
-        .map(|(point, after, _)| format!("MoveL {point},v100,fine,t\\WObj:=w{after};\n"))
-        .collect();
-    let data = format!("{}VAR robtarget v;\nVAR robtarget f;", data());
-    let body = format!("v:=CRobT(\\Tool:=t\\WObj:=w);\n{of_moves}SearchL DI1,f,p,v100,t\\WObj:=w;\n");
-    let by_hand = format!("{body}ENDPROC\nPROC by_hand()\nt:={};", tool(3));
-    for body in [format!("{body}t:={};", tool(3)), by_hand] {
-        let read = main_of(&data, &body);
-        let mut expected: Vec<&str> = moves.iter().map(|(_, _, code)| *code).collect();
-        expected.push("keep::search");
-        assert_eq!(codes(&read), expected);
-        let run_time: Vec<bool> = read.motions.iter().map(|motion| motion.run_time).collect();
-        assert_eq!(run_time, [true, false, false, false, false]);
-    }
-}
-
 /// x in mm of the tools that a motion may have in later passes.
 fn later_mm(program: &Program, motion: usize) -> Vec<i32> {
     let later = program.motions[motion].setup.later_frames.iter();

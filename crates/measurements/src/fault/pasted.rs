@@ -68,7 +68,7 @@ pub(super) fn find(robot: &SerialArm, stations: &[Station]) -> Option<Fault> {
 }
 
 impl FarRows<'_> {
-    /// Two coordinates that are the same number to the last digit in most of the far rows, and hardly in any other.
+    /// Two coordinates that are the same number to the last digit in most of the far rows, as no two readings are by chance.
     pub(super) fn copied(&self) -> Option<PartFault> {
         let tried = [(0, 1), (0, 2), (1, 2)].into_iter().map(|(a, b)| {
             let is_copied = |i: &usize| {
