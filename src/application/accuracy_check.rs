@@ -1,6 +1,6 @@
 //! Pose accuracy, repeatability and drift after ISO 9283, held to limits.
 
-use super::accuracy_limits::{LimitCheck, LimitVerdict, QUANTITIES, verdict};
+use super::accuracy_limits::{LimitCheck, LimitVerdict, QUANTITIES, commanded, verdict};
 use crate::report::accuracy as report;
 use measurements::{ComparisonFrame, Measurements, Performance, PerformanceError, performance};
 use metrology::diagnose::{DiagnosisOptions, rounded_joints};
@@ -103,7 +103,7 @@ impl AccuracyChecked {
     /// Go or no go; `None` where there was no limit.
     #[must_use]
     pub fn verdict(&self) -> Option<String> {
-        let verdict_text = verdict(&self.limits, self.performance.poses.len())?;
+        let verdict_text = verdict(&self.limits, commanded(&self.performance, |_| true))?;
         // A go says nothing of rows that took no part in it.
         let lines = &self.performance.lines_left_out;
         let left_out_text = match lines.len() {

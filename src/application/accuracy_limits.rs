@@ -3,6 +3,7 @@
 use measurements::{Performance, PosePerformance};
 use rapid_syntax::diagnostic::counted;
 use robot_model::units::mm_from_m;
+use std::collections::BTreeSet;
 
 /// Poses that ISO 9283 asks for; of fewer, where the file has more, nothing is passed.
 const POSES: usize = 5;
@@ -39,7 +40,7 @@ pub struct LimitCheck {
     pub limit_mm: f64,
     /// The worst that was measured, mm.
     pub worst_mm: f64,
-    /// How many poses tell of it.
+    /// How many commanded poses tell of it.
     pub poses: usize,
     /// How many have to.
     pub needed: usize,
@@ -51,8 +52,8 @@ pub struct LimitCheck {
 impl LimitCheck {
     /// A limit held against the worst that was measured.
     pub(super) fn new(quantity: &Quantity, limit_mm: f64, worst_m: f64, found: &Performance) -> Self {
-        let poses = found.poses.iter().filter(|pose| (quantity.tells)(pose)).count();
-        let (worst_mm, needed) = (mm_from_m(worst_m), found.poses.len().min(POSES));
+        let poses = commanded(found, quantity.tells);
+        let (worst_mm, needed) = (mm_from_m(worst_m), commanded(found, |_| true).min(POSES));
         let verdict = match (worst_mm > limit_mm, poses < needed) {
             (true, _) => LimitVerdict::Beyond,
             (false, true) => LimitVerdict::NotJudged,
@@ -82,6 +83,13 @@ impl LimitCheck {
     }
 }
 
+/// How many commanded poses there are of which `tells` holds, seen by whatever target, from whatever side, with whatever payload: several of
+/// these at one pose are one pose.
+pub(super) fn commanded(found: &Performance, tells: impl Fn(&PosePerformance) -> bool) -> usize {
+    let of = found.poses.iter().filter(|pose| tells(pose));
+    of.map(|pose| pose.pose).collect::<BTreeSet<usize>>().len()
+}
+
 /// What is limited, and which poses tell of it.
 pub(super) struct Quantity {
     /// The option of its limit.
@@ -105,7 +113,7 @@ pub(super) const QUANTITIES: [Quantity; 3] = [
     },
 ];
 
-/// Go, no go, or that it cannot be said, of limits in `all` poses; `None` where there is no limit.
+/// Go, no go, or that it cannot be said, of limits in `all` commanded poses; `None` where there is no limit.
 pub(super) fn verdict(limits: &[LimitCheck], all: usize) -> Option<String> {
     let of = |verdict| limits.iter().filter(move |limit| limit.verdict == verdict);
     let beyond: Vec<String> = of(LimitVerdict::Beyond).map(LimitCheck::text).collect();

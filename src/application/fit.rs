@@ -4,7 +4,7 @@ use super::program_files::ProgramFiles;
 use crate::report::fit as report;
 use measurements::{Fault, FaultKind, Touches};
 use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
-use metrology::diagnose::warmup::{TipCheck, check_tip, moving_points};
+use metrology::diagnose::warmup::{TimedReading, TipCheck, check_tip, moving_points, pauses};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::tabulate::{TabulateError, tabulate};
 use rapid_compensation::compensate::targets::NamedPose;
@@ -58,7 +58,10 @@ impl Fit {
     /// That the tip is elsewhere, where it hides the drift.
     fn wrong_tip(&self, touches: &Touches, error: &FitError) -> Option<FitError> {
         let hides = matches!(error, FitError::NoDrift { .. });
-        let stops = self.options.stops.clone().unwrap_or_default();
+        // As the fit itself takes them.
+        let readings: Vec<TimedReading> =
+            touches.touches.iter().map(|touch| (touch.t_min, touch.point)).collect();
+        let stops = self.options.stops.clone().unwrap_or_else(|| pauses(&readings));
         let tip = check_tip(touches, &self.robot, self.options.tool_m, &stops).filter(|_| hides)?;
         let reason = format!("{}; {error}", tip.warning()?.message);
         Some(FitError::Fault(Box::new(Fault::of_all(FaultKind::WrongTool, None, reason))))

@@ -11,6 +11,7 @@ use metrology::diagnose::{RefitScope, ValidateError, Validation, validate, warmi
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
+use std::borrow::Cow;
 
 /// Checks an identified model against measurements that took no part in its fit.
 #[derive(Clone, Debug)]
@@ -58,18 +59,20 @@ impl ModelCheck {
     pub fn run(&self, measurements: &Measurements) -> Result<ModelChecked, ValidateError> {
         let checked = check_rows(measurements, &self.robot);
         // What would speak against any model is no fault of this one.
-        let of_stand = match from_sound_file(measurements, &self.robot, &checked) {
-            Ok(OneStand { warnings, .. }) => warnings,
+        let (seen, used, of_stand) = match from_sound_file(measurements, &self.robot, &checked) {
+            Ok(OneStand { measurements, used, warnings, .. }) => (measurements, used, warnings),
             Err(fault) if is_no_reading_of(&fault) => {
-                vec![Diagnostic::warning("measure::fault", fault.reason)]
+                let warning = Diagnostic::warning("measure::fault", fault.reason);
+                (Cow::Borrowed(measurements), checked.used.clone(), vec![warning])
             }
             Err(fault) => return Err(ValidateError::Joints { reason: fault.reason }),
         };
         if let Some(fault) = find_pose_names(measurements, &checked.used) {
             return Err(ValidateError::Joints { reason: fault.reason });
         }
-        let WithStops { validation, stops, warning } = self.with_stops(measurements)?;
-        let of_rows = checked.warnings.into_iter().chain(of_stand).chain(warning);
+        let WithStops { validation, stops, warning } = self.with_stops((&seen, &used))?;
+        let left_out = validation.left_out.clone();
+        let of_rows = checked.warnings.into_iter().chain(of_stand).chain(left_out).chain(warning);
         let missing = missing_columns(&self.model, measurements.channels);
         let warnings = measurements.warnings.iter().cloned().chain(of_rows).chain(missing).collect();
         let stops_are_named = self.stops.is_some();
@@ -78,18 +81,23 @@ impl ModelCheck {
 
     /// What the model leaves where the robot stood as is named, or in the long pauses between rows, as far as its drift follows the robot's
     /// warmth.
-    fn with_stops(&self, measurements: &Measurements) -> Result<WithStops, ValidateError> {
-        let check =
-            |stops: &[Standstill]| validate(measurements, &self.robot, &self.model, self.refit, stops);
+    fn with_stops(&self, seen: (&Measurements, &[usize])) -> Result<WithStops, ValidateError> {
+        let check = |stops: &[Standstill]| validate(seen, &self.robot, &self.model, self.refit, stops);
         let Some((law, _)) = warming(&self.model) else {
             let has_no_use = self.stops.as_ref().is_some_and(|stops| !stops.is_empty()).then(no_law);
             return Ok(WithStops { validation: check(&[])?, stops: Vec::new(), warning: has_no_use });
         };
+        let has_sessions = seen.0.rows.iter().any(|row| row.earlier_min > 0.0);
         if let Some(named) = &self.stops {
             let stops = Standstill::merged(named.clone());
-            return Ok(WithStops { validation: check(&stops)?, stops, warning: None });
+            let warning = (has_sessions && !stops.is_empty()).then(in_each_session);
+            return Ok(WithStops { validation: check(&stops)?, stops, warning });
         }
-        let readings = readings(measurements);
+        // What one day measures fills the pause of another.
+        if has_sessions {
+            return Ok(WithStops { validation: check(&[])?, stops: Vec::new(), warning: None });
+        }
+        let readings = readings(seen.0);
         let worked = check(&[])?;
         let stops = pauses(&readings);
         let Some(longest) = Standstill::longest(&stops) else {
@@ -135,6 +143,13 @@ fn no_law() -> Diagnostic {
     let text = "--stop has no effect: the model's drift follows no one growth law with a time constant";
     Diagnostic::warning("model::pause", text)
         .help("only the warmth of a robot follows its stops; the clock does not")
+}
+
+fn in_each_session() -> Diagnostic {
+    let text =
+        "the minutes of the file begin anew, and --stop is taken to name minutes of each of its sessions";
+    Diagnostic::warning("model::pause", text)
+        .help("validate on one session at a time where they stopped at other times")
 }
 
 fn late(first_min: f64) -> Diagnostic {

@@ -41,8 +41,8 @@ fn opening(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool)
         let [x, y, z] = [by.x, by.y, by.z].map(mm_from_m);
         writeln!(
             out,
-            "target {} on the flange: {x:+.4}, {y:+.4}, {z:+.4} mm (+- {:.4}), {:.4} mm in all",
-            k + 1,
+            "{} on the flange: {x:+.4}, {y:+.4}, {z:+.4} mm (+- {:.4}), {:.4} mm in all",
+            target_name(found, k),
             mm_from_m(*sigma),
             mm_from_m(by.norm())
         )?;
@@ -93,6 +93,14 @@ fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
     }
 }
 
+/// A target that was measured both times, by its number among these and, where the file has one, its name.
+fn target_name(found: &MeasurementComparison, target: usize) -> String {
+    match found.targets.get(target).map_or("", String::as_str) {
+        "" => format!("target {}", target + 1),
+        name => format!("target {} ({name})", target + 1),
+    }
+}
+
 /// That a target sits where no wear takes it, as what follows the verdict; empty where none does.
 fn other_targets(found: &MeasurementComparison) -> String {
     let all = found
@@ -100,7 +108,7 @@ fn other_targets(found: &MeasurementComparison) -> String {
         .into_iter()
         .filter_map(|target| Some((target, found.tools_moved_m.get(target)?)));
     let all: Vec<String> = all
-        .map(|(target, (by, _))| format!("target {} by {:.3} mm", target + 1, mm_from_m(by.norm())))
+        .map(|(target, (by, _))| format!("{} by {:.3} mm", target_name(found, target), mm_from_m(by.norm())))
         .collect();
     if all.is_empty() {
         return String::new();
@@ -134,7 +142,7 @@ pub fn json(found: &MeasurementComparison, is_changed: bool) -> Value {
         .iter()
         .enumerate()
         .map(|(target, (by, sigma))| {
-            json!({ "by_mm": <[f64; 3]>::from(*by).map(mm_from_m), "sigma_mm": mm_from_m(*sigma),
+            json!({ "target": found.targets.get(target), "by_mm": <[f64; 3]>::from(*by).map(mm_from_m), "sigma_mm": mm_from_m(*sigma),
                     "is_other": other.contains(&target) })
         })
         .collect();

@@ -247,6 +247,14 @@ fn a_reading_that_no_arm_made_is_named_by_its_line() {
         "{}",
         found.err
     );
+    // Of three cycles two agree, and say so of a third that is centimetres beside them; of two nobody knows which.
+    let second_far = cycles(|row, _, point| point[2] += if row == 6 { 28.0 } else { 0.0 });
+    let of_first = |count: usize| {
+        let text: String = second_far.lines().take(1 + 5 * count).map(|line| format!("{line}\n")).collect();
+        accuracy(folder.path(), &text, &[]).err
+    };
+    assert!(of_first(3).contains("measure::far-cycle"), "{}", of_first(3));
+    assert!(!of_first(2).contains("measure::far-cycle"), "{}", of_first(2));
 }
 
 #[test]
@@ -356,6 +364,42 @@ fn a_limit_that_few_poses_tell_is_neither_kept_nor_exceeded() {
     assert!(found.code == 2 && found.out.contains("(0 of 5 poses measured three times"), "{}", found.out);
     let all: String = cycles(|_, _, _| ());
     assert_eq!(judged(&all, &["--limit-rp-mm", "0.5", "--limit-ap-mm", "0.5"]).code, 0);
+}
+
+/// Five reflectors at each of five poses; at the first pose one of them, or all, are read three times: one commanded pose of five.
+#[test]
+fn reflectors_of_one_pose_are_one_pose_of_a_limit() {
+    let folder = tempfile::tempdir().unwrap();
+    let tools_mm = [
+        [20.0, 10.0, 100.0],
+        [60.0, -40.0, 80.0],
+        [-50.0, 30.0, 120.0],
+        [10.0, 70.0, 90.0],
+        [-20.0, -60.0, 110.0],
+    ];
+    let of_one = |tool_mm| {
+        cycles(|row, q_deg, point_mm| {
+            *point_mm = command_mm(*q_deg, tool_mm);
+            point_mm[row % 3] += 0.004 * (row * 7 % 5) as f64;
+        })
+    };
+    let files = tools_mm.map(of_one);
+    let judged = |is_read: &dyn Fn(usize, usize) -> bool| {
+        let mut csv = format!("target,{}\n", files[0].lines().next().unwrap());
+        for row in 0..50 {
+            for (k, file) in files.iter().enumerate().filter(|(k, _)| is_read(row, *k)) {
+                writeln!(csv, "R{k},{}", file.lines().nth(row + 1).unwrap()).unwrap();
+            }
+        }
+        accuracy(folder.path(), &csv, &["--limit-rp-mm", "0.5"])
+    };
+    for reflectors in [1, 5] {
+        let found = judged(&|row, k| row < 5 || [5, 10].contains(&row) && k < reflectors);
+        let expected = "(1 of 5 poses measured three times and more, 5 are needed)";
+        assert!(found.code == 2 && found.out.contains(expected), "{}{}", found.out, found.err);
+    }
+    let found = judged(&|_, _| true);
+    assert!(found.code == 0 && found.out.ends_with("\nGO\n"), "{}{}", found.out, found.err);
 }
 
 #[test]

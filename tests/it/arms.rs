@@ -6,7 +6,7 @@ use exam::effect::Effect;
 use exam::generate::{DataSet, data_set};
 use exam::harmonics::Harmonics;
 use exam::rng::Rng;
-use measurements::Measurements;
+use measurements::{Measurements, check_rows};
 use metrology::diagnose::{
     DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
@@ -135,7 +135,9 @@ fn a_model_of_an_arm_with_a_joint_that_slides_holds_on_other_poses() {
     let offset = model.terms.iter().find(|t| t.kind.name() == "joint_offset").unwrap();
     let (is, was) = (offset.value(0), set.truth.effects[0].amplitude);
     assert!((is / was - 1.0).abs() < 0.2, "{is} m, planted {was} m");
-    let checked = validate(&part(1), &arm, &model, RefitScope::BaseAndTool, &[]).unwrap();
+    let file = part(1);
+    let used = check_rows(&file, &arm).used;
+    let checked = validate((&file, &used), &arm, &model, RefitScope::BaseAndTool, &[]).unwrap();
     // Noise of 0.02 mm in each coordinate is 0.035 mm in space.
     assert!(checked.all.model.rms_mm < 0.05, "{:?}", checked.all);
     assert!(checked.all.nominal.rms_mm > 2.0 * checked.all.model.rms_mm, "{:?}", checked.all);
@@ -149,7 +151,8 @@ fn a_file_of_other_joints_than_the_arms_is_told() {
     assert_eq!(found.verdict, Verdict::DataFault);
     assert!(found.reason.contains("q1_deg, q2_deg, q3_mm, q4_deg"), "{}", found.reason);
     let model = robot_model::deform::identified::Identified::default();
-    let of_six = validate(&read(&set), &arm("scara"), &model, RefitScope::BaseAndTool, &[]).unwrap_err();
+    let of_six =
+        validate((&read(&set), &[]), &arm("scara"), &model, RefitScope::BaseAndTool, &[]).unwrap_err();
     assert!(of_six.to_string().contains("of an arm of 6 joints"), "{of_six}");
 }
 

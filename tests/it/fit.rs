@@ -212,7 +212,7 @@ mod long {
         let csv = touches(&robot, &recipe, &mut Rng::new(11, 0)).unwrap();
         let mut read = Touches::from_csv(csv.as_bytes()).unwrap();
         let options = FitOptions { tool_m: Vector3::new(0.0, 0.0, 0.1), stops: None };
-        assert!(fit(&read, &robot, &options).is_ok());
+        fit(&read, &robot, &options).unwrap();
         let times: Vec<f64> = read.touches.iter().map(|touch| touch.t_min).collect();
         let mut random = Rng::new(12, 0);
         let mut order: Vec<usize> = (0..times.len()).collect();
@@ -248,7 +248,7 @@ mod long {
         synth.assert().success();
         let mut read = Touches::from_csv(&std::fs::read(sets.join("touches.csv")).unwrap()).unwrap();
         let robot = Robot::built_in("irb140").unwrap();
-        assert!(fit(&read, &robot, &FitOptions::default()).is_ok());
+        fit(&read, &robot, &FitOptions::default()).unwrap();
         read.touches.sort_by_key(|touch| touch.line);
         let times: Vec<f64> = read.touches.iter().map(|touch| touch.t_min).collect();
         // The fractions of a sine times a large number follow nothing.

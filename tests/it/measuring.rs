@@ -10,7 +10,7 @@ use exam::harmonics::Harmonics;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
 use exam::virtual_robot::{Commanded, VirtualRobot};
-use measurements::{ColumnMap, MatchBy, Measurements, Reading, Table, join};
+use measurements::{ColumnMap, MatchBy, Measurements, Reading, Table, check_rows, join};
 use metrology::diagnose::{
     DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
@@ -225,8 +225,10 @@ fn validated(learn: &str, test: &str) -> [f64; 2] {
     let read = |csv: &str| Measurements::from_csv(csv.as_bytes()).unwrap();
     let options = DiagnosisOptions { tool_m: None, sigma_m: Some(SIGMA_M) };
     let model = diagnose_and_identify(&read(learn), &robot, &options).1.unwrap();
-    let found = validate(&read(test), &robot, &model, RefitScope::BaseAndTool, &[]).unwrap();
-    let only_tool = validate(&read(test), &robot, &model, RefitScope::Base, &[]).unwrap();
+    let file = read(test);
+    let rows = (&file, &*check_rows(&file, &robot).used);
+    let found = validate(rows, &robot, &model, RefitScope::BaseAndTool, &[]).unwrap();
+    let only_tool = validate(rows, &robot, &model, RefitScope::Base, &[]).unwrap();
     // The tip is the model's there: as good as it was found.
     assert!(only_tool.all.model.rms_mm < 2.0 * found.all.model.rms_mm, "{only_tool:?}");
     [found.all.model.rms_mm, found.all.nominal.rms_mm]

@@ -283,3 +283,22 @@ fn a_noise_that_the_points_contradict_is_not_believed() {
     let sound = diagnose(text.as_bytes(), &["--sigma-mm", "0.02"]);
     assert!(!sound.text.contains("that was stated"), "{}", sound.text);
 }
+
+/// Points of twenty rows pasted over those of twenty others: the joints are of the rows that they stand in, and no unit of a column makes
+/// them fit.
+#[test]
+fn a_block_of_points_that_was_pasted_over_another_is_named() {
+    let mut sheet = Sheet::new();
+    let was = sheet.rows.clone();
+    assert!(was.len() >= 60, "{}", was.len());
+    for name in ["x_mm", "y_mm", "z_mm"] {
+        let at = sheet.at(name);
+        (30..50).for_each(|k| sheet.rows[k][at].clone_from(&was[k - 20][at]));
+    }
+    let (kind, column, found) = sheet.fault();
+    assert_eq!((kind, column), named("nothing_fits", "x_mm, y_mm, z_mm"));
+    assert_eq!(found, lines(30, 50));
+    let answer = diagnose(as_text(&sheet.names, &sheet.rows).as_bytes(), &[]);
+    let reason = answer.json.unwrap()["reason"].to_string();
+    assert!(reason.contains("those of lines 12 to 31"), "{reason}");
+}

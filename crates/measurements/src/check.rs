@@ -2,17 +2,20 @@
 
 use super::codes::codes;
 use super::fault::{Fault, FaultKind};
+use super::rows::JointTolerance;
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
-use robot_model::robot::{Axis, JointKind, Joints, SerialArm};
+use robot_model::robot::{Axis, Joint, JointKind, Joints, SerialArm};
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// More rows than this say no more; a part of the poses is taken.
 const MOST_ROWS: usize = 20_000;
-/// Beyond a joint's range by more than this is no reading of this robot, radians.
-const RANGE_SLACK_RAD: f64 = 0.02;
+/// Beyond a joint's range by more than this is no reading of this robot.
+const RANGE_SLACK: JointTolerance = JointTolerance { rad: 0.02, m: 1e-3 };
+/// A joint is written at most so many turns from where it is within its range.
+const MOST_TURNS: i32 = 2;
 /// Share of rows out of range from which on the whole file is doubted.
 pub const OUT_OF_RANGE_SHARE: f64 = 0.1;
 /// Share of directions that are not known, of which nobody would write so many beside 1 alone.
@@ -78,7 +81,7 @@ fn checked(
         return checked;
     }
     (checked.used, checked.warnings) = (used, equal_rows.into_iter().collect());
-    checked.leave_out_codes(rows);
+    checked.leave_out_codes(measurements);
     checked.leave_out_of_range(rows, robot);
     checked.check_time_order(rows);
     checked.warnings.extend(directions_without_back(rows));
@@ -120,7 +123,8 @@ fn recorded(row: &MeasurementRow) -> Vec<u64> {
     let mut key: Vec<u64> = row.q_rad.iter().chain(coordinates_m.iter()).map(|v| v.to_bits()).collect();
     key.push(row.reading.fixed_point().map_or(u64::MAX, |fixed_point| fixed_point as u64));
     key.push(u64::from(row.reading.involves_arm()));
-    key.push(row.t_min.map_or(0, f64::to_bits));
+    // The same minute of two sessions is not the same moment.
+    key.push(row.clock_min().map_or(0, f64::to_bits));
     key.push(row.payload_kg.map_or(0, f64::to_bits));
     key.push(row.target as u64);
     // Each of these is recorded in all rows of a file or in none.
@@ -132,23 +136,20 @@ fn recorded(row: &MeasurementRow) -> Vec<u64> {
 
 /// The first joint, counted from 0, that `robot` cannot have where `q_rad` says.
 pub fn out_of_range(q_rad: &Joints, robot: &SerialArm) -> Option<usize> {
-    robot.joints.iter().zip(q_rad).position(|(joint, q_rad)| {
-        joint
-            .range_rad
-            .is_some_and(|[low, high]| *q_rad < low - RANGE_SLACK_RAD || *q_rad > high + RANGE_SLACK_RAD)
-    })
+    robot.joints.iter().zip(q_rad).position(|(joint, q_rad)| !is_in_range(*q_rad, joint))
 }
 
-/// `row` with each joint that turns a whole turn back where that takes it nearer to 0.
-fn less_whole_turns(row: &MeasurementRow, robot: &SerialArm) -> MeasurementRow {
-    let mut less = row.clone();
-    for (q_rad, joint) in less.q_rad.iter_mut().zip(&robot.joints).filter(|(_, joint)| !joint.kind.slides()) {
-        let is_beyond = joint.range_rad.is_some_and(|[low, high]| *q_rad < low || *q_rad > high);
-        if is_beyond {
-            *q_rad -= TAU * (*q_rad / TAU).round();
-        }
-    }
-    less
+fn is_in_range(q_rad: f64, joint: &Joint) -> bool {
+    let slack = RANGE_SLACK.of(joint.kind);
+    joint.range_rad.is_none_or(|[low, high]| (low - slack..=high + slack).contains(&q_rad))
+}
+
+/// Whether each joint of `q_rad` is in its range, or would be some whole turns on or back: a range need not lie about 0.
+fn is_whole_turns_off(q_rad: &Joints, robot: &SerialArm) -> bool {
+    robot.joints.iter().zip(q_rad).all(|(joint, q_rad)| {
+        let most = if joint.kind.slides() { 0 } else { MOST_TURNS };
+        (-most..=most).any(|turns| is_in_range(q_rad + TAU * f64::from(turns), joint))
+    })
 }
 
 /// Directions of which none is -1 though many are 0: 0 is "not known" here, elsewhere it is "back".
@@ -158,10 +159,13 @@ fn directions_without_back(rows: &[MeasurementRow]) -> Option<Diagnostic> {
     let (all, unknown) = (signs().count(), signs().filter(|sign| *sign == 0).count());
     let is_odd =
         signs().all(|sign| sign >= 0) && UNKNOWN_SHARE.contains(&(unknown as f64 / all.max(1) as f64));
+    let joints = rows.first().map_or(0, |row| row.q_rad.len());
     is_odd.then(|| {
         Diagnostic::warning(
             "measure::directions",
-            "the columns dir1 to dir6 hold 0 and 1 and no -1: 0 says that a direction is not known",
+            format!(
+                "the columns dir1 to dir{joints} hold 0 and 1 and no -1: 0 says that a direction is not known"
+            ),
         )
         .help("write -1 where a joint came from above; play shows by that alone")
     })
@@ -193,25 +197,37 @@ fn repeated(lines: &[u64]) -> Option<String> {
 }
 
 impl RowCheck {
-    /// Keeps a part of the poses where the rows are more than say anything new.
+    /// Keeps a part of the arm's poses where the rows are more than say anything new, and all nests.
     fn thin_out(&mut self, rows: &[MeasurementRow]) {
         if self.used.len() <= MOST_ROWS {
             return;
         }
         let step = self.used.len().div_ceil(MOST_ROWS);
         let before = self.used.len();
+        let of_arm = self.used.iter().filter_map(|&i| rows.get(i)).filter(|row| row.reading.involves_arm());
+        let poses: BTreeSet<usize> = of_arm.map(|row| row.pose).collect();
         // Scattered: every n-th of poses that are visited in turn could be one side or one direction alone.
-        let scattered = |pose: usize| (pose as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
-        self.used.retain(|&i| rows.get(i).is_some_and(|row| scattered(row.pose) % step as u64 == 0));
-        self.warnings.push(Diagnostic::warning(
-            "measure::many-rows",
-            format!("of {before} rows {} are evaluated: one pose in {step}", self.used.len()),
-        ));
+        let is_kept = |rank: usize| {
+            ((rank as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32).is_multiple_of(step as u64)
+        };
+        let kept: BTreeSet<usize> =
+            poses.iter().enumerate().filter(|(rank, _)| is_kept(*rank)).map(|(_, pose)| *pose).collect();
+        let counts = |row: &MeasurementRow| !row.reading.involves_arm() || kept.contains(&row.pose);
+        self.used.retain(|&i| rows.get(i).is_some_and(counts));
+        if self.used.len() < before {
+            let evaluated = format!(
+                "of {before} rows {} are evaluated: {} of {}",
+                self.used.len(),
+                kept.len(),
+                poses.len()
+            );
+            self.warnings.push(Diagnostic::warning("measure::many-rows", evaluated + " poses"));
+        }
     }
 
     /// Leaves out rows that hold a code where the instrument had no reading.
-    fn leave_out_codes(&mut self, rows: &[MeasurementRow]) {
-        let (coded, warnings) = codes(rows, &self.used);
+    fn leave_out_codes(&mut self, measurements: &Measurements) {
+        let (coded, warnings) = codes(&measurements.rows, &self.used, &measurements.joint_kinds);
         self.used.retain(|i| !coded.contains(i));
         self.warnings.extend(warnings);
     }
@@ -235,10 +251,8 @@ impl RowCheck {
             self.used.len(),
             Axis::at(joint)
         );
-        let whole_turns = out
-            .iter()
-            .filter_map(|(i, _)| rows.get(*i))
-            .all(|row| beyond(&less_whole_turns(row, robot)).is_none());
+        let whole_turns =
+            out.iter().filter_map(|(i, _)| rows.get(*i)).all(|row| is_whole_turns_off(&row.q_rad, robot));
         if out.len() as f64 > OUT_OF_RANGE_SHARE * self.used.len() as f64 {
             let columns: BTreeSet<usize> = out.iter().map(|(_, joint)| *joint).collect();
             let columns: Vec<String> =
@@ -250,7 +264,7 @@ impl RowCheck {
                 lines,
                 |_, _| match whole_turns {
                     true => format!(
-                        "{what}: less a whole turn all of them are in it; write them as the controller does, between its ends"
+                        "{what}: a whole turn on or back all of them are in it; write them as the controller does, between its ends"
                     ),
                     false => format!(
                         "{what}: another robot, another joint convention, or columns in another order"
@@ -268,7 +282,8 @@ impl RowCheck {
         );
     }
 
-    /// Rows out of order are sorted by their stamps, unless what warms says that the rows are right and the stamps are not.
+    /// Warns of stamps that run back and of sessions one after the other, and decides whether the stamps count: not where what warms says that the
+    /// order of the rows is right and they are not. The rows stay in the file's order.
     fn check_time_order(&mut self, rows: &[MeasurementRow]) {
         let stamped: Vec<(usize, f64)> = self
             .used
@@ -335,115 +350,4 @@ fn sessions<'a>(rows: impl Iterator<Item = &'a MeasurementRow> + Clone) -> Optio
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn file(rows: &[(f64, f64, f64)]) -> Measurements {
-        let mut text = "t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
-        for (t_min, q2_deg, x_mm) in rows {
-            text.push_str(&format!("{t_min},0,{q2_deg},0,0,0,0,{x_mm},0,0\n"));
-        }
-        Measurements::from_csv(text.as_bytes()).unwrap()
-    }
-
-    fn codes(checked: &RowCheck) -> Vec<&'static str> {
-        checked.warnings.iter().map(|w| w.code).collect()
-    }
-
-    #[test]
-    fn one_step_back_is_a_warning_and_shuffled_time_is_not_used() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
-        rows[10].0 = 5.5;
-        let checked = check_rows(&file(&rows), &robot);
-        assert_eq!(codes(&checked), ["measure::time-step-back"]);
-        assert!(checked.time_usable);
-        for (i, row) in rows.iter_mut().enumerate() {
-            row.0 = ((i * 7) % 20) as f64;
-        }
-        let checked = check_rows(&file(&rows), &robot);
-        assert_eq!(codes(&checked), ["measure::time-order"]);
-        assert!(checked.time_usable, "sorted");
-    }
-
-    /// 20 poses a degree and a millimetre apart: three of -9999 are a code; two are false readings, what lies among the others is a
-    /// coordinate, and at one pose the same is a repeat.
-    #[test]
-    fn a_number_far_out_that_poses_share_is_a_code() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let poses: Vec<(f64, f64, f64)> = (0..20).map(f64::from).map(|i| (i, i, i)).collect();
-        let checked_with = |changed: &[(usize, f64, f64)]| {
-            let mut rows = poses.clone();
-            for (row, q2_deg, x_mm) in changed {
-                (rows[*row].1, rows[*row].2) = (*q2_deg, *x_mm);
-            }
-            check_rows(&file(&rows), &robot)
-        };
-        let coded = checked_with(&[(2, 2.0, -9999.0), (9, 9.0, -9999.0), (19, 19.0, -9999.0)]);
-        assert_eq!(codes(&coded), ["measure::code-for-none"]);
-        assert_eq!(coded.used, (0..19).filter(|i| ![2, 9].contains(i)).collect::<Vec<_>>());
-        assert!(
-            coded.warnings[0].message.contains("x_mm is -9999 to the last digit in 3 rows: lines 4, 11, 21")
-        );
-        for kept in [
-            [(2, 2.0, -9999.0), (9, 9.0, -9999.0), (19, 19.0, 19.0)],
-            [(2, 2.0, 25.0), (9, 9.0, 25.0), (19, 19.0, 25.0)],
-            [(2, 2.0, -9999.0), (9, 2.0, -9999.0), (19, 2.0, -9999.0)],
-        ] {
-            let checked = checked_with(&kept);
-            assert_eq!((checked.used.len(), codes(&checked)), (20, vec![]), "{kept:?}");
-        }
-    }
-
-    /// 200 and 340 deg are -160 and -20 deg less a turn, of which the second alone is in the 110 deg of the irb140's joint 2.
-    #[test]
-    fn joints_a_whole_turn_out_of_range_are_told_as_that() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let reason = |q2_deg: f64| {
-            let rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), q2_deg, f64::from(i))).collect();
-            check_rows(&file(&rows), &robot).fault.unwrap().reason
-        };
-        assert!(reason(340.0).contains("less a whole turn"), "{}", reason(340.0));
-        assert!(reason(200.0).contains("another robot"), "{}", reason(200.0));
-    }
-
-    #[test]
-    fn copies_and_joints_out_of_range_are_left_out_and_many_of_those_are_a_fault() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let mut rows: Vec<(f64, f64, f64)> = (0..20).map(|i| (f64::from(i), 0.0, f64::from(i))).collect();
-        rows.push(rows[3]);
-        rows[8].1 = 170.0;
-        let checked = check_rows(&file(&rows), &robot);
-        assert!(codes(&checked).contains(&"measure::duplicates"));
-        assert!(codes(&checked).contains(&"measure::joint-range"));
-        assert_eq!(checked.used.len(), 19);
-        for row in &mut rows {
-            row.1 = 170.0;
-        }
-        let fault = check_rows(&file(&rows), &robot).fault.unwrap();
-        assert_eq!(fault.kind, FaultKind::JointsOutOfRange);
-    }
-
-    /// One point three times: with another quaternion, and from the other side with the first one's.
-    #[test]
-    fn rows_of_another_orientation_or_direction_are_no_copies() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let header = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,qw,qx,qy,qz,dir1,dir2,dir3,dir4,dir5,dir6";
-        let at = "0,0,0,0,0,0,500,0,600";
-        let text = format!(
-            "{header}\n{at},1,0,0,0,1,1,1,1,1,1\n{at},0.8,0.6,0,0,1,1,1,1,1,1\n{at},1,0,0,0,-1,1,1,1,1,1\n"
-        );
-        let checked = check_rows(&Measurements::from_csv(text.as_bytes()).unwrap(), &robot);
-        assert_eq!((codes(&checked), checked.used), (vec![], vec![0, 1, 2]));
-    }
-
-    /// 24,000 cycles of three poses, all of a pose equal: none is left out.
-    #[test]
-    fn each_row_is_a_cycle_however_many_and_equal_they_are() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let rows: Vec<(f64, f64, f64)> =
-            (0..24_000).map(|i| (0.0, f64::from(i % 3), f64::from(i % 3))).collect();
-        let checked = check_cycles(&file(&rows), &robot);
-        assert_eq!((checked.used.len(), codes(&checked)), (24_000, vec!["measure::equal-cycles"]));
-    }
-}
+mod tests;

@@ -4,6 +4,7 @@ use super::column_names::POINT;
 use super::gaps::at_lines;
 use super::{MeasurementRow, Reading};
 use rapid_syntax::diagnostic::Diagnostic;
+use robot_model::robot::JointKind;
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,9 +14,13 @@ const FEWEST: usize = 3;
 const SPANS: f64 = 2.0;
 
 /// Rows of `used` whose point holds a code in place of a coordinate, and what is said of them, column by column.
-pub(super) fn codes(rows: &[MeasurementRow], used: &[usize]) -> (BTreeSet<usize>, Vec<Diagnostic>) {
+pub(super) fn codes(
+    rows: &[MeasurementRow],
+    used: &[usize],
+    kinds: &[JointKind],
+) -> (BTreeSet<usize>, Vec<Diagnostic>) {
     let (mut coded, mut warnings) = (BTreeSet::new(), Vec::new());
-    for (value_m, of) in of_all_coordinates(rows, used) {
+    for (value_m, of) in of_all_coordinates(rows, used, kinds) {
         warnings.push(warning("x_mm, y_mm, z_mm", value_m, rows, &of));
         coded.extend(of);
     }
@@ -25,7 +30,7 @@ pub(super) fn codes(rows: &[MeasurementRow], used: &[usize]) -> (BTreeSet<usize>
             Reading::Point { position_m } => Some((i, position_m[k])),
             _ => None,
         });
-        for (value_m, of) in of_column(rows, &read.collect::<Vec<_>>()) {
+        for (value_m, of) in of_column(rows, &read.collect::<Vec<_>>(), kinds) {
             warnings.push(warning(column, value_m, rows, &of));
             coded.extend(of);
         }
@@ -40,7 +45,11 @@ fn warning(column: &str, value_m: f64, rows: &[MeasurementRow], of: &[usize]) ->
 }
 
 /// Numbers that stand in all three coordinates of a point, metres, each with its rows: 0, 0, 0.
-fn of_all_coordinates(rows: &[MeasurementRow], used: &[usize]) -> Vec<(f64, Vec<usize>)> {
+fn of_all_coordinates(
+    rows: &[MeasurementRow],
+    used: &[usize],
+    kinds: &[JointKind],
+) -> Vec<(f64, Vec<usize>)> {
     let mut alike: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
     for &i in used {
         if let Some(Reading::Point { position_m }) = rows.get(i).map(|row| &row.reading)
@@ -49,15 +58,16 @@ fn of_all_coordinates(rows: &[MeasurementRow], used: &[usize]) -> Vec<(f64, Vec<
             alike.entry(position_m.x.to_bits()).or_default().push(i);
         }
     }
-    let is_code = |of: &[usize]| of.len() >= FEWEST && 2 * of.len() < used.len() && are_apart(rows, of);
+    let is_code =
+        |of: &[usize]| of.len() >= FEWEST && 2 * of.len() < used.len() && are_apart(rows, of, kinds);
     alike.into_iter().filter(|(_, of)| is_code(of)).map(|(bits, of)| (f64::from_bits(bits), of)).collect()
 }
 
 /// Whether the arm stood elsewhere in some of these rows.
-fn are_apart(rows: &[MeasurementRow], of: &[usize]) -> bool {
+fn are_apart(rows: &[MeasurementRow], of: &[usize], kinds: &[JointKind]) -> bool {
     let mut pose = of.iter().filter_map(|&i| rows.get(i));
     let first = pose.next();
-    pose.any(|row| first.is_some_and(|first| row.is_apart_from(first)))
+    pose.any(|row| first.is_some_and(|first| row.is_apart_from(first, kinds)))
 }
 
 /// What is said of the rows at `lines`, in which `column` holds a code.
@@ -70,13 +80,13 @@ pub fn describe_code(column: &str, value: f64, lines: &[u64]) -> String {
 }
 
 /// The codes of one coordinate, metres, each with its rows.
-fn of_column(rows: &[MeasurementRow], read: &[(usize, f64)]) -> Vec<(f64, Vec<usize>)> {
+fn of_column(rows: &[MeasurementRow], read: &[(usize, f64)], kinds: &[JointKind]) -> Vec<(f64, Vec<usize>)> {
     let mut alike: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
     for (i, value_m) in read {
         alike.entry(value_m.to_bits()).or_default().push(*i);
     }
     let repeated: Vec<(u64, Vec<usize>)> =
-        alike.into_iter().filter(|(_, of)| of.len() >= FEWEST && are_apart(rows, of)).collect();
+        alike.into_iter().filter(|(_, of)| of.len() >= FEWEST && are_apart(rows, of, kinds)).collect();
     let is_repeated = |value_m: f64| repeated.iter().any(|(bits, _)| *bits == value_m.to_bits());
     let others = || read.iter().map(|(_, value_m)| *value_m).filter(|value_m| !is_repeated(*value_m));
     let [low, high] = [others().fold(f64::INFINITY, f64::min), others().fold(f64::NEG_INFINITY, f64::max)];

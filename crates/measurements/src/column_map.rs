@@ -5,7 +5,7 @@
 
 use super::column_names::{JOINTS, POINT, QUATERNION, SLIDES, known};
 use super::error::missing_column;
-use super::table::{Line, Table};
+use super::table::{Line, Table, is_nothing};
 use super::timestamp::{NoTime, TimestampFormat, over_midnight};
 use super::{MeasureError, OwnNames, Rotation, own_names};
 use csv::{ReaderBuilder, Trim};
@@ -333,11 +333,15 @@ impl ColumnMap {
             line,
             column: self.own_names().rename(column),
             text: cell.chars().take(40).collect(),
-            hint: if cell.contains(',') { ": decimal_comma = true?" } else { "" },
+            hint: match (cell.contains(','), self.decimal_comma) {
+                (true, false) => ": decimal_comma = true?",
+                (true, true) => ": write it without separators of thousands",
+                (false, _) => "",
+            },
         })
     }
 
-    /// A cell in our units; the text as it stands where nothing is to be done.
+    /// A cell in our units; the text as it stands where nothing is to be done, and where it says that nothing was measured.
     fn converted(
         &self,
         our_name: &str,
@@ -346,12 +350,9 @@ impl ColumnMap {
         timestamp: Option<&TimestampFormat>,
         start_min: &mut Option<f64>,
     ) -> Result<String, MeasureError> {
-        if cell.is_empty() {
-            return Ok(String::new());
-        }
         let is_length = POINT.contains(&our_name) || SLIDES.contains(&our_name) || our_name == "length_mm";
         let is_text = ["id", "pose_id", "target", "kind", "fixed_id"].contains(&our_name);
-        if is_text {
+        if is_text || is_nothing(cell) {
             return Ok(cell.to_owned());
         }
         if let (true, Some(timestamp)) = (our_name == "t_min", timestamp) {
@@ -389,14 +390,11 @@ impl ColumnMap {
         Ok(format!("{value}"))
     }
 
-    /// x, y, z and a quaternion; empty where a cell is.
+    /// x, y, z and a quaternion; empty where a cell says that there is nothing.
     fn posed(&self, pose: &PoseColumns, at: &[usize; 6], line: &Line) -> Result<Vec<String>, MeasureError> {
         let mut values = [0.0; 6];
         for (k, ((value, column), source)) in values.iter_mut().zip(at).zip(&pose.columns).enumerate() {
-            let cell = line.cells.get(*column).map_or("", String::as_str);
-            if cell.is_empty() {
-                return Ok(vec![String::new(); 7]);
-            }
+            let Some(cell) = line.cell(*column) else { return Ok(vec![String::new(); 7]) };
             let number = self.number(&source.shown(), cell, line.number)?;
             *value = if k < 3 { mm_from_m(self.length_unit.m(number)) } else { pose.angle_unit.rad(number) };
         }
@@ -413,7 +411,7 @@ fn count_days(table: &mut Table) {
         .lines
         .iter_mut()
         .filter_map(|line| line.cells.get_mut(column))
-        .filter(|cell| !cell.is_empty())
+        .filter(|cell| !is_nothing(cell))
         .collect();
     // They were written as numbers just before.
     let since_first_min: Vec<f64> = cells.iter().filter_map(|cell| cell.parse().ok()).collect();
@@ -424,4 +422,64 @@ fn count_days(table: &mut Table) {
 
 fn wrong(problem: String) -> MeasureError {
     MeasureError::Map { problem }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Measurements;
+
+    const NAMES: [&str; 6] = ["q1_deg", "q2_deg", "q3_deg", "q4_deg", "q5_deg", "q6_deg"];
+
+    fn map(head: &str, columns: &[&str]) -> ColumnMap {
+        let columns = columns.iter().map(|name| format!("{name} = \"{name}\"\n")).collect::<String>();
+        ColumnMap::from_toml(&format!("delimiter = \";\"\n{head}\n[columns]\n{columns}")).unwrap()
+    }
+
+    /// Whatever is to be converted, a cell that says that there is nothing is a gap of its row alone.
+    #[test]
+    fn a_cell_without_a_number_is_a_gap_in_any_unit() {
+        let columns = [&NAMES[..], &["x_mm", "y_mm", "z_mm", "t_min"]].concat();
+        let text = format!(
+            "{}\n0;0;0;0;0;1;1;2;3;0\n0;0;0;0;0;1;NaN;2;3;1\n0;0;#REF!;0;0;1;1;2;3;2\n0;0;0;0;0;1;1;2;-;3\n0;0;0;0;0;1;1;2;3;n/a\n",
+            columns.join(";")
+        );
+        for head in [
+            "length_unit = \"m\"\njoint_unit = \"rad\"\ntime_unit = \"s\"",
+            "length_unit = \"inch\"\ndecimal_comma = true",
+            "",
+        ] {
+            let table = map(head, &columns).table(text.as_bytes()).unwrap();
+            let read = Measurements::from_table(&table).unwrap();
+            assert_eq!(read.rows.iter().map(|row| row.line).collect::<Vec<u64>>(), [2], "{head}");
+            assert_eq!(read.warnings.len(), 4, "{head}: {:?}", read.warnings);
+        }
+    }
+
+    #[test]
+    fn a_pose_or_a_time_of_day_without_a_number_is_a_gap() {
+        let names = [&NAMES[..], &["t_min"]].concat();
+        let text = format!(
+            "{};X;Y;Z;A;B;C\n0;0;0;0;0;1;23:50;1;2;3;0;0;0\n0;0;0;0;0;1;-;1;2;3;0;0;0\n0;0;0;0;0;1;0:10;1;2;#N/A;0;0;0\n0;0;0;0;0;1;0:20;1;2;3;0;0;0\n",
+            names.join(";")
+        );
+        let mut map = map("time_format = \"hh:mm\"\nlength_unit = \"m\"", &names);
+        let columns = ["X", "Y", "Z", "A", "B", "C"].map(|name| SourceColumn::Name(name.to_owned()));
+        map.pose = Some(PoseColumns { columns, rotation: Rotation::FixedXyz, angle_unit: AngleUnit::Deg });
+        let read = Measurements::from_table(&map.table(text.as_bytes()).unwrap()).unwrap();
+        let minutes: Vec<(u64, f64)> = read.rows.iter().map(|row| (row.line, row.t_min.unwrap())).collect();
+        assert_eq!(minutes, [(2, 0.0), (5, 30.0)]);
+    }
+
+    #[test]
+    fn a_number_that_is_not_written_as_the_map_says_is_told_how() {
+        let problem = |head: &str, cell: &str| {
+            let text = format!("x_mm\n\"{cell}\"\n");
+            map(head, &["x_mm"]).table(text.as_bytes()).unwrap_err().to_string()
+        };
+        let with_comma = problem("length_unit = \"m\"", "1,5");
+        assert!(with_comma.ends_with("decimal_comma = true?"), "{with_comma}");
+        let with_thousands = problem("decimal_comma = true", "1.234,5");
+        assert!(with_thousands.ends_with("write it without separators of thousands"), "{with_thousands}");
+    }
 }

@@ -147,6 +147,8 @@ pub(super) fn number_hint(text: &str) -> &'static str {
             && digits.ends_with(|c: char| c.is_ascii_digit())
     {
         ": write it without separators of thousands, decimals with a point"
+    } else if digits.contains(':') && digits.bytes().all(|b| b.is_ascii_digit() || b":.".contains(&b)) {
+        ": a time of day is read with --columns and a time_format, \"hh:mm:ss\" say"
     } else if digits.contains(',') {
         ": write decimals with a point"
     } else if digits.starts_with(['\u{2212}', '\u{2013}']) {

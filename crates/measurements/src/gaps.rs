@@ -1,6 +1,6 @@
 //! Empty cells of columns that a file need not have: their rows are left out, or, where most are empty, the column.
 
-use super::column_names::QUATERNION;
+use super::column_names::{FIXED, QUATERNION};
 use super::row_cells::ColumnIndex;
 use super::{Channels, MeasurementRow, Reading};
 use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, is_or_are, plural};
@@ -103,7 +103,8 @@ pub(super) fn at_lines(lines: &[u64]) -> String {
 
 /// The warning of rows without a reading in a column that has to be there.
 pub(super) fn no_reading(column: &str, lines: &[u64]) -> Diagnostic {
-    let text = format!("column {column} is empty or no number in {}", at_lines(lines));
+    let nothing = if column == FIXED { "empty" } else { "empty or no number" };
+    let text = format!("column {column} is {nothing} in {}", at_lines(lines));
     Diagnostic::warning("measure::no-reading", text).help("these rows are left out")
 }
 
@@ -155,7 +156,7 @@ pub(super) fn name_poses(
 
 #[cfg(test)]
 mod tests {
-    use crate::Measurements;
+    use crate::{Measurements, Reading};
 
     /// Rows of one pose each, their optional cells after the point.
     fn read(columns: &str, cells: &[&str]) -> Measurements {
@@ -221,6 +222,28 @@ mod tests {
         let some = rows(["P", "", "", ""]);
         assert_eq!((poses(&some), some.channels.pose_id), (vec![0, 0, 1, 1], true));
         assert_eq!(some.warnings[0].message, "pose_id is empty in 3 rows: lines 3, 4, 5");
+    }
+
+    /// A dash, NaN or what a spreadsheet could not compute is as empty as an empty cell, in whatever column.
+    #[test]
+    fn what_says_that_there_is_nothing_is_no_name_and_no_reading() {
+        let m = read("target", &["A", "-", "B", "n/a"]);
+        assert_eq!((m.targets.len(), m.rows[1].target), (3, m.rows[3].target));
+        assert_eq!(lines_and_warnings(&m).1, ["target is empty in 2 rows: lines 3, 5"]);
+        let joints = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg";
+        let row = |(k, cells): (usize, &&str)| format!("{k},0,0,0,0,0,{cells}\n");
+        let file = |columns: &str, cells: &[&str]| {
+            let rows: String = cells.iter().enumerate().map(row).collect();
+            Measurements::from_csv(format!("{joints},{columns}\n{rows}").as_bytes()).unwrap()
+        };
+        let touches = file("fixed_id", &["pin", "n/a", "-", "pin", ""]);
+        assert_eq!(touches.fixed_points, ["pin"]);
+        let warning = "column fixed_id is empty in 3 rows: lines 3, 4, 6";
+        assert_eq!(lines_and_warnings(&touches), (vec![2, 5], vec![warning]));
+        let lengths = file("length_mm,x_mm,y_mm,z_mm", &["500,NaN,NaN,NaN", "510,,-,", "NaN,NaN,NaN,NaN"]);
+        let warning = "column x_mm is empty or no number in 1 row: line 4";
+        assert_eq!(lines_and_warnings(&lengths), (vec![2, 3], vec![warning]));
+        assert!(matches!(lengths.rows[1].reading, Reading::Length { length_m: 0.51, .. }));
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Pose accuracy, repeatability and drift after ISO 9283:1998, of one commanded pose attained again and again.
 //!
-//! AP_p, AP_x.. (7.2.1), AP_a..(7.2.1), RP_l and RP_a (7.2.2), dAP and dRP (7.2.4); symbols as there.
+//! AP_p with AP_x, AP_y, AP_z, and AP_a, AP_b, AP_c (7.2.1); RP_l with RP_a, RP_b, RP_c (7.2.2); vAP_p (7.2.3); dAP_p and dRP_l (7.6); symbols
+//! as there.
 
 use nalgebra::{UnitQuaternion, Vector3};
 

@@ -80,18 +80,19 @@ fn by_id(points: &Table, joints: &Table, arm: &[&Line]) -> Result<Vec<Option<usi
         .ok_or_else(|| {
             missing_column("id", if points.column("id").is_none() { &points.header } else { &joints.header })
         })?;
-    let cell = |table: &Table, line: &Line| -> String {
-        table.column(name).and_then(|k| line.cells.get(k)).cloned().unwrap_or_default()
+    // Rows without a name belong to none of the other file.
+    let cell = |table: &Table, line: &Line| -> Option<String> {
+        table.column(name).and_then(|k| line.cell(k)).map(str::to_owned)
     };
     let mut known: BTreeMap<String, usize> = BTreeMap::new();
     for (k, line) in joints.lines.iter().enumerate() {
-        let id = cell(joints, line);
+        let Some(id) = cell(joints, line) else { continue };
         if let Some(first) = known.insert(id.clone(), k) {
             let first = joints.lines.get(first).map_or(0, |l| l.number);
             return Err(MeasureError::DoubledId { id, lines: [first, line.number] });
         }
     }
-    Ok(arm.iter().map(|line| known.get(&cell(points, line)).copied()).collect())
+    Ok(arm.iter().map(|line| cell(points, line).and_then(|id| known.get(&id).copied())).collect())
 }
 
 fn by_time(
@@ -100,10 +101,12 @@ fn by_time(
     arm: &[&Line],
     within_min: f64,
 ) -> Result<Vec<Option<usize>>, MeasureError> {
-    let time = |table: &Table, line: &Line| -> Result<f64, MeasureError> {
+    // Rows without a time belong to none of the other file.
+    let time = |table: &Table, line: &Line| -> Result<Option<f64>, MeasureError> {
         let at = table.column("t_min").ok_or_else(|| missing_column("t_min", &table.header))?;
-        let text = line.cells.get(at).map_or("", String::as_str);
-        text.parse().ok().filter(|t: &f64| t.is_finite()).ok_or_else(|| MeasureError::NotANumber {
+        let Some(text) = line.cell(at) else { return Ok(None) };
+        let t_min = text.parse().ok().filter(|t: &f64| t.is_finite());
+        t_min.map(Some).ok_or_else(|| MeasureError::NotANumber {
             line: line.number,
             column: "t_min".to_owned(),
             text: text.chars().take(40).collect(),
@@ -112,12 +115,12 @@ fn by_time(
     };
     let mut times = Vec::with_capacity(joints.lines.len());
     for (k, line) in joints.lines.iter().enumerate() {
-        times.push((time(joints, line)?, k));
+        times.extend(time(joints, line)?.map(|t_min| (t_min, k)));
     }
     times.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     arm.iter()
         .map(|line| {
-            let at_min = time(points, line)?;
+            let Some(at_min) = time(points, line)? else { return Ok(None) };
             let after = times.partition_point(|t| t.0 < at_min);
             let near = [after.checked_sub(1), Some(after)].into_iter().flatten().filter_map(|i| times.get(i));
             let best = near.min_by(|a, b| (a.0 - at_min).abs().total_cmp(&(b.0 - at_min).abs()));
@@ -154,6 +157,18 @@ mod tests {
         assert_eq!(error, MeasureError::DoubledId { id: "P1".to_owned(), lines: [2, 3] });
     }
 
+    /// One row of joints without an id, and then two: neither is that of the points without one.
+    #[test]
+    fn rows_without_an_id_are_matched_with_none() {
+        let points = table("id,x_mm,y_mm,z_mm\n,1,2,3\nP1,4,5,6\n-,7,8,9\n");
+        for (more, unmatched) in [("", vec![2]), ("n/a,30,0,0,0,0,0\n,40,0,0,0,0,0\n", vec![2, 4, 5])] {
+            let joints = format!("id,{JOINT_HEADER}\n,10,0,0,0,0,0\nP1,20,0,0,0,0,0\n{more}");
+            let joined = join(&points, &table(&joints), MatchBy::Id, 0.0).unwrap();
+            assert_eq!(q1(&joined), ["20"]);
+            assert_eq!((joined.unmatched_points, joined.unmatched_joints), (vec![2, 4], unmatched));
+        }
+    }
+
     #[test]
     fn by_order_nests_are_passed_over() {
         let points = table("kind,x_mm,y_mm,z_mm\npose,1,2,3\nbase,0,0,0\npose,4,5,6\npose,7,8,9\n");
@@ -161,6 +176,19 @@ mod tests {
         let joined = join(&points, &joints, MatchBy::Order, 0.0).unwrap();
         assert_eq!(q1(&joined), ["10", "", "20"]);
         assert_eq!((joined.unmatched_points, joined.unmatched_joints), (vec![5], vec![]));
+    }
+
+    #[test]
+    fn rows_without_a_time_are_matched_with_none() {
+        let points = table("t_min,x_mm,y_mm,z_mm\n1,1,2,3\nNaN,4,5,6\n3,7,8,9\n");
+        let joints =
+            table(&format!("t_min,{JOINT_HEADER}\n1,10,0,0,0,0,0\n-,20,0,0,0,0,0\n3,30,0,0,0,0,0\n"));
+        let joined = join(&points, &joints, MatchBy::Time, 0.15).unwrap();
+        assert_eq!(q1(&joined), ["10", "30"]);
+        assert_eq!((joined.unmatched_points, joined.unmatched_joints), (vec![3], vec![3]));
+        let wrong = table("t_min,x_mm,y_mm,z_mm\nnoon,1,2,3\n");
+        let error = join(&wrong, &joints, MatchBy::Time, 0.15).unwrap_err();
+        assert!(matches!(error, MeasureError::NotANumber { line: 2, .. }), "{error}");
     }
 
     #[test]

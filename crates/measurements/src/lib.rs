@@ -8,11 +8,13 @@ mod codes;
 mod column_map;
 mod column_names;
 mod error;
+mod false_repeats;
 mod fault;
 mod gaps;
 mod initial_guess;
 mod iso9283;
 mod join;
+mod midnight;
 mod one_stand;
 mod own_names;
 mod performance;
@@ -38,6 +40,7 @@ pub use check::{OUT_OF_RANGE_SHARE, RowCheck, check_cycles, check_rows, out_of_r
 pub use codes::describe_code;
 pub use column_map::ColumnMap;
 pub use error::MeasureError;
+pub use false_repeats::describe_false_repeats;
 pub use fault::{
     Fault, FaultKind, MovedTarget, PartFault, PosedRow, TOOL_M, ToolApart, describe_knock, describe_move,
     describe_remounting, find_apart, find_fault, find_in_cells, find_in_columns, find_in_one_target,

@@ -5,7 +5,7 @@ use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
     FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
-    check_cycles, from_sound_file, gather, median, register, register_with, tool_apart,
+    Stations, check_cycles, from_sound_file, gather, median, register, register_with, tool_apart,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
@@ -16,10 +16,13 @@ use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Cycles without which nothing is said of one of them.
-const FEWEST_CYCLES: usize = 5;
+const FEWEST_CYCLES: usize = 3;
 /// A cycle is far off by so many times the middle distance, and by so much at least, metres.
 const FAR_TIMES: f64 = 20.0;
 const FAR_M: f64 = 1e-3;
+/// Of fewer cycles than this the middle distance is known too badly, and it has to be off by as many times as much.
+const FEW_CYCLES: usize = 5;
+const FURTHER_OF_FEW: f64 = 5.0;
 /// AP that is smaller by less than this share for what was fitted is not worth a word.
 const WORTH_TELLING: f64 = 0.1;
 /// Of more rows so many are asked whether they contradict the robot; each asks the others.
@@ -158,6 +161,10 @@ pub fn performance(
     let measurements = with_usable_times(measurements, checked.time_usable);
     let seen = judged(&measurements, robot, &checked)?;
     let measurements = &*seen.measurements;
+    if compared != ComparisonFrame::Fitted {
+        // One that was put elsewhere in the middle of the file is a second one, whose place is not known.
+        one_target(measurements)?;
+    }
     let used = in_order_of_time(measurements, &seen.used);
     let gathered = gather(measurements, &used, None);
     let chain = SerialChain::nominal(robot);
@@ -168,7 +175,8 @@ pub fn performance(
     };
     let poses = pose_by_pose(measurements, &used, &chain, registration.as_ref());
     let few = registration.as_ref().and_then(|_| few_poses(&gathered.stations, gathered.targets, compared));
-    let apart = tool_elsewhere(&gathered.stations, &chain, compared);
+    let apart = tool_elsewhere(&gathered, &chain, compared);
+    let unsettled = registration.as_ref().and_then(unsettled);
     let far = far_cycles(measurements, &used);
     let left_out = checked.out_of_range.iter().filter_map(|&row| measurements.rows.get(row));
     Ok(Performance {
@@ -182,6 +190,7 @@ pub fn performance(
             .chain(seen.warnings)
             .chain(few)
             .chain(apart)
+            .chain(unsettled)
             .chain(far)
             .collect(),
     })
@@ -215,12 +224,20 @@ fn few_poses(stations: &[Station], targets: usize, compared: ComparisonFrame) ->
     })
 }
 
+/// That the fit in which the poses were compared has not come to rest: AP holds what is left of it.
+fn unsettled(registration: &Registration) -> Option<Diagnostic> {
+    (!registration.converged).then(|| {
+        Diagnostic::warning(
+            "measure::registration",
+            "the fit of base and target does not come to rest: AP and its drift hold what is left of it",
+        )
+        .help("measure more poses, spread ones; or fit less (--register base, or none) where target and base are known")
+    })
+}
+
 /// That the points have the one target elsewhere than it is taken to be: all of the difference counts as the arm's.
-fn tool_elsewhere(
-    stations: &[Station],
-    chain: &SerialChain,
-    compared: ComparisonFrame,
-) -> Option<Diagnostic> {
+fn tool_elsewhere(gathered: &Stations, chain: &SerialChain, compared: ComparisonFrame) -> Option<Diagnostic> {
+    let Stations { stations, targets: 1, .. } = gathered else { return None };
     let (ComparisonFrame::BaseFitted(tool_m) | ComparisonFrame::AsMeasured(tool_m)) = compared else {
         return None;
     };
@@ -253,13 +270,18 @@ fn judged<'a>(
     if every == 1 {
         return Ok(seen);
     }
-    // What was moved is not taken back in rows that were not looked at.
-    match seen.warnings.iter().find(|warning| warning.code.ends_with("-moved")) {
-        Some(moved) => {
-            Err(PerformanceError::Fault { reason: format!("{}; judge the parts apart", moved.message) })
-        }
-        None => Ok(OneStand::as_it_is(measurements, checked.used.clone())),
+    // What was moved, or is no reading, is neither taken back nor left out in rows that were not asked.
+    let advice = |warning: &Diagnostic| match warning.code {
+        "measure::instrument-moved" | "measure::target-moved" => Some("judge the parts apart"),
+        "measure::code-for-none" => Some("leave those cells empty, and those of the other rows that hold it"),
+        _ => None,
+    };
+    if let Some((found, advice)) = seen.warnings.iter().find_map(|w| Some((w, advice(w)?))) {
+        return Err(PerformanceError::Fault { reason: format!("{}; {advice}", found.message) });
     }
+    let mut whole = OneStand::as_it_is(measurements, checked.used.clone());
+    whole.warnings = seen.warnings;
+    Ok(whole)
 }
 
 /// Refuses points of several targets, of which one has a known place.
@@ -309,7 +331,8 @@ fn far_cycles(measurements: &Measurements, used: &[usize]) -> Option<Diagnostic>
         let middle =
             Vector3::from_fn(|k, _| median(&mut cycles.iter().map(|(_, at)| at[k]).collect::<Vec<f64>>()));
         let off_m: Vec<f64> = cycles.iter().map(|(_, at)| (at - middle).norm()).collect();
-        let limit_m = (FAR_TIMES * median(&mut off_m.clone())).max(FAR_M);
+        let further = if cycles.len() < FEW_CYCLES { FURTHER_OF_FEW } else { 1.0 };
+        let limit_m = further * (FAR_TIMES * median(&mut off_m.clone())).max(FAR_M);
         let is_far = cycles.iter().zip(off_m).filter(move |(_, off_m)| *off_m > limit_m);
         is_far.map(|((line, _), off_m)| (*line, off_m)).collect::<Vec<(u64, f64)>>()
     });
@@ -393,102 +416,4 @@ fn registered(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::Point3;
-
-    /// One pose seen five times places no base: repeatability is the same in the instrument's frame. By hand, distances from the
-    /// barycentre 1, 1, 1, 1, 0 mm: mean 0.8, S = sqrt(0.2), RP = 0.8 + 3 sqrt(0.2).
-    /// 9 numbers of 15: the square root of 6/15 is left; of 30 poses 5 %.
-    #[test]
-    fn of_few_poses_it_is_named_what_the_fit_takes() {
-        let stations = |n: usize| -> Vec<Station> {
-            let point = Reading::Point { position_m: Vector3::zeros() };
-            (0..n).map(|pose| Station::bare(pose, Joints::all(6, 0.0), point.clone())).collect()
-        };
-        let five = few_poses(&stations(5), 1, ComparisonFrame::Fitted).unwrap();
-        assert!(
-            five.message.starts_with("base and target (9 numbers) are fitted to the 15 of 5 poses"),
-            "{}",
-            five.message
-        );
-        assert!(five.message.contains("by some 37 %"), "{}", five.message);
-        assert_eq!(few_poses(&stations(30), 1, ComparisonFrame::Fitted), None);
-        assert_eq!(few_poses(&stations(5), 1, ComparisonFrame::AsMeasured(Vector3::zeros())), None);
-    }
-
-    #[test]
-    fn a_single_repeated_pose_has_a_repeatability_and_no_accuracy() {
-        let mut text = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
-        for [x, y] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.0, 0.0]] {
-            text += &format!("10,20,5,25,45,-20,{},{},600\n", 500.0 + x, 100.0 + y);
-        }
-        let measurements = Measurements::from_csv(text.as_bytes()).unwrap();
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let found = performance(&measurements, &robot, ComparisonFrame::Fitted).unwrap();
-        let [pose] = found.poses.as_slice() else { panic!("{} poses", found.poses.len()) };
-        let rp_mm = 1e3 * pose.repeatability.unwrap().rp_m;
-        assert!((rp_mm - (0.8 + 3.0 * 0.2_f64.sqrt())).abs() < 1e-9, "{rp_mm}");
-        assert!(found.registration.is_none() && pose.accuracy.is_none());
-        let once = text.lines().take(2).collect::<Vec<_>>().join("\n");
-        let once = Measurements::from_csv(once.as_bytes()).unwrap();
-        let error = performance(&once, &robot, ComparisonFrame::Fitted).unwrap_err();
-        assert!(matches!(error, PerformanceError::Register(_)));
-        assert!(Diagnostic::from(error).help.iter().any(|help| help.contains("pose_id")));
-    }
-
-    /// A robot without any error, joint 1 turned by +-0.02 deg about 30 deg as its encoder reads: on an arc of r = |p_xy| the points of each
-    /// of the two lie +-r sin 0.02 deg from the chord's middle, all as far, so that RP = r sin 0.02 deg and AP = 0.
-    #[test]
-    fn joints_as_encoders_read_them_are_each_rows_own_command() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let chain = SerialChain::nominal(&robot);
-        let mut text = "pose_id,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
-        let mut radius_mm = 0.0;
-        for q1_deg in [30.02, 29.98, 30.02, 29.98] {
-            let q_deg = [q1_deg, 10.0, 5.0, 0.0, 40.0, 0.0];
-            let at_mm =
-                1e3 * (chain.forward(&q_deg.map(f64::to_radians)) * Point3::new(0.0, 0.0, 0.1)).coords;
-            radius_mm = at_mm.xy().norm();
-            let joints = q_deg.map(|q| q.to_string()).join(",");
-            text += &format!("A,{joints},{:.9},{:.9},{:.9}\n", at_mm.x, at_mm.y, at_mm.z);
-        }
-        let measurements = Measurements::from_csv(text.as_bytes()).unwrap();
-        let tool_m = Vector3::new(0.0, 0.0, 0.1);
-        let found = performance(&measurements, &robot, ComparisonFrame::AsMeasured(tool_m)).unwrap();
-        let [pose] = found.poses.as_slice() else { panic!("{} poses", found.poses.len()) };
-        assert!(pose.accuracy.unwrap().ap_m < 1e-9 && pose.joints_differ, "{pose:?}");
-        let expected_mm = radius_mm * 0.02_f64.to_radians().sin();
-        let rp_mm = 1e3 * pose.repeatability.unwrap().rp_m;
-        assert!((rp_mm - expected_mm).abs() < 1e-6, "{rp_mm} {expected_mm}");
-    }
-
-    /// One pose in the instrument's frame: unloaded at x = 500 mm from one side and 500.3 from the other, with 5 kg at 500.1 from the first
-    /// side, and from the other again at 501 an hour later.
-    #[test]
-    fn sides_are_told_by_directions_under_one_payload_at_one_time() {
-        let robot = SerialArm::built_in("irb140").unwrap();
-        let vap_mm = |columns: &str, rows: &[(&str, f64)]| {
-            let mut text = format!("{columns},q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n");
-            for (cells, x_mm) in rows {
-                text += &format!("{cells},10,20,5,25,45,-20,{x_mm},100,600\n").repeat(2);
-            }
-            let measurements = Measurements::from_csv(text.as_bytes()).unwrap();
-            let found = performance(&measurements, &robot, ComparisonFrame::Fitted).unwrap();
-            found.multi_directional_m.map(|m| 1e3 * m)
-        };
-        assert_eq!(vap_mm("payload_kg", &[("0", 500.0), ("5", 500.1)]), None, "that is sag");
-        let header = "t_min,payload_kg,dir1,dir2,dir3,dir4,dir5,dir6";
-        let (one, other) = ("1,1,1,1,1,1", "-1,1,1,1,1,1");
-        let all = [
-            (format!("0,0,{one}"), 500.0),
-            (format!("1,0,{other}"), 500.3),
-            (format!("2,5,{one}"), 500.1),
-            (format!("63,5,{other}"), 501.0),
-        ];
-        let all = all.each_ref().map(|(cells, x_mm)| (cells.as_str(), *x_mm));
-        assert!((vap_mm(header, &all).unwrap() - 0.3).abs() < 1e-9);
-        assert_eq!(vap_mm(header, &[all[0], all[3]]), None);
-        assert_eq!(vap_mm(header, &all[2..]), None, "that is drift");
-    }
-}
+mod tests;

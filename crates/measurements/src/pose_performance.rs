@@ -3,13 +3,11 @@
 use super::iso9283::{
     Accuracy, OrientationPerformance, Repeatability, accuracy, barycentre_m, orientation, repeatability,
 };
+use super::station::SAME_TIME_MIN;
 use super::{MeasurementRow, Measurements, Registration};
 use nalgebra::{Point3, UnitQuaternion, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::Joints;
-
-/// Rows of one pose further apart than this are another time of the drift test.
-const SAME_TIME_MIN: f64 = 10.0;
 
 /// One pose at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,8 +37,10 @@ pub struct PosePerformance {
     pub direction: Option<Joints<i8>>,
     /// Mass of the payload as declared, kg.
     pub payload_kg: Option<f64>,
-    /// First and last minute, where they are recorded.
+    /// First and last minute since the cold start of their session, where they are recorded.
     pub minutes: Option<[f64; 2]>,
+    /// The same on a clock that goes on over all sessions: minutes of two days are no common time.
+    pub(super) clock_min: Option<[f64; 2]>,
     /// Joint angles of the first row, joint 1 first, radians.
     pub q_rad: Joints,
     /// Whether those of other rows differ, as encoders read them.
@@ -66,7 +66,8 @@ impl PosePerformance {
 
     /// Whether one of the two begins before the other has ended for so long that it is another time of the drift test.
     pub(super) fn is_at_the_time_of(&self, other: &Self) -> bool {
-        let Some(([from, to], [other_from, other_to])) = self.minutes.zip(other.minutes) else { return true };
+        let times = self.clock_min.zip(other.clock_min);
+        let Some(([from, to], [other_from, other_to])) = times else { return true };
         other_from - to <= SAME_TIME_MIN && from - other_to <= SAME_TIME_MIN
     }
 
@@ -99,7 +100,9 @@ pub(super) fn pose_performance(
     let first = *rows.iter().min_by_key(|row| row.line)?;
     let cycles: Vec<Cycle> = rows.iter().filter_map(|row| Cycle::of(row, chain, registration)).collect();
     let points = points_m(&cycles);
-    let [start, end] = [rows.first(), rows.last()].map(|row| row.and_then(|row| row.t_min));
+    let first_and_last = |of: fn(&MeasurementRow) -> Option<f64>| {
+        rows.first().and_then(|row| of(row)).zip(rows.last().and_then(|row| of(row))).map(<[f64; 2]>::from)
+    };
     Some(PosePerformance {
         line: first.line,
         id: first.id.clone(),
@@ -108,7 +111,8 @@ pub(super) fn pose_performance(
         target: first.target,
         direction: first.direction,
         payload_kg: first.payload_kg,
-        minutes: start.zip(end).map(|(start, end)| [start, end]),
+        minutes: first_and_last(|row| row.t_min),
+        clock_min: first_and_last(MeasurementRow::clock_min),
         q_rad: first.q_rad,
         joints_differ: rows.iter().any(|row| row.q_rad != first.q_rad),
         barycentre_m: barycentre_m(&points)?,
@@ -122,6 +126,8 @@ pub(super) fn pose_performance(
 /// A pose as it was attained once.
 struct Cycle {
     t_min: Option<f64>,
+    /// Minutes on a clock that goes on over all sessions.
+    clock_min: Option<f64>,
     /// In the base, metres; without one in the instrument's own frame, in which distances between repeats are the same.
     point_m: Vector3<f64>,
     /// From where its own joints put the target, metres; `None` without a base.
@@ -139,15 +145,17 @@ struct Turn {
 impl Cycle {
     fn of(row: &MeasurementRow, chain: &SerialChain, registration: Option<&Registration>) -> Option<Self> {
         let seen = Point3::from(row.reading.position_m()?);
+        let (t_min, clock_min) = (row.t_min, row.clock_min());
         let Some(registration) = registration else {
-            return Some(Self { t_min: row.t_min, point_m: seen.coords, off_m: None, turn: None });
+            return Some(Self { t_min, clock_min, point_m: seen.coords, off_m: None, turn: None });
         };
         let base_from_instrument = registration.instrument_from_base.inverse();
         let flange = chain.forward(&row.q_rad);
         let tool_m = registration.tools_m.get(row.target).copied().unwrap_or_default();
         let point_m = (base_from_instrument * seen).coords;
         Some(Self {
-            t_min: row.t_min,
+            t_min,
+            clock_min,
             point_m,
             off_m: Some(point_m - (flange.translation.vector + flange.rotation * tool_m)),
             turn: row.orientation.zip(registration.flange_from_sensor).map(|(seen, sensor)| Turn {
@@ -184,7 +192,7 @@ fn by_time(mut cycles: &[Cycle]) -> Vec<PerformanceAtTime> {
     let mut times = Vec::new();
     while let Some(first) = cycles.first() {
         let is_later =
-            |c: &Cycle| matches!((first.t_min, c.t_min), (Some(a), Some(b)) if b - a > SAME_TIME_MIN);
+            |c: &Cycle| matches!((first.clock_min, c.clock_min), (Some(a), Some(b)) if b - a > SAME_TIME_MIN);
         let (block, later) = cycles.split_at(cycles.iter().position(is_later).unwrap_or(cycles.len()));
         times.push(PerformanceAtTime {
             t_min: first.t_min,

@@ -3,6 +3,7 @@
 use super::column_names::{FIXED, SLIDES};
 use super::error::missing_column;
 use super::gaps::{EmptyCells, at_lines, complete_channels, name_poses, no_reading};
+use super::midnight::pass_midnight;
 use super::row_cells::{ColumnIndex, RowCells};
 use super::sessions::number_sessions;
 use super::table::Table;
@@ -61,7 +62,6 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     let mut pose_names: Vec<Option<String>> = Vec::new();
     let mut targets: BTreeMap<String, usize> = BTreeMap::new();
     let mut fixed_points: BTreeMap<(&'static str, String), usize> = BTreeMap::new();
-    let mut decimals = 0;
     let mut empty = EmptyCells::new();
     let mut without = EmptyCells::new();
     for line in &table.lines {
@@ -79,14 +79,11 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
             let next = targets.len();
             let name = cells.text("target").unwrap_or_default().to_owned();
             target = *targets.entry(name).or_insert(next);
-            for name in columns.joints.iter().filter(|name| !SLIDES.contains(name)) {
-                decimals = decimals.max(cells.text(name).map_or(0, decimals_of));
-            }
         }
         for name in cells.empty_among_optional() {
             empty.entry(name).or_default().push(line.number);
         }
-        pose_names.push(cells.name("pose_id"));
+        pose_names.push(cells.text("pose_id").map(str::to_owned));
         rows.push(cells.row(target, reading)?);
     }
     if !rows.iter().any(|row: &MeasurementRow| row.reading.involves_arm()) {
@@ -102,14 +99,15 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
     warnings.extend(unnamed_targets(&rows, &targets));
     let pose_id = name_poses(&mut rows, &pose_names, columns.has("pose_id"), &mut warnings);
     let channels = complete_channels(&columns, &mut rows, &empty, &mut warnings);
-    number_sessions(&mut rows);
+    let joint_kinds = kinds(&columns);
+    warnings.extend(pass_midnight(&mut rows));
+    number_sessions(&mut rows, &joint_kinds);
     Ok(Measurements {
         rows,
         channels: Channels { pose_id, ..channels },
         targets: in_order(targets),
         fixed_points: in_order(fixed_points.into_iter().map(|((_, name), index)| (name, index))),
-        joint_kinds: kinds(&columns),
-        joint_decimals: decimals,
+        joint_kinds,
         warnings,
     })
 }
@@ -164,13 +162,6 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
     Ok(Touches { touches, points: measurements.fixed_points, warnings: measurements.warnings })
 }
 
-fn decimals_of(text: &str) -> usize {
-    if text.contains(['e', 'E']) {
-        return 9;
-    }
-    text.split_once('.').map_or(0, |(_, decimals)| decimals.trim_end_matches('0').len())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -209,7 +200,6 @@ mod tests {
         assert_eq!(row.direction.unwrap(), [1, -1, 0, 1, 1, 1]);
         assert_eq!((row.t_min, row.line), (Some(5.0), 2));
         assert!(m.channels.time && m.channels.direction && !m.channels.payload);
-        assert_eq!(m.joint_decimals, 2);
     }
 
     #[test]
@@ -221,6 +211,8 @@ mod tests {
         assert_eq!(read("").unwrap_err(), MeasureError::NoHeader);
         let eight = read(&format!("{HEADER},q7_deg,q8_deg\n")).unwrap_err();
         assert_eq!(eight, MeasureError::TooManyJoints { column: "q8_deg".to_owned() });
+        let slides = read(&format!("{HEADER},q8_mm\n")).unwrap_err();
+        assert_eq!(slides, MeasureError::TooManyJoints { column: "q8_mm".to_owned() });
         let gap = read("q1_deg,q2_deg,q4_mm,x_mm,y_mm,z_mm\n").unwrap_err().to_string();
         assert!(gap.starts_with("column q3_deg is missing"), "{gap}");
         let without = read("q1_deg,q2_deg\n1,2\n").unwrap_err().to_string();

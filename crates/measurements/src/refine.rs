@@ -18,6 +18,10 @@ pub enum FreeParameters {
 /// The middle distance of 3-D normal noise, over its standard deviation: the root of the median of chi-square with three degrees of freedom.
 pub const MIDDLE_OF_3D: f64 = 1.54;
 const ITERATIONS: usize = 60;
+/// A step shorter than this, metres and radians together, ends the fit.
+const LAST_STEP: f64 = 1e-9;
+/// Where the last of all steps is longer than this, metres and radians together, the fit has not come to rest.
+const AT_REST: f64 = 1e-6;
 /// Orientation residuals weigh as if at this distance at most, metres.
 const ORIENTATION_ARM_M: f64 = 0.3;
 
@@ -111,7 +115,7 @@ pub(super) fn gauss_newton(
         FreeParameters::Nothing(_) => 0..fixed_points,
     };
     let mut normal = DMatrix::zeros(width, width);
-    for iteration in 0..ITERATIONS {
+    for _ in 0..ITERATIONS {
         let scale_m = median_distance(&fit, stations, poses).max(1e-9);
         let arm_m = turn_scale.arm_m(&fit, stations, poses, scale_m);
         normal = DMatrix::zeros(width, width);
@@ -136,15 +140,12 @@ pub(super) fn gauss_newton(
             right[k] = 0.0;
         }
         let step = damped_solve(&normal, &right);
-        fit.iterations = iteration + 1;
         take_step(&mut fit, &step);
-        if step.norm() < 1e-9 {
-            fit.converged = true;
+        fit.converged = step.norm() < AT_REST;
+        if step.norm() < LAST_STEP {
             break;
         }
     }
-    let squares: f64 = stations.iter().zip(poses).map(|(s, p)| fit.residual_m(s, p).norm_squared()).sum();
-    fit.rms_m = (squares / stations.len().max(1) as f64).sqrt();
     fit.median_m = median_distance(&fit, stations, poses);
     fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / MIDDLE_OF_3D;
     fit

@@ -39,6 +39,14 @@ pub enum RegisterError {
         /// How many there are.
         stations: usize,
     },
+    /// Rows of a target that the others do not count.
+    #[error("a row is of target {target}, and there are {targets}")]
+    NoSuchTarget {
+        /// Number of the row's target, from 1.
+        target: usize,
+        /// How many targets there are.
+        targets: usize,
+    },
     /// The points say too little: alike, or on a line.
     #[error("the poses are too alike to place the robot's base")]
     Degenerate,
@@ -79,6 +87,7 @@ pub(super) fn register_from_usual_starts(
     targets: usize,
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Registration, RegisterError> {
+    are_of_targets(stations, targets)?;
     let fixed_points = fixed_points(stations);
     let unknowns = unknowns(stations, targets) + 3 * fixed_points;
     let equations: usize = stations.iter().map(equations).sum();
@@ -89,7 +98,7 @@ pub(super) fn register_from_usual_starts(
     let few: Vec<Station> = stations.iter().step_by(stride).cloned().collect();
     let few_poses: Vec<Isometry3<f64>> = base_from_flange.iter().step_by(stride).copied().collect();
     let whole =
-        few.iter().map(|s| s.target).max() == Some(targets - 1) && all_fixed_points(&few, fixed_points);
+        few.iter().map(|s| s.target + 1).max() == Some(targets) && all_fixed_points(&few, fixed_points);
     let (few, few_poses) = if few.len() >= 12 && whole {
         (few, few_poses)
     } else {
@@ -140,6 +149,15 @@ fn from_handfuls(
     best
 }
 
+/// Whether there is a place on the flange for each target that the arm carried.
+fn are_of_targets(stations: &[Station], targets: usize) -> Result<(), RegisterError> {
+    let of_arm = stations.iter().filter(|s| s.reading.involves_arm());
+    match of_arm.map(|s| s.target + 1).chain([1]).max() {
+        Some(target) if target > targets => Err(RegisterError::NoSuchTarget { target, targets }),
+        _ => Ok(()),
+    }
+}
+
 fn unknowns(stations: &[Station], targets: usize) -> usize {
     let base = if stations.iter().any(|s| s.reading.position_m().is_some()) { 6 } else { 0 };
     base + 3 * targets + if oriented(stations) { 3 } else { 0 }
@@ -174,6 +192,7 @@ pub fn register_with(
     if stations.len() < 3 {
         return Err(RegisterError::TooFew { stations: stations.len() });
     }
+    are_of_targets(stations, tools_m.len())?;
     let fixed_points = fixed_points(stations);
     let start = match free {
         FreeParameters::Nothing(instrument_from_base) => {
@@ -278,7 +297,7 @@ mod tests {
             register_with(&seen(&poses, &base, tool, false), &poses, &[tool], FreeParameters::Base).unwrap();
         assert_eq!(fit.tools_m, [tool]);
         assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-9);
-        assert!(fit.rms_m < 1e-9, "{fit:?}");
+        assert!(fit.median_m < 1e-9, "{fit:?}");
     }
 
     #[test]
@@ -336,6 +355,19 @@ mod tests {
         assert!(off.amax() < 0.3e-3, "{off}");
         // A rotation that points to some micrometres half a metre apart allow.
         assert!(first.instrument_from_base.rotation.angle_to(&base.rotation) < 1e-5);
+    }
+
+    #[test]
+    fn a_row_of_a_target_that_has_no_place_is_refused() {
+        let (poses, base) = (poses(12), Isometry3::identity());
+        let mut stations = seen(&poses, &base, Vector3::zeros(), false);
+        stations[7].target = 1;
+        let none = RegisterError::NoSuchTarget { target: 2, targets: 1 };
+        assert_eq!(register(&stations, &poses, 1, None).unwrap_err(), none);
+        let free = FreeParameters::Base;
+        assert_eq!(register_with(&stations, &poses, &[Vector3::zeros()], free).unwrap_err(), none);
+        let none = RegisterError::NoSuchTarget { target: 1, targets: 0 };
+        assert_eq!(register(&stations[..7], &poses[..7], 0, None).unwrap_err(), none);
     }
 
     #[test]

@@ -16,13 +16,10 @@ pub struct Registration {
     pub tool_sigma_m: f64,
     /// The sensor's orientation on the flange, where orientation was measured.
     pub flange_from_sensor: Option<UnitQuaternion<f64>>,
-    /// Root mean square of the distances left, metres.
-    pub rms_m: f64,
     /// The middle distance left, metres: robust against false rows.
     pub median_m: f64,
-    /// Number of Gauss-Newton steps taken.
-    pub iterations: usize,
-    /// Whether the last step was below a nanometre.
+    /// Whether the steps of the fit came to rest: the last one moved base, targets and fixed points by less than a micrometre and a microradian
+    /// together. Of one that is assumed it says nothing.
     pub converged: bool,
 }
 
@@ -40,9 +37,7 @@ impl Registration {
             fixed_points_m,
             tool_sigma_m: 0.0,
             flange_from_sensor: None,
-            rms_m: 0.0,
             median_m: 0.0,
-            iterations: 0,
             converged: false,
         }
     }

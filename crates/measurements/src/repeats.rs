@@ -19,8 +19,6 @@ pub struct Repeats {
     pub sigma_m: f64,
     /// Degrees of freedom behind it.
     pub degrees_of_freedom: usize,
-    /// Standard deviation of one component of the orientation, radians.
-    pub sigma_rad: Option<f64>,
 }
 
 /// Rows far from their fellows, sorted; only groups of three and more can tell which row is false.
@@ -137,31 +135,16 @@ pub fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
 /// The noise that the repeats show; `None` where nothing was repeated.
 pub(super) fn repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Repeats> {
     let mut squares = 0.0;
-    let mut turns = 0.0;
     let mut freedom = 0;
     for group in groups.iter().filter(|g| g.len() >= 2) {
         let of_group = scatter(rows, group);
         squares += of_group.squares_m2;
         freedom += of_group.freedom;
-        let members: Vec<&MeasurementRow> = group.iter().filter_map(|&i| rows.get(i)).collect();
-        if let Some(start) = members.first().and_then(|row| row.orientation) {
-            let vectors: Vec<Vector3<f64>> = members
-                .iter()
-                .filter_map(|row| row.orientation)
-                .map(|o| (o * start.inverse()).scaled_axis())
-                .collect();
-            let mean = vectors.iter().sum::<Vector3<f64>>() / vectors.len() as f64;
-            turns += vectors.iter().map(|v| (v - mean).norm_squared()).sum::<f64>();
-        }
     }
     if freedom == 0 || squares <= 0.0 {
         return None;
     }
-    Some(Repeats {
-        sigma_m: (squares / freedom as f64).sqrt(),
-        degrees_of_freedom: freedom,
-        sigma_rad: (turns > 0.0).then(|| (turns / freedom as f64).sqrt()),
-    })
+    Some(Repeats { sigma_m: (squares / freedom as f64).sqrt(), degrees_of_freedom: freedom })
 }
 
 /// Mean of a group's coordinates, metres.

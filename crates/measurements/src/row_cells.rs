@@ -15,6 +15,11 @@ use std::collections::BTreeMap;
 /// A quaternion whose length is further from 1 than this is no orientation.
 const QUATERNION_LENGTH: f64 = 0.02;
 
+/// A joint further from its zero than this, degrees or millimetres, is none.
+const FURTHEST_JOINT: f64 = 1e5;
+/// A coordinate or a length of more than this is none, millimetres.
+const FURTHEST_MM: f64 = 1e8;
+
 /// Where each known column stands.
 pub(super) struct ColumnIndex {
     pub(super) at: BTreeMap<String, usize>,
@@ -33,7 +38,8 @@ impl ColumnIndex {
         let mut warnings = Vec::new();
         for (index, name) in header.iter().enumerate() {
             let name = name.to_ascii_lowercase();
-            let joint = name.strip_prefix('q').and_then(|rest| rest.strip_suffix("_deg"));
+            let of_joint = name.strip_prefix('q');
+            let joint = of_joint.and_then(|rest| rest.strip_suffix("_deg").or(rest.strip_suffix("_mm")));
             if joint.and_then(|n| n.parse::<u32>().ok()).is_some_and(|n| n > MOST_JOINTS as u32) {
                 return Err(MeasureError::TooManyJoints { column: name });
             }
@@ -109,15 +115,6 @@ fn unused(
         .collect()
 }
 
-/// Whether a cell says that nothing was measured, or is what a spreadsheet writes where it could not compute (`#REF!`, `#NAME?`).
-fn is_nothing(text: &str) -> bool {
-    text.is_empty()
-        || text.starts_with('#') && text.ends_with(['!', '?'])
-        || ["nan", "null", "none", "n/a", "#n/a", "na", "-"]
-            .iter()
-            .any(|word| text.eq_ignore_ascii_case(word))
-}
-
 /// The cells of one line, by the names of their columns.
 pub(super) struct RowCells<'a> {
     pub(super) columns: &'a ColumnIndex,
@@ -125,28 +122,38 @@ pub(super) struct RowCells<'a> {
 }
 
 impl RowCells<'_> {
+    /// What a cell holds; `None` where its column is absent or it says that there is nothing.
     pub(super) fn text(&self, name: &str) -> Option<&str> {
-        self.columns.at.get(name).and_then(|&index| self.line.cells.get(index)).map(String::as_str)
+        self.columns.at.get(name).and_then(|&index| self.line.cell(index))
     }
 
-    /// What a cell names; `None` where it is absent or says that there is nothing.
-    pub(super) fn name(&self, name: &str) -> Option<String> {
-        self.text(name).filter(|text| !is_nothing(text)).map(str::to_owned)
+    /// As it stands in the file.
+    fn as_written(&self, name: &str) -> &str {
+        self.columns.at.get(name).and_then(|&index| self.line.cells.get(index)).map_or("", String::as_str)
+    }
+
+    /// Whether the column is there and its cell says that there is nothing.
+    fn is_empty(&self, name: &str) -> bool {
+        self.columns.has(name) && self.text(name).is_none()
+    }
+
+    fn is_base(&self) -> bool {
+        self.text("kind").is_some_and(|kind| kind.eq_ignore_ascii_case("base"))
     }
 
     /// The first cell that the row cannot do without and that says that there is nothing.
     pub(super) fn absent(&self) -> Option<&'static str> {
-        let base = self.text("kind").is_some_and(|kind| kind.eq_ignore_ascii_case("base"));
-        let nothing = |name: &str| self.text(name).is_some_and(is_nothing);
-        let other =
-            [LENGTH, FIXED].into_iter().any(|name| self.text(name).is_some_and(|text| !is_nothing(text)));
-        let point = if other && POINT.iter().all(|name| self.empty(name)) {
-            None
-        } else {
-            POINT.into_iter().find(|name| nothing(name))
+        let first_empty = |names: &[&'static str]| names.iter().copied().find(|name| self.is_empty(name));
+        let has_any = |names: &[&str]| names.iter().any(|name| self.text(name).is_some());
+        if self.is_base() {
+            return first_empty(&POINT);
+        }
+        let reading = match (has_any(&POINT), has_any(&[LENGTH, FIXED])) {
+            (true, _) => first_empty(&POINT),
+            (false, true) => None,
+            (false, false) => first_empty(&POINT).or_else(|| first_empty(&[LENGTH, FIXED])),
         };
-        let joints = if base { None } else { self.columns.joints.iter().copied().find(|name| nothing(name)) };
-        joints.or(point)
+        first_empty(&self.columns.joints).or(reading)
     }
 
     /// Columns of what need not be there whose cell is empty.
@@ -157,9 +164,7 @@ impl RowCells<'_> {
             single.into_iter().chain(QUATERNION).chain(per_joint)
         };
         let no_turn = self.has_no_turn();
-        all.filter(move |name| {
-            self.text(name).is_some_and(is_nothing) || no_turn && QUATERNION.contains(name)
-        })
+        all.filter(move |name| self.is_empty(name) || no_turn && QUATERNION.contains(name))
     }
 
     /// Four zeros are what an instrument writes that saw no orientation.
@@ -168,7 +173,7 @@ impl RowCells<'_> {
     }
 
     fn number(&self, name: &str) -> Result<f64, MeasureError> {
-        let text = self.text(name).unwrap_or_default();
+        let text = self.as_written(name);
         match text.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             _ => Err(MeasureError::NotANumber {
@@ -182,11 +187,7 @@ impl RowCells<'_> {
 
     /// `None` where the column or the cell is absent.
     fn optional(&self, name: &str) -> Result<Option<f64>, MeasureError> {
-        match self.text(name) {
-            None => Ok(None),
-            Some(text) if is_nothing(text) => Ok(None),
-            Some(_) => self.number(name).map(Some),
-        }
+        self.text(name).map(|_| self.number(name)).transpose()
     }
 
     fn optional_all<const K: usize>(&self, names: [&str; K]) -> Result<Option<[f64; K]>, MeasureError> {
@@ -213,7 +214,7 @@ impl RowCells<'_> {
         MeasureError::Impossible {
             line: self.line.number,
             column: column.to_owned(),
-            text: self.text(column).unwrap_or_default().to_owned(),
+            text: self.as_written(column).to_owned(),
             why,
         }
     }
@@ -221,7 +222,7 @@ impl RowCells<'_> {
     fn joints(&self) -> Result<Joints, MeasureError> {
         let joint = |name: &&'static str| {
             let written = self.number(name)?;
-            if written.abs() > 1e5 {
+            if written.abs() > FURTHEST_JOINT {
                 return Err(self.impossible(name, "no joint moves that far"));
             }
             Ok(if SLIDES.contains(name) { m_from_mm(written) } else { rad_from_deg(written) })
@@ -229,13 +230,9 @@ impl RowCells<'_> {
         self.columns.joints.iter().map(joint).collect::<Result<Vec<f64>, _>>().map(Joints::from_iter)
     }
 
-    fn empty(&self, name: &str) -> bool {
-        self.text(name).unwrap_or_default().is_empty()
-    }
-
     fn length_m(&self, name: &str) -> Result<f64, MeasureError> {
         let mm = self.number(name)?;
-        if mm.abs() > 1e8 {
+        if mm.abs() > FURTHEST_MM {
             return Err(self.impossible(name, "no instrument reaches that far"));
         }
         Ok(m_from_mm(mm))
@@ -263,13 +260,10 @@ impl RowCells<'_> {
         fixed_point: &mut dyn FnMut(&'static str, &str) -> usize,
     ) -> Result<Reading, MeasureError> {
         let kind = self.text("kind").unwrap_or_default();
-        let first_of = |names: &[&str]| {
-            names.iter().filter_map(|n| self.text(n)).find(|t| !t.is_empty()).unwrap_or_default().to_owned()
-        };
-        if kind.eq_ignore_ascii_case("base") {
-            let name = first_of(&[FIXED, "target", "pose_id", "id"]);
+        if self.is_base() {
+            let name = [FIXED, "target", "pose_id", "id"].into_iter().find_map(|name| self.text(name));
             return Ok(Reading::Nest {
-                fixed_point: fixed_point("nest", &name),
+                fixed_point: fixed_point("nest", name.unwrap_or_default()),
                 position_m: self.position_m()?,
                 with_joints: self.has_joints()?,
             });
@@ -277,18 +271,21 @@ impl RowCells<'_> {
         if !kind.is_empty() && !kind.eq_ignore_ascii_case("pose") {
             return Err(self.impossible("kind", "a kind is pose or base"));
         }
-        if !POINT.iter().all(|name| self.empty(name)) {
+        if POINT.iter().any(|name| self.text(name).is_some()) {
             return Ok(Reading::Point { position_m: self.position_m()? });
         }
-        if !self.empty(LENGTH) {
+        if self.text(LENGTH).is_some() {
             let length_m = self.length_m(LENGTH)?;
             if length_m <= 0.0 {
                 return Err(self.impossible(LENGTH, "a length is more than 0"));
             }
-            return Ok(Reading::Length { fixed_point: fixed_point("wire", &first_of(&[FIXED])), length_m });
+            return Ok(Reading::Length {
+                fixed_point: fixed_point("wire", self.text(FIXED).unwrap_or_default()),
+                length_m,
+            });
         }
-        if !self.empty(FIXED) {
-            return Ok(Reading::Touch { fixed_point: fixed_point("touched", &first_of(&[FIXED])) });
+        if let Some(name) = self.text(FIXED) {
+            return Ok(Reading::Touch { fixed_point: fixed_point("touched", name) });
         }
         let column = [POINT[0], LENGTH, FIXED].into_iter().find(|c| self.columns.has(c)).unwrap_or(POINT[0]);
         self.number(column).and(Err(self.impossible(column, "nothing was measured")))
@@ -337,7 +334,7 @@ impl RowCells<'_> {
         Ok(MeasurementRow {
             line: self.line.number,
             id: self.text("id").map(str::to_owned),
-            pose_id: self.name("pose_id"),
+            pose_id: self.text("pose_id").map(str::to_owned),
             pose: 0,
             target,
             stand: 0,

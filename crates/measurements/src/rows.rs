@@ -5,8 +5,29 @@ use nalgebra::UnitQuaternion;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{JointKind, Joints};
 
-/// Joints of one pose differ by less than this, radians.
-pub(super) const SAME_POSE_RAD: f64 = 0.01;
+/// Joints of one pose differ by less than this.
+pub(super) const SAME_POSE: JointTolerance = JointTolerance { rad: 0.01, m: 1e-3 };
+
+/// How far joints may be from each other, or from an end of their range: an angle and a length have no common measure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct JointTolerance {
+    /// Of joints that turn, radians.
+    pub rad: f64,
+    /// Of joints that slide, metres.
+    pub m: f64,
+}
+
+impl JointTolerance {
+    /// That of a joint of this kind, radians or metres.
+    pub(super) fn of(self, kind: JointKind) -> f64 {
+        if kind.slides() { self.m } else { self.rad }
+    }
+
+    /// Whether all joints of two poses, which move as `kinds` says, differ by less.
+    pub(super) fn holds(self, kinds: &[JointKind], a: &[f64], b: &[f64]) -> bool {
+        kinds.iter().zip(a.iter().zip(b)).all(|(kind, (a, b))| (a - b).abs() < self.of(*kind))
+    }
+}
 
 /// One measured pose, SI.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,10 +69,10 @@ impl MeasurementRow {
         self.t_min.map(|t_min| t_min - self.earlier_min)
     }
 
-    /// Whether the arm stood elsewhere than at `other`.
+    /// Whether the arm, whose joints move as `kinds` says, stood elsewhere than at `other`.
     #[must_use]
-    pub(super) fn is_apart_from(&self, other: &Self) -> bool {
-        self.q_rad.iter().zip(&other.q_rad).any(|(a, b)| (a - b).abs() > SAME_POSE_RAD)
+    pub(super) fn is_apart_from(&self, other: &Self, kinds: &[JointKind]) -> bool {
+        !SAME_POSE.holds(kinds, &self.q_rad, &other.q_rad)
     }
 }
 
@@ -64,11 +85,11 @@ pub struct Channels {
     pub time: bool,
     /// `qw, qx, qy, qz`.
     pub orientation: bool,
-    /// Directions of approach: `dir1` to `dir6`.
+    /// Directions of approach: `dir1` and so on, one for each joint.
     pub direction: bool,
     /// Payload as declared: `payload_kg`.
     pub payload: bool,
-    /// Joint temperatures: `temp_j1_c` to `temp_j6_c`.
+    /// Joint temperatures: `temp_j1_c` and so on, one for each joint.
     pub joint_temperature: bool,
 }
 
@@ -85,8 +106,6 @@ pub struct Measurements {
     pub fixed_points: Vec<String>,
     /// How each joint moves, by the unit of its column.
     pub joint_kinds: Joints<JointKind>,
-    /// Smallest step that the joint columns are written with, degrees as decimals in the file: 3 for 0.001.
-    pub joint_decimals: usize,
     /// What a person should look at.
     pub warnings: Vec<Diagnostic>,
 }

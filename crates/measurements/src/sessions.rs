@@ -3,6 +3,7 @@
 //! Rows that are merely out of order look alike: a file that was sorted by target, by repeat or by pose. What could be that is left as it is.
 
 use super::MeasurementRow;
+use robot_model::robot::JointKind;
 use std::ops::Range;
 
 /// Fewer rows than this are no session: a stamp that was mistyped, a few rows of another day.
@@ -43,8 +44,8 @@ impl Session {
 }
 
 /// Tells the rows of each session by how far before the last one's clock its own began.
-pub(super) fn number_sessions(rows: &mut [MeasurementRow]) {
-    let Some(sessions) = sessions(rows) else { return };
+pub(super) fn number_sessions(rows: &mut [MeasurementRow], kinds: &[JointKind]) {
+    let Some(sessions) = sessions(rows, kinds) else { return };
     let mut next: Option<(f64, f64)> = None;
     for session in sessions.into_iter().rev() {
         let earlier_min =
@@ -55,7 +56,7 @@ pub(super) fn number_sessions(rows: &mut [MeasurementRow]) {
 }
 
 /// The sessions of a file; `None` where it has one, or may have been sorted by something else than time.
-fn sessions(rows: &[MeasurementRow]) -> Option<Vec<Session>> {
+fn sessions(rows: &[MeasurementRow], kinds: &[JointKind]) -> Option<Vec<Session>> {
     let stamps: Vec<f64> = rows.iter().map(|row| row.t_min).collect::<Option<_>>()?;
     let mut sessions: Vec<Session> = Vec::new();
     for part in stamps.chunk_by(|a, b| b >= a) {
@@ -64,18 +65,18 @@ fn sessions(rows: &[MeasurementRow]) -> Option<Vec<Session>> {
         sessions.push(Session { rows: from..from + part.len(), from_min, to_min });
     }
     let is_clear = (2..=MOST_SESSIONS).contains(&sessions.len())
-        && sessions.iter().all(|one| one.rows.len() >= FEWEST_ROWS && moves(&rows[one.rows.clone()]))
+        && sessions.iter().all(|one| one.rows.len() >= FEWEST_ROWS && moves(&rows[one.rows.clone()], kinds))
         && sessions.windows(2).all(|pair| {
             pair[0].begins_anew_in(&pair[1], &stamps)
                 && !sorted_by_a_column(&rows[pair[0].rows.clone()], &rows[pair[1].rows.clone()])
         })
-        && !sorted_by_repeat(rows, &sessions);
+        && !sorted_by_repeat(rows, &sessions, kinds);
     is_clear.then_some(sessions)
 }
 
 /// Whether the arm stood at more than one pose.
-fn moves(rows: &[MeasurementRow]) -> bool {
-    rows.windows(2).any(|pair| pair[0].is_apart_from(&pair[1]))
+fn moves(rows: &[MeasurementRow], kinds: &[JointKind]) -> bool {
+    rows.windows(2).any(|pair| pair[0].is_apart_from(&pair[1], kinds))
 }
 
 /// Whether some column says one thing in all rows `before` and another in all rows `after`: target, fixed point, nests, one joint's direction.
@@ -95,7 +96,7 @@ fn sorted_by_a_column(before: &[MeasurementRow], after: &[MeasurementRow]) -> bo
 }
 
 /// Whether nearly all rows behind the first part would follow, by their stamps, a row of the same joints in another part.
-fn sorted_by_repeat(rows: &[MeasurementRow], sessions: &[Session]) -> bool {
+fn sorted_by_repeat(rows: &[MeasurementRow], sessions: &[Session], kinds: &[JointKind]) -> bool {
     let mut order: Vec<(f64, usize, usize)> = Vec::with_capacity(rows.len());
     for (number, session) in sessions.iter().enumerate() {
         order.extend(session.rows.clone().filter_map(|row| Some((rows[row].t_min?, number, row))));
@@ -103,7 +104,7 @@ fn sorted_by_repeat(rows: &[MeasurementRow], sessions: &[Session]) -> bool {
     order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
     let repeats = order.windows(2).filter(|pair| {
         let [(before_min, first, before), (at_min, second, at)] = [pair[0], pair[1]];
-        second > first && at_min > before_min && !rows[before].is_apart_from(&rows[at])
+        second > first && at_min > before_min && !rows[before].is_apart_from(&rows[at], kinds)
     });
     let behind = sessions.iter().skip(1).map(|session| session.rows.len()).sum::<usize>();
     repeats.count() as f64 >= REPEATS * behind as f64

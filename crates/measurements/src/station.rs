@@ -2,17 +2,18 @@
 
 use super::repeats::{Repeats, apart_where_contradictory, centre, false_repeats, repeats};
 use super::rounds::Rounds;
+use super::rows::JointTolerance;
 use super::{Channels, MeasurementRow, Measurements, Reading};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::Joints;
 use std::collections::BTreeMap;
 
-/// Repeats further apart than this are different stations: drift between them is signal, not noise.
-const SAME_TIME_MIN: f64 = 10.0;
+/// Repeats further apart than this are different stations, and of another time of the drift test: drift between them is signal, not noise.
+pub(super) const SAME_TIME_MIN: f64 = 10.0;
 /// A fixed point touched again with all joints as near as this is the same pose.
-const SAME_TOUCH_RAD: f64 = 5e-3;
-/// Joints read back scatter by less than this between repeats.
+const SAME_TOUCH: JointTolerance = JointTolerance { rad: 5e-3, m: 1e-3 };
+/// Joints read back scatter by less than this between repeats, radians; metres where they slide, as far as such a turn moves a point at 1 m.
 const SAME_JOINT_RAD: f64 = 2e-4;
 /// Joint temperatures within this are the same.
 const SAME_TEMPERATURE_C: f64 = 0.5;
@@ -110,9 +111,6 @@ type Condition = (usize, usize, Option<usize>, Option<Joints<i8>>, u64);
 
 /// Gathers the rows that `used` names; `stated_m`: the noise of one coordinate as stated, metres, which helps to tell whether repeats
 /// contradict each other.
-///
-/// # Panics
-/// Never: rows that `used` does not name are left out.
 #[must_use]
 pub fn gather(measurements: &Measurements, used: &[usize], stated_m: Option<f64>) -> Stations {
     let rows = &measurements.rows;
@@ -183,7 +181,7 @@ pub(super) fn pose_numbers(measurements: &Measurements, used: &[usize]) -> Vec<u
             }
             Reading::Touch { fixed_point } => {
                 let known = touched.entry(fixed_point).or_default();
-                let near = |q: &Joints| q.iter().zip(&row.q_rad).all(|(a, b)| (a - b).abs() < SAME_TOUCH_RAD);
+                let near = |q: &Joints| SAME_TOUCH.holds(&measurements.joint_kinds, q, &row.q_rad);
                 match known.iter().find(|(q, _)| near(q)) {
                     Some((_, pose)) => *pose,
                     None => {

@@ -15,6 +15,22 @@ pub struct Line {
     pub cells: Vec<String>,
 }
 
+/// Whether a cell says that nothing was measured, or is what a spreadsheet writes where it could not compute (`#REF!`, `#NAME?`).
+pub(super) fn is_nothing(text: &str) -> bool {
+    text.is_empty()
+        || text.starts_with('#') && text.ends_with(['!', '?'])
+        || ["nan", "null", "none", "n/a", "#n/a", "na", "-"]
+            .iter()
+            .any(|word| text.eq_ignore_ascii_case(word))
+}
+
+impl Line {
+    /// What the cell of a column holds; `None` where it says that there is nothing.
+    pub(super) fn cell(&self, column: usize) -> Option<&str> {
+        self.cells.get(column).map(String::as_str).filter(|text| !is_nothing(text))
+    }
+}
+
 /// Column names and cells.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Table {

@@ -64,8 +64,8 @@ impl TimestampFormat {
             rest = &rest[word.map_or(first.len_utf8(), |(word, _)| word.len())..];
         }
         let has = |part| parts.contains(&part);
-        if !(has(Part::Hour) && has(Part::Minute)) || has(Part::Day) != (has(Part::Month) && has(Part::Year))
-        {
+        let of_date = [Part::Year, Part::Month, Part::Day].into_iter().filter(|part| has(*part)).count();
+        if !(has(Part::Hour) && has(Part::Minute) && [0, 3].contains(&of_date)) {
             return Err(format!("time_format {format}: hh and mm are needed, and YYYY, MM, DD all or none"));
         }
         Ok(Self { format: format.to_owned(), parts })
@@ -197,7 +197,11 @@ mod tests {
             assert!(timestamp.parse_min(there).is_ok(), "{there}");
         }
         assert_eq!(timestamp.parse_min("30.12.2024 00:00"), Err(NoTime::NotWrittenSo));
-        assert!(TimestampFormat::new("DD hh:mm").is_err());
+        for part_of_a_date in
+            ["DD hh:mm", "MM hh:mm", "YYYY hh:mm", "MM.YYYY hh:mm", "DD.MM hh:mm", "YYYY DD hh:mm"]
+        {
+            assert!(TimestampFormat::new(part_of_a_date).is_err(), "{part_of_a_date}");
+        }
     }
 
     /// 23:30, 23:50, 0:10, 0:30: minutes 1410, 1430, and 10, 30 of the next day, which has 1440 more.

@@ -63,7 +63,7 @@ fn what_concerns_all_files_is_refused_before_any_is_emitted() {
     let (program, plan) = planned(&files);
     assert_eq!(emit(&program, &plan, &embedded), Err(EmitError::EmbeddedInSeveral { modules: 2 }));
     let (program, plan) = planned(&files[..1]);
-    assert!(emit(&program, &plan, &embedded).is_ok());
+    emit(&program, &plan, &embedded).unwrap();
     let files = ["TASK1/page.mod", "TASK2/second.mod"].map(|path| (path, page("Page", "\n")));
     let (program, plan) = planned(&files);
     let several = EmitError::SeveralTasks { tasks: vec!["TASK1".to_owned(), "TASK2".to_owned()] };

@@ -55,7 +55,7 @@ fn what_belongs_to_another_robot_is_refused_unless_allowed() {
     renamed.name = "cell 7".to_owned();
     let mut same = Compensation::new(renamed, Deformation::paper());
     same.default_table = true;
-    assert!(same.run(&cube).is_ok());
+    same.run(&cube).unwrap();
     other.allow_other_robot = true;
     let warned = other.run(&cube).map(|made| messages(&made, "deform::other-robot").len());
     assert!(

@@ -142,8 +142,78 @@ fn rows_of_a_target_that_was_knocked_are_said_not_to_be_compared() {
     let after = measured(&[], tip, 2);
     let knocked = measured(&[], tip + Vector3::new(0.03, 0.02, 0.0), 2);
     let both = after.lines().take(26).chain(knocked.lines().skip(26)).collect::<Vec<_>>().join("\n");
-    let (_, answer) = compared(folder.path(), &measured(&[], tip, 1), &both);
-    assert!(answer.contains("changed::target-moved") && answer.contains("15 poses before"), "{answer}");
+    let before = measured(&[], tip, 1);
+    for [before, after] in [[&before, &both], [&both, &before]] {
+        // Of the target that one file has alone nothing is known the other time: it has not moved.
+        let (code, answer) = compared(folder.path(), before, after);
+        assert!(code == 0 && answer.contains("changed::target-moved"), "{answer}");
+        assert!(answer.contains("15 poses") && !answer.contains("target 2"), "{answer}");
+    }
+}
+
+/// Two reflectors before, one after: the other is compared with nothing.
+#[test]
+fn a_target_of_one_file_alone_has_not_moved() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let far = tip + Vector3::new(0.08, -0.05, 0.02);
+    let a = |seed| with_column(&measured(&[], tip, seed), "target", "A");
+    let b = with_column(&measured(&[], far, 3), "target", "B");
+    let both = a(1) + &b.lines().skip(1).map(|line| format!("{line}\n")).collect::<String>();
+    for [before, after] in [[both.clone(), a(2)], [a(2), both]] {
+        let (code, answer) = compared(folder.path(), &before, &after);
+        assert!(code == 0 && answer.contains("target 1 (A)") && !answer.contains("target 2"), "{answer}");
+    }
+}
+
+/// Joints that encoders read are never twice the same: 0.01 deg at 0.7 m are 0.12 mm, by which no point has moved.
+#[test]
+fn joints_as_encoders_read_them_move_no_point() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let off_deg = |k: usize, j: usize| 0.005 * ((k * 7 + 3 * j) % 5) as f64 - 0.01;
+    let robot = robot_under_test(&[]);
+    let text = file(&robot, &somewhere(), tip, 2);
+    // The same poses a little beside, each point where its own joints put it.
+    let moved = text.lines().enumerate().map(|(k, line)| {
+        let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+        if k > 0 {
+            let q_deg: [f64; 6] = std::array::from_fn(|j| cells[1 + j].parse::<f64>().unwrap());
+            let beside: [f64; 6] = std::array::from_fn(|j| q_deg[j] + off_deg(k, j));
+            let hand = |q_deg: [f64; 6]| {
+                robot_model::kinematics::Chain::nominal(
+                    &robot_model::robot::Robot::built_in("irb140").unwrap(),
+                )
+                .forward(&q_deg.map(f64::to_radians))
+                    * nalgebra::Point3::from(tip)
+            };
+            let by = somewhere() * (hand(beside) - hand(q_deg));
+            (0..6).for_each(|j| cells[1 + j] = format!("{:.6}", beside[j]));
+            for (axis, cell) in cells[7..10].iter_mut().enumerate() {
+                *cell = format!("{:.6}", cell.parse::<f64>().unwrap() + 1000.0 * by[axis]);
+            }
+        }
+        cells.join(",") + "\n"
+    });
+    let (code, answer) = compared(folder.path(), &measured(&[], tip, 1), &moved.collect::<String>());
+    assert!(code == 0 && answer.contains("not changed"), "{answer}");
+}
+
+/// A reading 3 mm beside the two others of its pose takes no part, and the line is named.
+#[test]
+fn readings_beside_the_others_of_their_pose_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let tip = Vector3::from(TIP_M);
+    let thrice = |seed: u64| {
+        let all: Vec<String> = (0..3_u64).map(|k| measured(&[], tip, seed + 10 * k)).collect();
+        let rows: Vec<Vec<&str>> = all.iter().map(|text| text.lines().collect()).collect();
+        let mut text = format!("{}\n", rows[0][0]);
+        (1..rows[0].len()).for_each(|k| rows.iter().for_each(|of| text += &format!("{}\n", of[k])));
+        text
+    };
+    let off = with_points(&thrice(2), |k, point_mm| point_mm[0] += if k == 13 { 3.0 } else { 0.0 });
+    let (_, answer) = compared(folder.path(), &thrice(1), &off);
+    assert!(answer.contains("measure::false-repeat") && answer.contains("line "), "{answer}");
 }
 
 #[test]

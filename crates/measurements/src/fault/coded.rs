@@ -3,7 +3,7 @@
 use super::far_rows::{FarRows, PartFault};
 use crate::Station;
 use crate::column_names::POINT;
-use crate::rows::SAME_POSE_RAD;
+use crate::rows::SAME_POSE;
 use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
@@ -73,11 +73,10 @@ impl FarRows<'_> {
     fn others_stand_elsewhere(&self, which: &[usize]) -> bool {
         let mut stations = which.iter().map(|&i| &self.rows[i].station);
         let Some(first) = stations.next() else { return false };
-        let first_m = first.reading.position_m();
+        let (first_m, kinds) = (first.reading.position_m(), self.robot.kinds());
         stations.any(|station| {
             let apart_m = first_m.zip(station.reading.position_m()).map_or(0.0, |(a, b)| (a - b).norm());
-            apart_m > self.limit_m
-                || first.q_rad.iter().zip(&station.q_rad).any(|(a, b)| (a - b).abs() > SAME_POSE_RAD)
+            apart_m > self.limit_m || !SAME_POSE.holds(&kinds, &first.q_rad, &station.q_rad)
         })
     }
 }

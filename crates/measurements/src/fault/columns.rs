@@ -4,7 +4,7 @@
 use super::{Fault, FaultKind, frozen};
 use crate::{MeasurementRow, Measurements, Reading};
 use robot_model::deform::gravity::links;
-use robot_model::robot::SerialArm;
+use robot_model::robot::{JointKind, SerialArm};
 use robot_model::units::{celsius_from_fahrenheit, celsius_from_kelvin, kg_from_g, min_from_s};
 use std::collections::BTreeMap;
 
@@ -34,7 +34,7 @@ const FEWEST_ROWS: usize = 3;
 #[must_use]
 pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &SerialArm) -> Option<Fault> {
     let rows: Vec<&MeasurementRow> = used.iter().filter_map(|&i| measurements.rows.get(i)).collect();
-    frozen_points(&rows)
+    frozen_points(&rows, &measurements.joint_kinds)
         .or_else(|| frozen::all_joints(&rows, robot))
         .or_else(|| payload(&rows, robot))
         .or_else(|| seconds(&rows))
@@ -43,7 +43,7 @@ pub fn find_in_cells(measurements: &Measurements, used: &[usize], robot: &Serial
 }
 
 /// One point to the last digit, at joints that differ.
-fn frozen_points(rows: &[&MeasurementRow]) -> Option<Fault> {
+fn frozen_points(rows: &[&MeasurementRow], kinds: &[JointKind]) -> Option<Fault> {
     let mut seen: BTreeMap<([u64; 3], usize), Vec<&MeasurementRow>> = BTreeMap::new();
     for row in rows {
         if let Reading::Point { position_m } = row.reading {
@@ -55,7 +55,7 @@ fn frozen_points(rows: &[&MeasurementRow]) -> Option<Fault> {
         let poses = same
             .iter()
             .enumerate()
-            .filter(|(k, row)| same[..*k].iter().all(|before| row.is_apart_from(before)));
+            .filter(|(k, row)| same[..*k].iter().all(|before| row.is_apart_from(before, kinds)));
         poses.count() >= FEWEST_FROZEN
     });
     let lines: Vec<u64> = still.flatten().map(|row| row.line).collect();
@@ -76,6 +76,7 @@ pub fn find_pose_names(measurements: &Measurements, used: &[usize]) -> Option<Fa
     if !measurements.channels.pose_id {
         return None;
     }
+    let kinds = &measurements.joint_kinds;
     let rows = used.iter().filter_map(|&i| measurements.rows.get(i));
     let mut first: BTreeMap<usize, &MeasurementRow> = BTreeMap::new();
     let (mut repeats, mut lines) = (0, Vec::new());
@@ -83,14 +84,15 @@ pub fn find_pose_names(measurements: &Measurements, used: &[usize]) -> Option<Fa
         let known = first.entry(row.pose).or_insert(row);
         if known.line != row.line {
             repeats += 1;
-            if row.is_apart_from(known) {
+            if row.is_apart_from(known, kinds) {
                 lines.push(row.line);
             }
         }
     }
     (lines.len() >= FEWEST_ROWS && 2 * lines.len() > repeats).then(|| {
         Fault::in_rows(FaultKind::PoseNames, "pose_id", lines, |count, which| {
-            format!("{count} rows ({which}) share a pose_id with rows whose joints differ by more than half a degree: rows of one pose_id repeat one pose")
+            let or_slide = if kinds.iter().any(|kind| kind.slides()) { " or a millimetre" } else { "" };
+            format!("{count} rows ({which}) share a pose_id with rows whose joints differ by more than half a degree{or_slide}: rows of one pose_id repeat one pose")
         })
     })
 }
@@ -209,4 +211,24 @@ fn hot_arm(rows: &[&MeasurementRow]) -> Option<Fault> {
             format!("the joints are {least:.0} °C warm or more in {count} rows ({which}), as no arm is: the columns {column} are {unit} there")
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rows of one pose_id whose slide stands 5 mm apart are of several poses; half a millimetre is how it was read.
+    #[test]
+    fn a_slide_that_stands_millimetres_apart_is_of_another_pose() {
+        let reason = |step_mm: f64| {
+            let mut text = "pose_id,q1_deg,q2_deg,q3_mm,q4_deg,x_mm,y_mm,z_mm\n".to_owned();
+            for k in 0..8 {
+                text += &format!("A,10,20,{},30,400,{k},100\n", 50.0 + step_mm * f64::from(k % 2));
+            }
+            let measured = Measurements::from_csv(text.as_bytes()).unwrap();
+            find_pose_names(&measured, &(0..8).collect::<Vec<_>>()).map(|fault| fault.reason)
+        };
+        assert_eq!(reason(0.5), None);
+        assert!(reason(5.0).unwrap().contains("by more than half a degree or a millimetre"));
+    }
 }

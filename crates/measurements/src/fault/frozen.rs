@@ -74,7 +74,9 @@ pub(super) fn refitted(
     let tried = starts.map(|q_rad| (q_rad, off_m(q_rad)));
     let (middle, _) =
         tried.reduce(|best, next| if next.1 < best.1 { next } else { best }).unwrap_or((low, 0.0));
-    let q_rad = narrowed([middle - step, middle + step], NARROWINGS, &mut off_m);
+    // Beyond its end the joint cannot have stood, however well the point would fit there.
+    let around = [(middle - step).max(low), (middle + step).min(high)];
+    let q_rad = narrowed(around, NARROWINGS, &mut off_m);
     Refitted { q_rad, off_m: off_m(q_rad) }
 }
 
@@ -121,4 +123,30 @@ pub(super) fn one_joint(robot: &SerialArm, j: usize, lines: Vec<u64>) -> Fault {
             Axis::at(j)
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Reading;
+    use nalgebra::Point3;
+    use robot_model::robot::Joints;
+
+    /// A point as it were seen with joint 2 five degrees beyond its end.
+    #[test]
+    fn a_joint_is_looked_for_within_its_range_alone() {
+        let robot = SerialArm::built_in("irb140").unwrap();
+        let chain = SerialChain::nominal(&robot);
+        let tool_m = Vector3::new(0.0, 0.0, 0.1);
+        let registration = Registration::assumed(Isometry3::identity(), vec![tool_m], Vec::new());
+        let [low, high] = robot.joints[1].range_rad.unwrap();
+        for (end_rad, beyond_rad) in [(low, -0.0873), (high, 0.0873)] {
+            let q_rad = Joints::from([0.2, end_rad + beyond_rad, 0.1, 0.3, 0.5, 0.0]);
+            let position_m = (chain.forward(&q_rad) * Point3::from(tool_m)).coords;
+            let station = Station::bare(0, q_rad, Reading::Point { position_m });
+            let found = refitted(&robot, &chain, &registration, &station, 1);
+            assert!((low..=high).contains(&found.q_rad), "{}", found.q_rad);
+            assert!((found.q_rad - end_rad).abs() < 1e-6 && found.off_m > 0.01, "{}", found.off_m);
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The instrument, or the target on the flange, that was elsewhere in a part of the rows.
 
 use super::far_rows::{FarRows, PartFault, PosedRow};
-use crate::rows::SAME_POSE_RAD;
+use crate::rows::SAME_POSE;
 use crate::{FreeParameters, Reading, Station, median, register_with};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::robot::Joints;
@@ -66,12 +66,11 @@ impl FarRows<'_> {
 
     /// Whether enough poses are among these rows, some of which may repeat others.
     fn has_poses(&self, which: &[usize]) -> bool {
+        let kinds = self.robot.kinds();
         let mut poses: Vec<&Joints> = Vec::new();
         for &i in which {
             let here = &self.rows[i].station.q_rad;
-            let is_known = poses
-                .iter()
-                .any(|q_rad| here.iter().zip(q_rad.iter()).all(|(a, b)| (a - b).abs() < SAME_POSE_RAD));
+            let is_known = poses.iter().any(|q_rad| SAME_POSE.holds(&kinds, here, q_rad));
             if !is_known {
                 poses.push(here);
             }

@@ -4,13 +4,12 @@
 //! Points and joints alone say how the base stands in the instrument's frame. From there each measured orientation says how the
 //! sensor sits on the flange; it sits in one way, so that all must say the same.
 
+use super::whole::SOUND_M;
 use super::{Fault, FaultKind};
 use crate::{Registration, Rotation, Station, register};
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
 use robot_model::units::deg_from_rad;
 
-/// Points that leave more than this in the middle tell nothing of the base, metres.
-const SOUND_M: f64 = 4e-3;
 /// Points spread less than this about every line do not say how the base is turned, metres.
 const SPREAD_M: f64 = 0.03;
 /// Orientations within this of each other are one: instruments and arms err by less, radians.
@@ -19,6 +18,8 @@ const NEAR_RAD: f64 = 0.1;
 const SCATTER_RAD: f64 = 0.4;
 /// Orientations nearer to each other than this are one, radians: what sensors scatter by where nothing moves.
 const STILL_RAD: f64 = 2e-3;
+/// A flange that has turned by more stands elsewhere, radians: joints read back at one pose differ by less.
+const TURNED_RAD: f64 = 0.02;
 /// Rows further off than so many times the middle one are far.
 const FAR_TIMES: f64 = 12.0;
 /// Rows that may carry the sensor's orientation, spread over the file.
@@ -276,11 +277,8 @@ impl Oriented {
         let off_rad = |i: usize, seen: UnitQuaternion<f64>| {
             sensor.flange_from_sensor.angle_to(&self.rows[i].flange_from_sensor(seen))
         };
-        let still = |i: &&usize| {
-            let before = i.checked_sub(1).map(|before| &self.rows[before]);
-            before.is_some_and(|before| before.seen.angle_to(&self.rows[**i].seen) < STILL_RAD)
-        };
-        let lines: Vec<u64> = far.iter().filter(still).map(|&i| self.rows[i].line).collect();
+        let lines: Vec<u64> =
+            far.iter().filter(|&&i| self.stood_still(i)).map(|&i| self.rows[i].line).collect();
         if lines.len() >= FEWEST && 2 * lines.len() > far.len() {
             return Some(Fault::in_rows(FaultKind::Orientations, COLUMNS, lines, |count, which| {
                 format!(
@@ -326,6 +324,17 @@ impl Oriented {
         })
     }
 
+    /// Whether row `i` has the orientation of the last row before it at which the arm was turned otherwise: repeats, and targets that are seen at
+    /// one pose, share theirs.
+    fn stood_still(&self, i: usize) -> bool {
+        let row = &self.rows[i];
+        let turned = |before: &&OrientedRow| {
+            before.instrument_from_flange.angle_to(&row.instrument_from_flange) > TURNED_RAD
+        };
+        let before = self.rows[..i].iter().rev().find(turned);
+        before.is_some_and(|before| before.seen.angle_to(&row.seen) < STILL_RAD)
+    }
+
     /// One other way in which the sensor sits in all rows to one side of some row.
     fn remounted(&self, sensor: &Sensor, far: &[usize]) -> Option<Remounted> {
         let (first, last) = (*far.first()?, *far.last()?);
@@ -344,4 +353,62 @@ impl Oriented {
 struct Remounted {
     by_rad: f64,
     lines: Vec<u64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Reading;
+    use nalgebra::Point3;
+
+    const TARGETS_M: [Vector3<f64>; 3] =
+        [Vector3::new(0.06, 0.04, 0.1), Vector3::new(-0.08, 0.03, 0.06), Vector3::new(0.01, -0.09, 0.12)];
+
+    /// 40 poses of a made-up hand at which three targets are seen, each with the orientation that `seen` makes of the pose's number and of how
+    /// the sensor is turned there.
+    fn visits(
+        seen: impl Fn(usize, &dyn Fn(usize) -> UnitQuaternion<f64>) -> UnitQuaternion<f64>,
+    ) -> (Vec<Station>, Vec<Isometry3<f64>>) {
+        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
+        let pose = |i: usize| {
+            let a = |k: f64| (i as f64 * k).fract() - 0.5;
+            let shift = Vector3::new(0.5 + a(0.618), a(0.755), 0.4 + a(0.569));
+            Isometry3::new(shift, Vector3::new(2.0 * a(0.414), 2.0 * a(0.732), 2.0 * a(0.236)))
+        };
+        let flange = |i: usize| base.rotation * pose(i).rotation;
+        let row = |k: usize| {
+            let (i, target) = (k / 3, k % 3);
+            let point = base * pose(i) * Point3::from(TARGETS_M[target]);
+            let station = Station::bare(i, [0.0; 6].into(), Reading::Point { position_m: point.coords });
+            let orientation = Some(seen(i, &flange));
+            (Station { line: k as u64 + 2, target, orientation, ..station }, pose(i))
+        };
+        (0..120).map(row).unzip()
+    }
+
+    fn about_x(deg: f64) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_scaled_axis(Vector3::x() * deg.to_radians())
+    }
+
+    /// At pose 24 of 40 the sensor is mounted anew; each pose's three rows have one orientation, as they should.
+    #[test]
+    fn a_sensor_that_is_mounted_anew_stands_not_still_where_targets_share_a_pose() {
+        let found = |deg: f64| {
+            let (stations, poses) = visits(|i, flange| flange(i) * about_x(if i >= 24 { deg } else { 0.0 }));
+            find_in_orientations(&stations, &poses, 3, None)
+        };
+        let fault = found(40.0).unwrap();
+        assert!(fault.reason.contains("turned by 40 deg"), "{}", fault.reason);
+        assert_eq!(fault.lines, (3 * 24 + 2..122).collect::<Vec<u64>>());
+        // By less the diagnosis finds it beside the points.
+        assert_eq!(found(10.0), None);
+    }
+
+    #[test]
+    fn a_sensor_that_hangs_while_the_arm_turns_is_named() {
+        let (stations, poses) = visits(|i, flange| flange(if (24..32).contains(&i) { 23 } else { i }));
+        let fault = find_in_orientations(&stations, &poses, 3, None).unwrap();
+        assert!(fault.reason.contains("the sensor stood still"), "{}", fault.reason);
+        assert_eq!(fault.lines, (3 * 24 + 2..3 * 32 + 2).collect::<Vec<u64>>());
+    }
 }

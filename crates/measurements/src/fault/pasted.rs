@@ -5,7 +5,7 @@ use super::{Fault, FaultKind};
 use crate::Station;
 use crate::column_names::POINT;
 use robot_model::robot::{Axis, SerialArm};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Columns of fewer different numbers may be the same, or rise from row to row, without a mistake.
 const FEWEST_DIFFERENT: usize = 8;
@@ -68,6 +68,40 @@ pub(super) fn find(robot: &SerialArm, stations: &[Station]) -> Option<Fault> {
 }
 
 impl FarRows<'_> {
+    /// Points that are to the last digit those of other rows, each of another one, as of a block that was pasted over another.
+    pub(super) fn pasted_points(&self) -> Option<PartFault> {
+        let bits =
+            |i: usize| Some(<[f64; 3]>::from(self.rows[i].station.reading.position_m()?).map(f64::to_bits));
+        let mut rows_of: BTreeMap<[u64; 3], Vec<usize>> = BTreeMap::new();
+        for (i, bits) in (0..self.rows.len()).filter_map(|i| Some((i, bits(i)?))) {
+            rows_of.entry(bits).or_default().push(i);
+        }
+        let source = |i: usize| {
+            let others = rows_of.get(&bits(i)?)?;
+            others.iter().copied().find(|&other| other != i && !self.far.contains(&other))
+        };
+        let pairs: Vec<(usize, usize)> = self
+            .far
+            .iter()
+            .filter_map(|&i| Some((i, source(i)?)))
+            .filter(|(i, of)| i.abs_diff(*of) > 1)
+            .collect();
+        let which: Vec<usize> = pairs.iter().map(|(i, _)| *i).collect();
+        let sources: BTreeSet<usize> = pairs.iter().map(|(_, of)| *of).collect();
+        // One point at many poses is a reflector that stood still.
+        if sources.len() < which.len() || !self.are_most(&which) {
+            return None;
+        }
+        let (first, last) = (sources.first()?, sources.last()?);
+        let [first, last] = [first, last].map(|&i| self.rows[i].station.line);
+        Some(self.fault(FaultKind::NothingFits, "x_mm, y_mm, z_mm", &which, |count, lines| {
+            format!(
+                "in {count} rows ({lines}) the points are to the last digit those of lines {first} to {last}, measured at other joints: they were \
+                 pasted over what was there"
+            )
+        }))
+    }
+
     /// Two coordinates that are the same number to the last digit in most of the far rows, as no two readings are by chance.
     pub(super) fn copied(&self) -> Option<PartFault> {
         let tried = [(0, 1), (0, 2), (1, 2)].into_iter().map(|(a, b)| {

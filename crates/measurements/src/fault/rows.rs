@@ -97,6 +97,9 @@ fn in_part(robot: &SerialArm, rows: &[PosedRow], targets: usize, part: &Part) ->
     if let Some(coded) = off.coded() {
         return Some(coded);
     }
+    if let Some(pasted) = off.pasted_points() {
+        return Some(pasted);
+    }
     let columns = off.copied().or_else(|| off.single_columns()).or_else(|| off.exchanged_targets(targets));
     let here_and_there = (off.far.len() as f64) < MOST * (last - first + 1) as f64
         && off.stretch().len() < FEWEST_IN_A_STRETCH;

@@ -144,15 +144,13 @@ fn targets_that_move_together_are_no_knock_of_one() {
     let still = |_: usize, t: usize| TARGETS_M[t];
     let all = |i: usize, t: usize| TARGETS_M[t] + if i >= 40 { KNOCK_M } else { Vector3::zeros() };
     let turned = |i: usize| if i >= 40 { 2e-3 } else { 0.0 };
-    for (rows, named) in [
-        visits(3, still, |_| 0.0),
-        visits(3, all, |_| 0.0),
-        visits(3, still, turned),
-        visits(2, still, turned),
-    ]
-    .map(|(_, rows, named)| (rows, named))
-    {
-        assert_eq!(find_moved_target(&rows, &named, 3.min(named.iter().max().unwrap() + 1)), None);
+    for (targets, (_, rows, named)) in [
+        (3, visits(3, still, |_| 0.0)),
+        (3, visits(3, all, |_| 0.0)),
+        (3, visits(3, still, turned)),
+        (2, visits(2, still, turned)),
+    ] {
+        assert_eq!(find_moved_target(&rows, &named, targets), None);
     }
 }
 

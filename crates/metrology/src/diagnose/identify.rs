@@ -449,8 +449,10 @@ fn measured_range(rows: usize, stations: &Stations, joints: usize) -> MeasuredRa
     let warm = all.iter().any(|s| s.joint_temperature_c.is_some());
     MeasuredRange {
         rows,
-        q_rad: Joints::from_fn(joints, |j| {
-            range(&|s| s.reading.involves_arm().then_some(s.q_rad[j])).unwrap_or_default()
+        q_rad: all.iter().any(|s| s.reading.involves_arm()).then(|| {
+            Joints::from_fn(joints, |j| {
+                range(&|s| s.reading.involves_arm().then_some(s.q_rad[j])).unwrap_or_default()
+            })
         }),
         t_min: range(&|s| s.t_min),
         joint_temperature_c: warm.then(|| {

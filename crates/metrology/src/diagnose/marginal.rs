@@ -287,7 +287,7 @@ mod tests {
     }
     #[test]
     fn a_statement_and_repeats_that_agree_are_taken_together() {
-        let repeats = Repeats { sigma_m: 4e-5, degrees_of_freedom: 6, sigma_rad: None };
+        let repeats = Repeats { sigma_m: 4e-5, degrees_of_freedom: 6 };
         let NoisePrior { known: Some(KnownNoise { sigma_m, freedom }), from_repeats: true, .. } =
             NoisePrior::new(Some(&repeats), Some(3e-5))
         else {
@@ -296,7 +296,7 @@ mod tests {
         // (20 · 9 + 6 · 16) / 26 of 1e-10 m²
         assert!((sigma_m - 3.258_12e-5).abs() < 1e-10 && freedom == 26.0, "{sigma_m} {freedom}");
         // Three times the statement in 60 degrees of freedom contradict it.
-        let repeats = Repeats { sigma_m: 9e-5, degrees_of_freedom: 60, sigma_rad: None };
+        let repeats = Repeats { sigma_m: 9e-5, degrees_of_freedom: 60 };
         assert!(NoisePrior::contradicted(Some(&repeats), Some(3e-5)));
         assert_eq!(
             NoisePrior::new(Some(&repeats), Some(3e-5)).known,

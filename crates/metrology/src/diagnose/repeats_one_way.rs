@@ -83,7 +83,7 @@ pub(super) fn one_way(
     let is_left_across = |across: &Repeats| !NoisePrior::contradicted(Some(across), smaller);
     let along_joint = joints
         .iter()
-        .filter_map(|&(joint, z)| Some((joint, z, across(&repeated, linear, joint, seen)?)))
+        .filter_map(|&(joint, z)| Some((joint, z, across(&repeated, linear, joint)?)))
         .filter(|(joint, z, across)| {
             *z > BEYOND_CHANCE
                 || (*z > BEYOND_COMMON
@@ -93,7 +93,7 @@ pub(super) fn one_way(
         .max_by(|a, b| a.1.total_cmp(&b.1));
     let (joint, across) = match along_joint {
         Some((joint, _, across)) => (Some(Axis::at(joint)), across),
-        None => (None, alike(&repeated, seen)?),
+        None => (None, alike(&repeated)?),
     };
     Some(OneWay { joint, seen_m: seen.sigma_m, across })
 }
@@ -120,7 +120,7 @@ fn repeated<'s>(
 }
 
 /// The noise across a joint's ways.
-fn across(repeated: &[Repeated<'_>], linear: &Linearised, joint: usize, seen: Repeats) -> Option<Repeats> {
+fn across(repeated: &[Repeated<'_>], linear: &Linearised, joint: usize) -> Option<Repeats> {
     let (mut squares_m2, mut freedom) = (0.0, 0.0);
     for one in repeated {
         let Some(way) = way(linear, one.station, joint) else { continue };
@@ -128,11 +128,11 @@ fn across(repeated: &[Repeated<'_>], linear: &Linearised, joint: usize, seen: Re
         freedom += 2.0 * one.freedom();
     }
     let sigma_m = (squares_m2 / freedom).sqrt();
-    (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: freedom as usize, ..seen })
+    (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: freedom as usize })
 }
 
 /// The noise that changes from row to row, where rows near each other in the file lie off their poses' means in the same direction.
-fn alike(repeated: &[Repeated<'_>], seen: Repeats) -> Option<Repeats> {
+fn alike(repeated: &[Repeated<'_>]) -> Option<Repeats> {
     /// Middle of a chi-square of three degrees of freedom.
     const MIDDLE_OF_SQUARES: f64 = 2.366;
     let mut off: Vec<(usize, usize, Vector3<f64>, f64)> = Vec::new();
@@ -156,7 +156,7 @@ fn alike(repeated: &[Repeated<'_>], seen: Repeats) -> Option<Repeats> {
         .map(|pair| (pair[1].2 - pair[0].2).norm_squared() / (pair[0].3 + pair[1].3) / MIDDLE_OF_SQUARES)
         .collect();
     let sigma_m = median(&mut variances).sqrt();
-    (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: neighbours.len(), ..seen })
+    (sigma_m > 0.0).then_some(Repeats { sigma_m, degrees_of_freedom: neighbours.len() })
 }
 
 /// Direction in which a joint takes the point at a station; `None` where it hardly moves it.

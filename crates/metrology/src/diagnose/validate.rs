@@ -3,7 +3,7 @@
 use super::identify::{PredictedStations, predicted};
 use super::warmup::{Standstill, warm_minutes};
 use measurements::{
-    FaultKind, FreeParameters, Measurements, RegisterError, Registration, Station, check_rows, gather,
+    FreeParameters, Measurements, RegisterError, Registration, Station, describe_false_repeats, gather,
     register, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
@@ -79,14 +79,14 @@ impl From<ValidateError> for Diagnostic {
     }
 }
 
-/// Statistics of distances, mm.
+/// Statistics of the distances between the points that were measured and where they were expected, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct DistanceStatistics {
     /// Root mean square distance, mm.
     pub rms_mm: f64,
-    /// Mean of the measured minus the predicted distances, mm.
+    /// Mean distance, mm.
     pub mean_mm: f64,
-    /// Largest difference of a distance, mm.
+    /// Largest distance, mm.
     pub max_mm: f64,
 }
 
@@ -116,6 +116,9 @@ pub struct Validation {
     pub joints_outside: Vec<(Axis, usize)>,
     /// Rows with the largest distance: line and mm.
     pub worst: Vec<(u64, f64)>,
+    /// That readings far from the others of their pose were left out.
+    #[serde(skip)]
+    pub left_out: Option<Diagnostic>,
 }
 
 /// A joint this far outside the range is still inside.
@@ -123,26 +126,22 @@ const SLACK_DEG: f64 = 1.0;
 /// The same of one that slides, metres.
 const SLACK_M: f64 = 1e-3;
 
-/// Applies `model` to `measurements`, the registration that `which` names fitted again; the robot stood in `stops`, which counts where the
+/// Applies `model` to the rows of `measurements` that `used` names, all in the frame of one stand of the instrument, the registration that `which` names fitted again; the robot stood in `stops`, which counts where the
 /// model's drift follows one law.
 ///
 /// # Errors
 /// [`ValidateError`]
 pub fn validate(
-    measurements: &Measurements,
+    (measurements, used): (&Measurements, &[usize]),
     robot: &SerialArm,
     model: &Identified,
     which: RefitScope,
     stops: &[Standstill],
 ) -> Result<Validation, ValidateError> {
-    let checked = check_rows(measurements, robot);
-    if let Some(fault) = checked.fault.as_ref().filter(|fault| fault.kind == FaultKind::JointColumns) {
-        return Err(ValidateError::Joints { reason: fault.reason.clone() });
-    }
     if model.joint_kinds != robot.kinds() {
         return Err(ValidateError::ModelJoints { known: model.joint_kinds.len(), robot: robot.name.clone() });
     }
-    let mut gathered = gather(measurements, &checked.used, None);
+    let mut gathered = gather(measurements, used, None);
     set_warm_minutes(&mut gathered.stations, model, stops);
     let (stations, targets) = (&gathered.stations, gathered.targets);
     let chain = SerialChain::nominal(robot);
@@ -176,6 +175,7 @@ pub fn validate(
             .filter(|(_, poses)| *poses > 0)
             .collect(),
         worst,
+        left_out: describe_false_repeats(measurements, &gathered),
     })
 }
 
@@ -205,11 +205,12 @@ struct Distance {
 }
 
 fn outside(model: &Identified, station: &Station, j: usize) -> bool {
-    let Some([low, high]) = model.measured_range.q_rad.get(j).copied() else { return false };
+    let seen = model.measured_range.q_rad.as_ref();
+    let Some([low, high]) = seen.and_then(|q_rad| q_rad.get(j).copied()) else { return false };
     let slides = model.joint_kinds.get(j).is_some_and(|kind| kind.slides());
     let slack_rad = if slides { SLACK_M } else { rad_from_deg(SLACK_DEG) };
     let q_rad = station.q_rad[j];
-    high - low > 0.0 && (q_rad < low - slack_rad || q_rad > high + slack_rad)
+    q_rad < low - slack_rad || q_rad > high + slack_rad
 }
 
 fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> PoseSubset {

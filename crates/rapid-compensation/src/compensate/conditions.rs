@@ -210,12 +210,12 @@ fn check_point(motion: &Motion, q_rad: &[f64; 6], model: &Model<'_>, messages: &
         messages.add(Some(motion.setup.routine), message.at(span_of(motion)).help(help));
     };
     let slack_rad = rad_from_deg(SLACK_DEG);
-    let outside = (0..6).find(|&j| {
-        let [low, high] = seen.q_rad[j];
-        high > low && (q_rad[j] < low - slack_rad || q_rad[j] > high + slack_rad)
-    });
-    if let Some(j) = outside {
-        let [low, high] = seen.q_rad[j].map(deg_from_rad);
+    let is_outside =
+        |j: &usize, [low, high]: [f64; 2]| q_rad[*j] < low - slack_rad || q_rad[*j] > high + slack_rad;
+    let outside =
+        seen.q_rad.and_then(|seen| (0..6).map(|j| (j, seen[j])).find(|(j, range)| is_outside(j, *range)));
+    if let Some((j, range)) = outside {
+        let [low, high] = range.map(deg_from_rad);
         warn(
             "model::range",
             format!(

@@ -3,14 +3,15 @@
 
 use super::base_shift::{BaseSigma, base_sigma};
 use super::nest_scale::nest_scale;
-use super::pose_pairs::{Pair, as_measurements, paired, point_pairs};
+use super::pose_pairs::{Pair, as_measurements, first_line, paired, point_pairs};
 use super::scale_change::{FittedScale, ScaleChange};
 use crate::diagnose::examine::diagnose;
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::{Findings, Verdict};
 use measurements::{
     Fault, Measurements, OneStand, Reading, RegisterError, Registration, STATED_FREEDOM, Station, Stations,
-    TOOL_M, ToolApart, check_rows, from_sound_file, gather, median, register, tool_apart,
+    TOOL_M, ToolApart, check_rows, describe_false_repeats, from_sound_file, gather, median, register,
+    tool_apart,
 };
 use nalgebra::{Isometry3, Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -89,7 +90,9 @@ pub struct MeasurementComparison {
     pub rms_m: f64,
     /// What noise alone would give, where the noise is known.
     pub noise_rms_m: Option<f64>,
-    /// Where each target sat on the flange before, metres.
+    /// Names of the targets that were measured both times, as the file before has them: empty where it names none.
+    pub targets: Vec<String>,
+    /// Where each of them sat on the flange before, metres.
     pub tools_m: Vec<Vector3<f64>>,
     /// How far each target has moved on the flange, with its largest standard deviation, metres.
     pub tools_moved_m: Vec<(Vector3<f64>, f64)>,
@@ -176,61 +179,77 @@ fn compared(
     let chain = SerialChain::nominal(robot);
     let [old, new] = files.map(FileSeen::stations);
     let [before, after] = files.map(|file| &file.measurements);
-    let pairs = paired(&old, &new, before, after, &chain);
+    let all = paired(&old, &new, before, after, &chain);
+    let (pairs, targets) = (&all.all, all.targets.len());
     if pairs.len() < FEWEST {
         return Err(CompareError::TooFew { pairs: pairs.len() });
     }
-    let Registered { flange, was, is, moved, shown } = registered(&pairs, old.targets, options.tool_m)?;
-    let fit = register(&shown, &flange, old.targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
+    let Registered { flange, was, is, moved, shown } = registered(pairs, targets, options.tool_m)?;
+    let fit = register(&shown, &flange, targets, Some(was.tools_m.first().copied().unwrap_or_default()))?;
     let left: Vec<Vector3<f64>> =
         shown.iter().zip(&flange).map(|(s, pose)| fit.residual_m(s, pose)).collect();
 
-    let sigma_m = noise_m(&old, &new, options, &pairs);
-    let diagnosis_options =
-        DiagnosisOptions { tool_m: fit.tools_m.first().copied().filter(|_| old.targets == 1), sigma_m };
-    let diagnosis = diagnose(&as_measurements(&pairs, &shown, before), robot, &diagnosis_options);
-    let points = point_pairs(&pairs, &was, &moved);
-    let scale = FittedScale::new(&points, old.targets, sigma_m.unwrap_or(0.0)).and_then(|fitted| {
-        let known_m = options.sigma_m.or_else(|| old.repeats.map(|repeats| repeats.sigma_m));
-        let nests = nest_scale(files.map(FileSeen::rows), known_m.unwrap_or(fitted.left_m));
-        fitted.as_change(&diagnosis, rms_m(&left), nests)
-    });
+    let reading = ReadingNoise::new(&old, &new, options);
+    let sigma_m = reading.as_ref().map(|reading| reading.of_differences_m(pairs));
+    // The same readings twice have no noise against which anything could be told.
+    let is_same = moved.iter().all(|by| by.norm() < SAME_M);
+    let tool_m = fit.tools_m.first().copied().filter(|_| targets == 1);
+    let differences = as_measurements(&all, &shown, before);
+    let diagnosis = diagnosed(&differences, robot, &DiagnosisOptions { tool_m, sigma_m }, is_same);
+    let points = FittedScale::new(&point_pairs(pairs, &was, &moved), targets, sigma_m.unwrap_or(0.0));
+    let reading_m = options.sigma_m.or_else(|| old.repeats.map(|repeats| repeats.sigma_m));
+    let nests = |left_m: f64| nest_scale(files.map(FileSeen::rows), reading_m.unwrap_or(left_m));
+    let scale = points.and_then(|fit| fit.as_change(&diagnosis, rms_m(&left), nests(fit.left_m)));
     let diagnosis = scale.iter().fold(diagnosis, |diagnosis, scale| scale.shared(diagnosis));
     let tools_moved_m: Vec<(Vector3<f64>, f64)> =
         fit.tools_m.iter().zip(&was.tools_m).map(|(a, b)| (a - b, fit.tool_sigma_m)).collect();
-    // The same readings twice have no noise against which anything could be told.
-    let is_same = moved.iter().all(|by| by.norm() < SAME_M);
     let tool_is_changed = tools_moved_m.iter().any(|(by, sigma)| by.norm() > SURE * sigma);
     let arm_is_changed = is_of_the_arm(&diagnosis);
     let base_moved = was.instrument_from_base.inverse() * is.instrument_from_base * fit.instrument_from_base;
-    let base_sigma = told_sigma(&pairs, &was, sigma_m, &left).filter(|_| !arm_is_changed);
+    let base_sigma = told_sigma(pairs, &was, sigma_m, &left).filter(|_| !arm_is_changed);
     let is_beyond_sigma = base_sigma.is_some_and(|sigma| sigma.is_exceeded_by(&base_moved));
-    let by_rms_m = base_shift_m(&pairs, &was, &base_moved);
-    let beyond = Noise::new(sigma_m, &old, &new, &left).beyond(&left, (by_rms_m, is_beyond_sigma));
-    let beyond = if is_same { BeyondNoise::default() } else { beyond };
+    let by_rms_m = base_shift_m(pairs, &was, &base_moved);
+    let noise = Noise::new(sigma_m, reading.map(|reading| reading.degrees_of_freedom), &left);
+    let beyond = noise.beyond(&left, (by_rms_m, is_beyond_sigma), is_same);
     let is_changed = tool_is_changed || arm_is_changed || beyond.poses > 0 || beyond.is_scattered;
     Ok(MeasurementComparison {
         pairs: pairs.len(),
         alone: [old.stations.len() - pairs.len(), new.stations.len() - pairs.len()],
         rms_m: rms_m(&left),
         noise_rms_m: sigma_m.map(|sigma_m| sigma_m * 3.0_f64.sqrt()),
-        tool_apart: [&was, &is].map(|fit| tool_apart(fit, old.targets, options.tool_m, pairs.len())),
+        tool_apart: [&was, &is].map(|fit| tool_apart(fit, targets, options.tool_m, pairs.len())),
+        targets: all.targets.clone(),
         tools_m: was.tools_m,
         tools_moved_m,
         base_moved,
         base_sigma,
-        worst: worst_changes(&pairs, &left, before, after),
+        worst: worst_changes(pairs, &left, before, after),
         diagnosis,
         scale,
         beyond,
         is_changed: is_changed && !is_same,
-        warnings: files.map(|file| file.warnings.clone()),
+        warnings: [files[0].warnings_with(&old), files[1].warnings_with(&new)],
     })
+}
+
+/// The diagnosis of what has moved, where anything has.
+fn diagnosed(
+    differences: &Measurements,
+    robot: &SerialArm,
+    options: &DiagnosisOptions,
+    is_same: bool,
+) -> Findings {
+    match is_same {
+        true => {
+            Findings::without_causes(Verdict::NothingAboveNoise, "each pose has the same reading both times")
+        }
+        false => diagnose(differences, robot, options),
+    }
 }
 
 /// Pairs in the base's frame, as registered each time.
 struct Registered {
-    /// `base_from_flange` of each.
+    /// `base_from_flange` of each, before.
     flange: Vec<Isometry3<f64>>,
     was: Registration,
     is: Registration,
@@ -241,31 +260,28 @@ struct Registered {
 }
 
 fn registered(
-    pairs: &[Pair<'_>],
+    pairs: &[Pair],
     targets: usize,
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Registered, RegisterError> {
     let flange: Vec<Isometry3<f64>> = pairs.iter().map(|p| p.flange).collect();
-    let stations = |of: fn(&Pair<'_>) -> Station| pairs.iter().map(of).collect::<Vec<Station>>();
-    let first = stations(|p| p.before.clone());
-    let second = stations(|p| Station { target: p.before.target, ..p.after.clone() });
+    let flange_after: Vec<Isometry3<f64>> = pairs.iter().map(|p| p.flange_after).collect();
+    let first: Vec<Station> = pairs.iter().map(|p| p.before.clone()).collect();
+    let second: Vec<Station> = pairs.iter().map(|p| p.after.clone()).collect();
     let was = register(&first, &flange, targets, tool_m)?;
-    let is = register(&second, &flange, targets, tool_m)?;
-    let moved = moved_m([&first, &second], &flange, [&was, &is]);
+    let is = register(&second, &flange_after, targets, tool_m)?;
+    let moved = moved_m(pairs, [&was, &is]);
     let shown = shown(&second, &flange, &was, &moved);
     Ok(Registered { flange, was, is, moved, shown })
 }
 
-/// What the points have moved by, the base as it is now, the targets where they were.
-fn moved_m(
-    [before, after]: [&[Station]; 2],
-    flange: &[Isometry3<f64>],
-    [was, is]: [&Registration; 2],
-) -> Vec<Vector3<f64>> {
+/// What the points have moved by, the base as it is now, the targets where they were: each reading beside where its own joints put the point.
+fn moved_m(pairs: &[Pair], [was, is]: [&Registration; 2]) -> Vec<Vector3<f64>> {
     let now = Registration { tools_m: was.tools_m.clone(), ..is.clone() };
-    let both = before.iter().zip(after).zip(flange);
-    both.map(|((before, after), flange)| now.residual_m(after, flange) - was.residual_m(before, flange))
-        .collect()
+    let moved = |pair: &Pair| {
+        now.residual_m(&pair.after, &pair.flange_after) - was.residual_m(&pair.before, &pair.flange)
+    };
+    pairs.iter().map(moved).collect()
 }
 
 /// The stations as an instrument would see them that had stood where it was: `was`, and what has moved.
@@ -288,8 +304,8 @@ fn rms_m(all: &[Vector3<f64>]) -> f64 {
 }
 
 /// By how much the points are elsewhere where the base is, rms, metres.
-fn base_shift_m(pairs: &[Pair<'_>], was: &Registration, base_moved: &Isometry3<f64>) -> f64 {
-    let shift = |pair: &Pair<'_>| {
+fn base_shift_m(pairs: &[Pair], was: &Registration, base_moved: &Isometry3<f64>) -> f64 {
+    let shift = |pair: &Pair| {
         let tool_m = was.tools_m.get(pair.before.target).copied().unwrap_or_default();
         let point = pair.flange * Point3::from(tool_m);
         base_moved * point - point
@@ -299,7 +315,7 @@ fn base_shift_m(pairs: &[Pair<'_>], was: &Registration, base_moved: &Isometry3<f
 
 /// How exactly the pairs tell a shift of the base, with the noise that is known, or, where more is `left` of the points, with that.
 fn told_sigma(
-    pairs: &[Pair<'_>],
+    pairs: &[Pair],
     was: &Registration,
     known_m: Option<f64>,
     left: &[Vector3<f64>],
@@ -338,6 +354,12 @@ impl FileSeen {
         gather(&self.measurements, &self.used.iter().copied().filter(of_arm).collect::<Vec<usize>>(), None)
     }
 
+    /// What is to be said of the file, whose stations are `stations`.
+    fn warnings_with(&self, stations: &Stations) -> Vec<Diagnostic> {
+        let far = describe_false_repeats(&self.measurements, stations);
+        self.warnings.iter().cloned().chain(far).collect()
+    }
+
     fn rows(&self) -> (&Measurements, &[usize]) {
         (&self.measurements, &self.used)
     }
@@ -354,21 +376,29 @@ struct Noise {
 }
 
 impl Noise {
-    /// As it is stated or repeated (`known_m`); where it is neither, that of most of the differences `left`.
-    fn new(known_m: Option<f64>, old: &Stations, new: &Stations, left: &[Vector3<f64>]) -> Self {
+    /// As it is stated or repeated (`known_m`, with the degrees of freedom that tell it); where it is neither, that of most of the
+    /// differences `left`.
+    fn new(known_m: Option<f64>, degrees_of_freedom: Option<usize>, left: &[Vector3<f64>]) -> Self {
         let pairs = left.len() as f64;
         let Some(sigma_m) = known_m else {
             let sigma_m = median(&mut left.iter().map(Vector3::norm).collect::<Vec<f64>>()) / MEDIAN_LENGTH;
             // The median of n lengths is known to about 1 / the root of 2 n, as a share.
             return Self { sigma_m, error: 1.0 / (2.0 * pairs).sqrt(), is_known: false, pairs };
         };
-        let freedom =
-            old.repeats.zip(new.repeats).map(|(a, b)| a.degrees_of_freedom.min(b.degrees_of_freedom));
-        let freedom = freedom.unwrap_or(STATED_FREEDOM).max(1) as f64;
+        let freedom = degrees_of_freedom.unwrap_or(STATED_FREEDOM).max(1) as f64;
         Self { sigma_m, error: 1.0 / (2.0 * freedom).sqrt(), is_known: true, pairs }
     }
 
-    fn beyond(&self, left: &[Vector3<f64>], (base_shift_m, is_beyond_sigma): (f64, bool)) -> BeyondNoise {
+    /// What noise does not explain of the differences `left` and of a shift of the base; nothing where each reading `is_same`.
+    fn beyond(
+        &self,
+        left: &[Vector3<f64>],
+        (base_shift_m, is_beyond_sigma): (f64, bool),
+        is_same: bool,
+    ) -> BeyondNoise {
+        if is_same {
+            return BeyondNoise::default();
+        }
         BeyondNoise {
             poses: left.iter().filter(|by| by.norm() > self.furthest_m()).count(),
             is_scattered: self.is_known && rms_m(left) > self.largest_rms_m(),
@@ -396,18 +426,16 @@ impl Noise {
 
 /// The pairs with the largest change, largest first.
 fn worst_changes(
-    pairs: &[Pair<'_>],
+    pairs: &[Pair],
     changes_m: &[Vector3<f64>],
     before: &Measurements,
     after: &Measurements,
 ) -> Vec<MovedPoint> {
-    let line =
-        |m: &Measurements, s: &Station| s.rows.first().and_then(|&r| m.rows.get(r)).map_or(0, |r| r.line);
     let mut worst: Vec<MovedPoint> = pairs
         .iter()
         .zip(changes_m)
         .map(|(p, change)| MovedPoint {
-            lines: [line(before, p.before), line(after, p.after)],
+            lines: [first_line(before, &p.before), first_line(after, &p.after)],
             by_m: change.norm(),
         })
         .collect();
@@ -416,15 +444,33 @@ fn worst_changes(
     worst
 }
 
-/// Noise of the difference of a pair, on average: of one reading as stated, or as seen in both files' repeats, over the
-/// readings in each mean.
-fn noise_m(old: &Stations, new: &Stations, options: &DiagnosisOptions, pairs: &[Pair<'_>]) -> Option<f64> {
-    let stated = options.sigma_m.map(|sigma_m| (sigma_m, sigma_m));
-    let (before_m, after_m) =
-        stated.or_else(|| old.repeats.zip(new.repeats).map(|(a, b)| (a.sigma_m, b.sigma_m)))?;
-    let of_pair = |pair: &Pair<'_>| {
-        before_m.powi(2) / pair.before.rows.len().max(1) as f64
-            + after_m.powi(2) / pair.after.rows.len().max(1) as f64
-    };
-    Some((pairs.iter().map(of_pair).sum::<f64>() / pairs.len().max(1) as f64).sqrt())
+/// Noise of one reading in each file.
+struct ReadingNoise {
+    /// Before and after, metres.
+    sigma_m: [f64; 2],
+    /// How well they are known.
+    degrees_of_freedom: usize,
+}
+
+impl ReadingNoise {
+    /// As stated, or as seen in both files' repeats.
+    fn new(old: &Stations, new: &Stations, options: &DiagnosisOptions) -> Option<Self> {
+        let stated = |sigma_m| Self { sigma_m: [sigma_m; 2], degrees_of_freedom: STATED_FREEDOM };
+        let repeated = || {
+            let (a, b) = old.repeats.zip(new.repeats)?;
+            let degrees_of_freedom = a.degrees_of_freedom.min(b.degrees_of_freedom);
+            Some(Self { sigma_m: [a.sigma_m, b.sigma_m], degrees_of_freedom })
+        };
+        options.sigma_m.map(stated).or_else(repeated)
+    }
+
+    /// Of a coordinate of the difference of a pair, on average, over the readings in each mean, metres.
+    fn of_differences_m(&self, pairs: &[Pair]) -> f64 {
+        let [before_m, after_m] = self.sigma_m;
+        let of_pair = |pair: &Pair| {
+            before_m.powi(2) / pair.before.rows.len().max(1) as f64
+                + after_m.powi(2) / pair.after.rows.len().max(1) as f64
+        };
+        (pairs.iter().map(of_pair).sum::<f64>() / pairs.len().max(1) as f64).sqrt()
+    }
 }

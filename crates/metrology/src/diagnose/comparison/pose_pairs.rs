@@ -5,31 +5,43 @@ use measurements::{Channels, MeasurementRow, Measurements, Reading, Registration
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::Joints;
+use std::collections::BTreeSet;
 
 /// Joints this near are the same pose.
 pub(super) const SAME_RAD: f64 = 3.5e-4;
 
 /// A pose in both files.
-pub(super) struct Pair<'a> {
-    /// Its first station in the file before.
-    pub(super) before: &'a Station,
-    /// The one that is alike in the file after.
-    pub(super) after: &'a Station,
-    /// `base_from_flange` of the nominal arm.
+pub(super) struct Pair {
+    /// Its first station in the file before, its target counted among those that were measured both times.
+    pub(super) before: Station,
+    /// The one that is alike in the file after, of the same target.
+    pub(super) after: Station,
+    /// `base_from_flange` of the nominal arm before.
     pub(super) flange: Isometry3<f64>,
+    /// The same after: joints that encoders read differ by what a point may move.
+    pub(super) flange_after: Isometry3<f64>,
 }
 
-/// Each station before with the first one after that is alike and free.
-pub(super) fn paired<'a>(
-    old: &'a Stations,
-    new: &'a Stations,
+/// Poses in both files.
+pub(super) struct Pairs {
+    /// In the order of the file before.
+    pub(super) all: Vec<Pair>,
+    /// Names of the targets that were measured both times.
+    pub(super) targets: Vec<String>,
+}
+
+/// Each station before with the first one after that is alike and free. A target that one file alone has is none of theirs: nothing would
+/// say where it was the other time.
+pub(super) fn paired(
+    old: &Stations,
+    new: &Stations,
     before: &Measurements,
     after: &Measurements,
     chain: &SerialChain,
-) -> Vec<Pair<'a>> {
+) -> Pairs {
     let mut free: Vec<&Station> =
         new.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })).collect();
-    let mut pairs = Vec::new();
+    let mut found: Vec<(&Station, &Station)> = Vec::new();
     for station in old.stations.iter().filter(|s| matches!(s.reading, Reading::Point { .. })) {
         let alike = |other: &&Station| {
             let same = |a: Option<Joints<i8>>, b: Option<Joints<i8>>| a.is_none() || b.is_none() || a == b;
@@ -40,16 +52,32 @@ pub(super) fn paired<'a>(
                 && load(station.payload_kg, other.payload_kg)
         };
         if let Some(at) = free.iter().position(alike) {
-            let other = free.remove(at);
-            pairs.push(Pair { before: station, after: other, flange: chain.forward(&station.q_rad) });
+            found.push((station, free.remove(at)));
         }
     }
-    pairs
+    let targets: BTreeSet<usize> = found.iter().map(|(station, _)| station.target).collect();
+    let numbered = |station: &Station, target| Station { target, ..station.clone() };
+    let pair = |(station, other): (&Station, &Station)| {
+        let target = targets.range(..station.target).count();
+        Pair {
+            before: numbered(station, target),
+            after: numbered(other, target),
+            flange: chain.forward(&station.q_rad),
+            flange_after: chain.forward(&other.q_rad),
+        }
+    };
+    let name = |target: &usize| before.targets.get(*target).cloned().unwrap_or_default();
+    Pairs { all: found.into_iter().map(pair).collect(), targets: targets.iter().map(name).collect() }
+}
+
+/// Line of the first row of a station of `file`.
+pub(super) fn first_line(file: &Measurements, station: &Station) -> u64 {
+    station.rows.first().and_then(|&row| file.rows.get(row)).map_or(0, |row| row.line)
 }
 
 /// What the points have moved by, each with where its target sat.
-pub(super) fn point_pairs(pairs: &[Pair<'_>], was: &Registration, moved: &[Vector3<f64>]) -> Vec<PointPair> {
-    let point = |(pair, moved_m): (&Pair<'_>, &Vector3<f64>)| PointPair {
+pub(super) fn point_pairs(pairs: &[Pair], was: &Registration, moved: &[Vector3<f64>]) -> Vec<PointPair> {
+    let point = |(pair, moved_m): (&Pair, &Vector3<f64>)| PointPair {
         pose: pair.flange,
         tool_m: was.tools_m.get(pair.before.target).copied().unwrap_or_default(),
         target: pair.before.target,
@@ -58,14 +86,14 @@ pub(super) fn point_pairs(pairs: &[Pair<'_>], was: &Registration, moved: &[Vecto
     pairs.iter().zip(moved).map(point).collect()
 }
 
-/// The differences as a measurement file of their own: the nominal arm, and what has changed.
-pub(super) fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Measurements) -> Measurements {
+/// The differences as a measurement file of their own: the nominal arm, and what has changed. Its lines are those of the file `before`.
+pub(super) fn as_measurements(pairs: &Pairs, shown: &[Station], before: &Measurements) -> Measurements {
     let rows: Vec<MeasurementRow> = pairs
+        .all
         .iter()
         .zip(shown)
-        .enumerate()
-        .map(|(i, (pair, shown))| MeasurementRow {
-            line: i as u64 + 2,
+        .map(|(pair, shown)| MeasurementRow {
+            line: first_line(before, &pair.before),
             id: None,
             pose_id: None,
             pose: pair.before.pose,
@@ -89,10 +117,9 @@ pub(super) fn as_measurements(pairs: &[Pair<'_>], shown: &[Station], before: &Me
             ..Channels::default()
         },
         rows,
-        targets: before.targets.clone(),
+        targets: pairs.targets.clone(),
         fixed_points: Vec::new(),
         joint_kinds: before.joint_kinds,
-        joint_decimals: 9,
         warnings: Vec::new(),
     }
 }

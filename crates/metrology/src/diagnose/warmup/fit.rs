@@ -221,7 +221,7 @@ fn fit_without(
         moved: Vec::new(),
         residuals,
         span_min: touches.span_min(),
-        touches: touches.touches.len() - aside.len(),
+        touches: all.iter().map(|point| point.lines.len()).sum::<usize>() - aside.len(),
         stops_are_named: false,
         warnings: Vec::new(),
     };

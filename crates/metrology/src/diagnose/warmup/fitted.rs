@@ -147,7 +147,7 @@ impl WarmUp {
             tau_cool_min: self.tau_cool_min.map(|[tau_min, _]| (10.0 * tau_min).round() / 10.0),
             measured_range: MeasuredRange {
                 rows: self.touches,
-                q_rad: q_rad.into(),
+                q_rad: Some(q_rad.into()),
                 t_min: Some(self.span_min),
                 ..MeasuredRange::default()
             },

@@ -13,7 +13,7 @@ use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
 use std::collections::BTreeSet;
-use std::f64::consts::PI;
+use std::f64::consts::TAU as TURN;
 
 /// Poses of two points are apart where a joint is by more than this, degrees: poses in radians are, and no two points are touched in the
 /// zero pose.
@@ -38,7 +38,7 @@ pub(super) fn find_in_joints(touches: &Touches, robot: &Robot) -> Option<Fault> 
         let apart = |(a, b): (&f64, f64)| deg_from_rad(a - b).abs() > APART_DEG;
         touch.point != first.point && touch.q_rad.iter().zip(first.q_rad).any(apart)
     });
-    if largest > APART_DEG && largest < 1.001 * PI && are_apart {
+    if largest > APART_DEG && largest < 1.001 * TURN && are_apart {
         let reason = format!(
             "columns q1_deg to q6_deg are in radians: no joint is beyond {largest:.2} in any touch of any point"
         );

@@ -40,10 +40,6 @@ impl Identified {
         let mut model = Self {
             robot: top.text("robot")?.unwrap_or_default(),
             joint_kinds,
-            measured_range: MeasuredRange {
-                q_rad: joint_kinds.map(|_| [0.0; 2]),
-                ..MeasuredRange::default()
-            },
             found_by: read_found_by(&mut top)?,
             tau_cool_min: read_tau_cool_min(&mut top)?,
             ..Self::default()
@@ -100,9 +96,10 @@ impl Identified {
         }
         out += "\n[seen]  # ranges of the measurement; outside of them the model is a guess\n";
         let in_file = |(kind, range): (&JointKind, &[f64; 2])| range.map(|q| from_si(*kind, q));
-        let seen: Joints<[f64; 2]> =
-            self.joint_kinds.iter().zip(&self.measured_range.q_rad).map(in_file).collect();
-        let _ = writeln!(out, "q_deg = {}", ranges(&seen));
+        if let Some(q_rad) = &self.measured_range.q_rad {
+            let seen: Joints<[f64; 2]> = self.joint_kinds.iter().zip(q_rad).map(in_file).collect();
+            let _ = writeln!(out, "q_deg = {}", ranges(&seen));
+        }
         if let Some(range) = self.measured_range.t_min {
             let _ = writeln!(out, "t_min = {}", list(&range));
         }
@@ -178,7 +175,7 @@ fn read_measured_range(
         let si = |(kind, range): (&JointKind, [f64; 2])| {
             range.map(if kind.slides() { m_from_mm } else { rad_from_deg })
         };
-        range.q_rad = kinds.iter().zip(seen).map(si).collect();
+        range.q_rad = Some(kinds.iter().zip(seen).map(si).collect());
     }
     range.t_min = keys.numbers("t_min")?;
     range.joint_temperature_c = keys.ranges("joint_temperature_c", kinds.len())?;
@@ -282,8 +279,8 @@ mod tests {
                     [[effect]]\neffect = \"joint_offset\"\njoint = 3\noffset_mm = 0.2\nsigma_offset_mm = 0.01\n\
                     [[effect]]\neffect = \"joint_offset\"\njoint = 4\noffset_deg = 0.1\n";
         let model = Identified::from_toml(text).unwrap();
-        assert_eq!(model.measured_range.q_rad[2], [-0.18, 0.0]);
-        assert_eq!(model.measured_range.q_rad[0][1], std::f64::consts::FRAC_PI_2);
+        let q_rad = model.measured_range.q_rad.unwrap();
+        assert_eq!((q_rad[2], q_rad[0][1]), ([-0.18, 0.0], std::f64::consts::FRAC_PI_2));
         assert_eq!(model.terms[0].values[0], Estimate { value: 2e-4, sigma: Some(1e-5) });
         assert_eq!(model.terms[1].values[0].value, 0.1_f64.to_radians());
         assert!(!model.is_six_axis());

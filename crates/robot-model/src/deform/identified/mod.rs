@@ -33,12 +33,12 @@ pub struct ThermalState {
 }
 
 /// The ranges in which the model was found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Default)]
 pub struct MeasuredRange {
     /// Rows of the measurement.
     pub rows: usize,
-    /// Lowest and highest angle of each joint, radians; of those that slide metres.
-    pub q_rad: Joints<[f64; 2]>,
+    /// Lowest and highest angle of each joint, radians; of those that slide metres. `None` where the file does not say.
+    pub q_rad: Option<Joints<[f64; 2]>>,
     /// Minutes since the cold start.
     pub t_min: Option<[f64; 2]>,
     /// Temperature of each joint, degrees Celsius.
@@ -83,14 +83,6 @@ pub struct Identified {
     pub mounting: Option<Mounting>,
     /// Effects with their values, causes first.
     pub terms: Vec<Term>,
-}
-
-/// Nothing measured yet, of six joints.
-impl Default for MeasuredRange {
-    fn default() -> Self {
-        let q_rad = Joints::all(SIX, [0.0; 2]);
-        Self { rows: 0, q_rad, t_min: None, joint_temperature_c: None, payload_kg: None }
-    }
 }
 
 impl Identified {
