@@ -8,7 +8,7 @@ use crate::report::{Compared, LocatedDiagnostic, value, write_pretty};
 use rapid_compensation::compensate::compare::{Comparison, compare};
 use rapid_compensation::compensate::plan::{PlannedMotion, Status};
 use rapid_compensation::compensate::{FormChoice, JointsHint, Options, plan};
-use rapid_compensation::emit::{Difference, HeldMode, WithoutAdded};
+use rapid_compensation::emit::{Difference, HeldMode, Undeclared, WithoutAdded};
 use rapid_program::motion::{Motion, MotionId};
 use rapid_program::{FilePairs, Overrides, Program, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -101,7 +101,7 @@ impl<'f> ProgramComparison<'f> {
             own.for_each(|(motion, correction)| settled[motion] = correction);
             comparison.extend(found);
         }
-        let (is_original, elsewhere) = (plain.is_original, plain.differences);
+        let (undeclared, elsewhere) = (plain.undeclared, plain.differences);
         let other_files = other_files(&self.before, &self.after)?;
         let modes = HeldMode::of(&after);
         Ok(ComparedPrograms {
@@ -113,7 +113,7 @@ impl<'f> ProgramComparison<'f> {
             elsewhere,
             other_files,
             modes,
-            is_original,
+            undeclared,
         })
     }
 
@@ -192,13 +192,16 @@ pub struct ComparedPrograms {
     pub other_files: Vec<String>,
     /// Clocks of the second program that do not follow the warm-up, as they are stored.
     pub modes: Vec<HeldMode>,
-    is_original: bool,
+    /// Why differing targets are not what a compensated module declares, where they are not.
+    pub undeclared: Option<Undeclared>,
 }
 
 impl ComparedPrograms {
     fn shown(&self) -> Compared<'_> {
-        let Self { before, after, pairs, comparison, settled, elsewhere, other_files, modes, .. } = self;
-        Compared { before, after, pairs, comparison, settled, elsewhere, other_files, modes }
+        let Self { before, after, pairs, comparison, settled, elsewhere, other_files, modes, undeclared } =
+            self;
+        let undeclared = undeclared.as_ref();
+        Compared { before, after, pairs, comparison, settled, elsewhere, other_files, modes, undeclared }
     }
 
     /// Whether the two are the same program, byte for byte.
@@ -211,7 +214,7 @@ impl ComparedPrograms {
     /// byte for byte, no point has been touched up since, and no clock stands still.
     #[must_use]
     pub fn is_as_declared(&self) -> bool {
-        self.is_original && self.other_files.is_empty() && self.modes.is_empty()
+        self.undeclared.is_none() && self.other_files.is_empty() && self.modes.is_empty()
     }
 
     /// The lines that differ, a row for each motion, what they come to, and the verdict; `all`: nothing is cut.

@@ -46,12 +46,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     let found = Restoration::new(ProgramFiles::new(emitted)).run().map_err(Diagnostic::from)?;
     note_cores(&found, console);
-    let mut outputs = Vec::new();
+    let (mut outputs, mut places) = (Vec::new(), Vec::new());
     for (path, restored) in found.originals() {
         let to = place(Path::new(path), restored, args)?;
         overwriting::check_original(&to, &restored.bytes)?;
-        keep_apart(&[], &[args.json.as_deref(), Some(&to)].into_iter().flatten().collect::<Vec<_>>())?;
-        let mut output = Output::new(Some(&to))?;
+        places.push(to.clone());
+        keep_apart(&[], &args.json.iter().chain(&places).map(PathBuf::as_path).collect::<Vec<_>>())?;
+        let mut output = Output::of_program(Some(&to))?;
         output.fill(|out| Ok(out.write_all(&restored.bytes)?))?;
         outputs.push(output);
     }
@@ -156,7 +157,8 @@ fn note_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
     };
     // To the digits that are shown the tool stands and points as it did.
     let by = if touched.moved < 5e-5 {
-        "in its configuration or external axes alone".to_owned()
+        "in orientation, configuration or external axes alone, or is corrected by another target's correction"
+            .to_owned()
     } else {
         format!("by {:.4} {}", touched.moved, touched.unit)
     };
@@ -173,20 +175,24 @@ fn warn(path: &str, altered: &[Altered], console: &mut Console) {
 /// Where an original goes.
 fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagnostic> {
     // The header is text that anybody may have edited: a name, never a way to elsewhere.
-    let name = restored.source_name.rsplit(['/', '\\']).next().unwrap_or_default();
-    if name.is_empty() || name == ".." {
-        let text = format!("the header of {} names no file", path.display());
-        return Err(Diagnostic::error("restore::damaged", text).help("say with -o where the original goes"));
-    }
+    let name = || {
+        let name = restored.source_name.rsplit(['/', '\\']).next().unwrap_or_default();
+        if name.is_empty() || name == ".." {
+            let text = format!("the header of {} names no file", path.display());
+            let help = "say with -o which file the original goes to";
+            return Err(Diagnostic::error("restore::damaged", text).help(help));
+        }
+        Ok(name)
+    };
     let to = match &args.output {
         Some(standard) if standard == Path::new("-") && args.emitted.len() > 1 => {
             let text = "several modules do not go to standard output";
             return Err(Diagnostic::error("output::one-file", text).help("name a folder with -o"));
         }
-        Some(folder) if args.emitted.len() > 1 || is_folder(folder) => folder.join(name),
+        Some(folder) if args.emitted.len() > 1 || is_folder(folder) => folder.join(name()?),
         Some(file) => file.clone(),
         None if is_standard(path) => PathBuf::from("-"),
-        None => path.with_file_name(name),
+        None => path.with_file_name(name()?),
     };
     // What is there already may stay.
     let is_there = || fs::read(&to).is_ok_and(|bytes| bytes == restored.bytes);

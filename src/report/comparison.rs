@@ -1,10 +1,10 @@
 //! Two programs compared, for people.
 
-use super::comparison_figures::{Figures, Worst, bucket, held, sentence};
+use super::comparison_figures::{Figures, Worst, bucket, held, not_declared, sentence};
 use super::motion_rows::target_name;
 use super::{Align, Table, counted, notes, plural};
 use rapid_compensation::compensate::compare::{ComparedMotion, Comparison, TargetChange};
-use rapid_compensation::emit::{Difference, HeldMode};
+use rapid_compensation::emit::{Difference, HeldMode, Undeclared};
 use rapid_program::motion::Motion;
 use rapid_program::{FilePairs, Program};
 use rapid_syntax::diagnostic::FileId;
@@ -34,6 +34,8 @@ pub struct Compared<'a> {
     pub other_files: &'a [String],
     /// Clocks of the second program that do not follow the warm-up, as they are stored.
     pub modes: &'a [HeldMode],
+    /// Why differing targets are not what a compensated module declares, where they are not.
+    pub undeclared: Option<&'a Undeclared>,
 }
 
 impl Compared<'_> {
@@ -125,6 +127,13 @@ impl Compared<'_> {
         }
         self.other_files.iter().try_for_each(|sentence| writeln!(out, "{sentence}"))?;
         self.modes.iter().try_for_each(|mode| writeln!(out, "{}", held(mode)))?;
+        let is_told = |why: &&Undeclared| {
+            changed + live > 0 || matches!(why, Undeclared::Touched { .. } | Undeclared::OtherOriginal { .. })
+        };
+        let why = self.undeclared.filter(is_told).filter(|_| self.is_same_elsewhere() && !self.is_same());
+        if let Some(why) = why {
+            writeln!(out, "{}", not_declared(why))?;
+        }
         let verdict = match (self.is_same(), self.is_same_elsewhere()) {
             (true, _) => "The same, byte for byte.",
             (_, false) => "DIFFERENT beside the targets of motions: see the lines above.",

@@ -2,7 +2,7 @@
 
 use super::rounded;
 use rapid_compensation::compensate::compare::{ComparedMotion, Comparison};
-use rapid_compensation::emit::{Difference, HeldMode};
+use rapid_compensation::emit::{Difference, HeldMode, Undeclared};
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 
@@ -86,6 +86,31 @@ pub(super) fn sentence(difference: &Difference) -> String {
         Difference::Added(module) => format!("Module {module} is only in the second program."),
         Difference::Altered { file, what } => format!("{file}:{}: {what}", what.line()),
         Difference::Damaged { file, error } => format!("{file} was edited where it must not be: {error}"),
+    }
+}
+
+/// Why targets that differ are a change that nobody declares, for people.
+pub(super) fn not_declared(why: &Undeclared) -> String {
+    match why {
+        Undeclared::NoneCompensated => {
+            "NOT declared: neither program holds a compensated module, and no target of theirs may differ."
+                .to_owned()
+        }
+        Undeclared::BothCompensated => {
+            "NOT declared: both programs hold compensated modules, and neither is the other's original."
+                .to_owned()
+        }
+        Undeclared::Elsewhere => "NOT declared: more than targets differs.".to_owned(),
+        Undeclared::Touched { file, line, target, more } => {
+            let others = if *more == 0 { String::new() } else { format!(", and {more} more") };
+            format!(
+                "NOT declared: {file}:{line}: {target}{others}: the original, or the correction that its motion asks with, is not the one that the \
+                 module was made with."
+            )
+        }
+        Undeclared::OtherOriginal { file, line } => format!(
+            "NOT declared: the compensated module was made of another original: its text is another one from {file}:{line} on."
+        ),
     }
 }
 

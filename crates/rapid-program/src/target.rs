@@ -150,7 +150,7 @@ impl Target {
         self.with_values(values, ChosenBy::Pose)
     }
 
-    /// The target of a corrected program: as it was written and, where that is told, when all has settled.
+    /// The target of a corrected program: as it was written and, where that is told, as each of its corrections makes it.
     #[must_use]
     pub fn with_drift(self, values: Vec<TargetValue>) -> Self {
         self.with_values(values, ChosenBy::Warmth)

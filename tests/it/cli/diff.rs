@@ -203,7 +203,7 @@ fn an_external_axis_that_was_touched_up_is_told_as_that() {
     let restored = driftpost(&["restore", &touched, "-o", &bench.path("restored.mod").display().to_string()]);
     let message = err(&restored);
     assert_eq!(restored.status.code(), Some(1), "{message}");
-    assert!(message.contains("in its configuration or external axes alone"), "{message}");
+    assert!(message.contains("in orientation, configuration or external axes alone"), "{message}");
     assert!(bench.text("restored.mod").contains("[12.5,"));
 }
 

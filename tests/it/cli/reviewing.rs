@@ -380,3 +380,44 @@ fn a_routine_is_called_with_the_values_that_a_scenario_gives() {
         assert!(message.contains(why), "{step}: {message}");
     }
 }
+
+/// A model whose terms go by several laws of time: each motion names a correction for each function of time, and each of these is all that
+/// the arm needs at one moment. What is told of a motion is how far those shift it, by the text alone.
+#[test]
+fn corrections_by_several_functions_of_time_are_told_one_by_one() {
+    let bench = Bench::default();
+    let to = bench.path("tc.mod").display().to_string();
+    let model = "fixtures/model/every_effect.toml";
+    let options = ["--model", model, "--temperature-c", "30", "--form", "ramp", "--diff", "none"];
+    let made = driftpost(&[&["compensate", CUBE, "-o", &to][..], &options].concat());
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    let text = bench.text("tc.mod");
+    let shift_mm = |name: &str| -> f64 {
+        let declared = text.split(&format!("CONST pose {name}:=[[")).nth(1).unwrap();
+        let numbers = declared.split(']').next().unwrap().split(',');
+        numbers.map(|mm| mm.parse::<f64>().unwrap().powi(2)).sum::<f64>().sqrt()
+    };
+    let output = driftpost(&["diff", CUBE, &to, "--json", "-"]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let buckets = json["motions"][1]["buckets"].as_array().unwrap();
+    let shifts: Vec<f64> = buckets.iter().map(|bucket| bucket["dp_mm"].as_f64().unwrap()).collect();
+    let declared = ["tc31", "tc31_2", "tc31_3", "tc31_4"].map(shift_mm);
+    assert_eq!((shifts.len(), shifts[0]), (1 + declared.len(), 0.0));
+    // As many digits as the text has.
+    assert!(shifts[1..].iter().zip(declared).all(|(a, b)| (a - b).abs() < 1e-5), "{shifts:?} {declared:?}");
+    assert!(json["worst"]["dp_mm"].as_f64().unwrap() > 0.5, "{}", json["worst"]);
+
+    // A motion that asks with another target's correction, and an original that was moved: who reviews is told where.
+    let line = |text: &str, what: &str| text.lines().position(|line| line.contains(what)).unwrap() + 1;
+    let swapped = text.replacen(",tc31,", ",tc32,", 1);
+    let moved = text.replacen("MoveL tcAt([[400.000, 300", "MoveL tcAt([[401.000, 300", 1);
+    for (name, edited) in [("swapped.mod", swapped), ("moved.mod", moved)] {
+        assert_ne!(edited, text);
+        let place = format!("{}:{}", name, line(&text, "tcAt([[400.000, 300"));
+        let output = driftpost(&["diff", CUBE, &bench.file(name, edited)]);
+        let shown = out(&output);
+        assert_eq!(output.status.code(), Some(1), "{shown}");
+        assert!(shown.contains("NOT declared") && shown.contains(&place), "{shown}");
+    }
+}

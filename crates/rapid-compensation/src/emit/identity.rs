@@ -1,7 +1,7 @@
 //! Whether a program is another one but for the targets of its motions: the proof that a review of
 //! targets is a review of everything.
 
-use super::restore::{Altered, RestoreError, altered_core, restore};
+use super::restore::{Altered, ModifiedTarget, RestoreError, altered_core, restore};
 use crate::compensate::compare::is_comparable;
 use rapid_program::{FilePairs, Overrides, Program};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
@@ -37,6 +37,35 @@ pub enum Difference {
     },
 }
 
+/// Why targets that differ are not what a compensated module declares.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Undeclared {
+    /// Neither program holds a compensated module.
+    NoneCompensated,
+    /// Both hold one.
+    BothCompensated,
+    /// Something beside the targets of motions differs.
+    Elsewhere,
+    /// An original that a compensated module holds, or the correction that a motion asks with, is not the one that it was made with.
+    Touched {
+        /// The file of the module.
+        file: String,
+        /// Line of the original.
+        line: u32,
+        /// The target.
+        target: String,
+        /// How many more there are.
+        more: usize,
+    },
+    /// A compensated module was made of another original: its text differs from the other program's, from this line of that program on.
+    OtherOriginal {
+        /// The file of the original.
+        file: String,
+        /// The line.
+        line: u32,
+    },
+}
+
 /// Two programs without what compensation added to them.
 pub struct WithoutAdded {
     /// The program before the change.
@@ -47,8 +76,8 @@ pub struct WithoutAdded {
     pub pairs: FilePairs,
     /// What differs beside the targets of motions.
     pub differences: Vec<Difference>,
-    /// Whether one of the two holds no compensated module and the other, with nothing touched up in it since, gives it back.
-    pub is_original: bool,
+    /// Why it is not so that one of the two holds no compensated module and the other, with nothing touched up in it since, gives it back.
+    pub undeclared: Option<Undeclared>,
 }
 
 impl WithoutAdded {
@@ -80,19 +109,49 @@ impl WithoutAdded {
         let added = restored.only_after.iter().flat_map(|file| after.modules(*file));
         differences.extend(added.map(Difference::Added));
         differences.dedup();
-        let is_one_original = before.is_compensated != after.is_compensated;
-        let is_touched = before.is_touched || after.is_touched;
+        let compensated = [before.is_compensated, after.is_compensated];
+        let touched: Vec<(String, ModifiedTarget)> =
+            before.touched.into_iter().chain(after.touched).collect();
         let mut found = Self {
             before: before.program,
             after: after.program,
             pairs: restored,
             differences,
-            is_original: false,
+            undeclared: None,
         };
-        let FilePairs { only_before, only_after, .. } = &found.pairs;
-        let is_whole = only_before.is_empty() && only_after.is_empty() && found.differences.is_empty();
-        found.is_original = is_one_original && !is_touched && is_whole && found.is_same_text();
+        found.undeclared = found.why_undeclared(compensated, &touched);
         found
+    }
+
+    fn why_undeclared(
+        &self,
+        compensated: [bool; 2],
+        touched: &[(String, ModifiedTarget)],
+    ) -> Option<Undeclared> {
+        let FilePairs { pairs, only_before, only_after } = &self.pairs;
+        let is_whole = only_before.is_empty() && only_after.is_empty() && self.differences.is_empty();
+        match compensated {
+            [false, false] => return Some(Undeclared::NoneCompensated),
+            [true, true] => return Some(Undeclared::BothCompensated),
+            _ if !is_whole => return Some(Undeclared::Elsewhere),
+            _ => {}
+        }
+        if let [(file, first), more @ ..] = touched {
+            let (file, line, target) = (file.clone(), first.line, first.target.clone());
+            return Some(Undeclared::Touched { file, line, target, more: more.len() });
+        }
+        let (original, other) =
+            if compensated[0] { (&self.after, &self.before) } else { (&self.before, &self.after) };
+        pairs.iter().find_map(|(a, b)| {
+            let (a, b) = if compensated[0] { (b, a) } else { (a, b) };
+            let (a, b) = (original.file(*a), other.file(*b));
+            if a.bytes == b.bytes {
+                return None;
+            }
+            let same = a.bytes.iter().zip(b.bytes.iter()).take_while(|(a, b)| a == b).count();
+            let at = u32::try_from(same).unwrap_or(u32::MAX);
+            Some(Undeclared::OtherOriginal { file: a.path.clone(), line: a.lines.line(at) })
+        })
     }
 
     /// Whether the text of all files that stand for each other is the same.
@@ -117,8 +176,8 @@ struct RestoredProgram {
     origin: Vec<FileId>,
     /// Whether any of its modules is a compensated one.
     is_compensated: bool,
-    /// Whether a point of a compensated module was touched up.
-    is_touched: bool,
+    /// Points of compensated modules that were touched up, each with its file.
+    touched: Vec<(String, ModifiedTarget)>,
 }
 
 impl RestoredProgram {
@@ -127,12 +186,12 @@ impl RestoredProgram {
             program.facts.modules.iter().any(|m| m.file == file.id && m.compensated.is_some())
         };
         let mut files: Vec<SourceFile> = Vec::new();
-        let (mut origin, mut is_touched) = (Vec::new(), false);
+        let (mut origin, mut touched) = (Vec::new(), Vec::new());
         for file in &program.files {
             let bytes = match compensated(file).then(|| restore(&file.bytes)) {
                 None => file.bytes.clone(),
                 Some(Ok(restored)) => {
-                    is_touched |= !restored.touched.is_empty();
+                    touched.extend(restored.touched.into_iter().map(|one| (file.path.clone(), one)));
                     found.extend(altered(file, restored.altered));
                     restored.bytes.into()
                 }
@@ -149,7 +208,7 @@ impl RestoredProgram {
             origin.push(file.id);
         }
         let is_compensated = program.files.iter().any(compensated);
-        Self { program: Program::read(files, overrides), origin, is_compensated, is_touched }
+        Self { program: Program::read(files, overrides), origin, is_compensated, touched }
     }
 
     /// What became of a file; `None` where all of it was added.

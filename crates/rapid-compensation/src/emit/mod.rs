@@ -42,7 +42,7 @@ mod touch;
 pub use digest::is_as_written;
 pub use emission::{compensated_at, emit, emit_each};
 pub use header::{made_with, renamed};
-pub use identity::{Difference, WithoutAdded};
+pub use identity::{Difference, Undeclared, WithoutAdded};
 pub use mode::HeldMode;
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use record_text::{write_orient, write_pos};

@@ -217,8 +217,8 @@ impl<'a> MotionReader<'_, 'a> {
         call.args.is_empty() && (name == "tck" || name.starts_with("tck_"))
     }
 
-    /// The original of a target with a correction, and the settled target: the sum of all corrections where there are several
-    /// is none that the arm needs, so that only the original is told.
+    /// The original of a target with its corrections, and what each of these makes of it: the functions of time by which they are
+    /// scaled are cardinal, each is 1 where its correction is all that the arm needs and the others are 0 there.
     fn scaled(
         &mut self,
         name: TextRange,
@@ -243,10 +243,14 @@ impl<'a> MotionReader<'_, 'a> {
             (_, false) => convert::robtarget(&original).map(TargetValue::Rob),
         };
         let original = original.ok()?;
-        let (correction, more) = (positional.next()?, positional.next());
-        let correction = self.evaluator.fold(correction, ctx, &Constant).ok()?.value;
-        let settled = convert::corrected(&original, &correction).filter(|_| more.is_none());
-        Some(std::iter::once(original).chain(settled).collect())
+        let corrections: Vec<Value> = positional
+            .map(|correction| self.evaluator.fold(correction, ctx, &Constant).map(|typed| typed.value))
+            .collect::<Result<_, _>>()
+            .ok()
+            .filter(|corrections: &Vec<Value>| !corrections.is_empty())?;
+        let corrected = corrections.iter().filter_map(|correction| convert::corrected(&original, correction));
+        let at_nodes: Vec<TargetValue> = corrected.collect();
+        Some(std::iter::once(original).chain(at_nodes).collect())
     }
 }
 
