@@ -200,6 +200,7 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
         joints.check(&robot)?;
     }
     let (deformation, identified) = truth(args, &emitted_settings)?;
+    note_defaults(args, &emitted_settings, console)?;
     check_robot(args, &emitted_settings, &robot, identified.as_ref(), console)?;
     let mut job = Simulation::new(TrueRobot::new(robot, deformation));
     if let Some(identified) = identified {
@@ -232,6 +233,26 @@ fn simulation(args: &Args, program: &ProgramFiles, console: &mut Console) -> any
     job.set.clone_from(&args.set);
     job.tolerance_mm = args.tolerance_mm;
     Ok(job)
+}
+
+/// What is taken where nothing says it, and a reader of the verdict would not think of it.
+fn note_defaults(
+    args: &Args,
+    emitted_settings: &EmittedSettings,
+    console: &mut Console,
+) -> Result<(), Diagnostic> {
+    if args.minutes.is_none() && args.scenario.is_none() {
+        console.note("minute 0 alone is judged, the cold robot; --minutes 0:180:20 judges the warm-up");
+    }
+    let of_modules = emitted_settings.deformation()?.is_some() || emitted_settings.model()?.is_some();
+    let by_options = args.deformation.is_some() || args.model.is_some();
+    if emitted_settings.one("robot")?.is_some() && !of_modules && !by_options {
+        console.note(
+            "no comment block names the deformation or the model that its module was made with: the true robot deforms by the reference \
+             paper's table; --deformation or --model names another",
+        );
+    }
+    Ok(())
 }
 
 /// What the cell does meanwhile.

@@ -143,8 +143,8 @@ fn write_trouble(to: &mut dyn Write, report: &Report) -> io::Result<()> {
         }
         if p.unreached > 0 {
             let moves = counted(p.unreached, "move");
-            let verb = if p.unreached == 1 { "makes is" } else { "makes are" };
-            writeln!(to, "minute {:.1}: {moves} that the original {verb} not made", p.t_min)?;
+            let verb = if p.unreached == 1 { "is" } else { "are" };
+            writeln!(to, "minute {:.1}: {moves} {verb} not made", p.t_min)?;
         }
     }
     if !report.unknown_instructions.is_empty() {

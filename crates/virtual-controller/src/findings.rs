@@ -50,7 +50,7 @@ pub struct Pass {
     pub worst: Option<WorstMove>,
     /// How it ended, where that was not well.
     pub failure: Option<String>,
-    /// Moves that the original makes and the program does not.
+    /// Moves that are not made, whether the original's are or not.
     pub unreached: usize,
     /// The first difference, where the moves are not the same.
     pub mismatch: Option<Mismatch>,
@@ -126,7 +126,7 @@ impl Report {
         self.passes.iter().map(|pass| pass.n).sum()
     }
 
-    /// Whether something was judged, and every pass ended well, made the original's moves and stayed within the tolerance.
+    /// Whether something was judged, and every pass ended well, made all moves, the original's, and stayed within the tolerance.
     #[must_use]
     pub fn is_within(&self, tolerance_m: f64) -> bool {
         self.judged() > 0

@@ -22,7 +22,7 @@ impl Scenario {
         }
         let step_s = seconds_from_ms(self.step_ms.unwrap_or(0.0));
         session.program.calendar_mut().step_s = step_s;
-        let natural = session.truth.growth().and_then(|g| g.tau_min());
+        let natural = session.truth.tau_cool_min();
         let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));
         let gap_min = session.options().gap_min.or(self.gap_min).unwrap_or(GAP_MIN);
         if !(gap_min.is_finite() && gap_min >= 0.0) {

@@ -55,6 +55,13 @@ impl TrueRobot {
         self.deformation.growth().copied()
     }
 
+    /// Time constant of cooling, minutes: the model's own, where it says one, else as the robot warms; `None` where neither tells.
+    #[must_use]
+    pub fn tau_cool_min(&self) -> Option<f64> {
+        let own = self.model.as_ref().and_then(|model| model.tau_cool_min);
+        own.or_else(|| self.growth().and_then(|law| law.tau_min()))
+    }
+
     /// The arm at a warm-up minute (or temperature, where the deformation goes by that).
     #[must_use]
     pub fn arm_at(&self, t_min: f64) -> DeformedArm {
