@@ -157,6 +157,8 @@ impl Compensation {
         found.extend(program.diagnostics.iter().cloned());
         found.extend(self.check_robot(program));
         found.extend(self.check_table());
+        found.extend(self.check_end_of_table());
+        found.extend(self.check_outside_names(program));
         found.extend(declared_twice(self.own_files(program)));
         found.extend(already_compensated(program));
         if found.iter().all(|message| message.code != "refuse::already-compensated") {
@@ -180,6 +182,21 @@ impl Compensation {
     /// The files of the task that is compensated, or all.
     fn own_files<'p>(&'p self, program: &'p Program) -> impl Iterator<Item = &'p SourceFile> {
         program.files.iter().filter(|file| is_of_task(&file.path, self.overrides.task.as_deref()))
+    }
+
+    /// A table of which the last rows are missing.
+    fn check_end_of_table(&self) -> Option<Diagnostic> {
+        let (joints, at) = self.deformation.model.cut_off()?;
+        let joints: Vec<String> = joints.iter().map(ToString::to_string).collect();
+        let text = format!(
+            "{}: at {at}, its last time or temperature, rows of joints {} are missing, which have all before it: they are held as they were",
+            self.deformation.source.name,
+            joints.join(", ")
+        );
+        Some(
+            Diagnostic::warning("deform::cut-off", text)
+                .help("was the file cut off? copy it again, or add the rows"),
+        )
     }
 
     /// A table by warm-up time that says nothing of the cold robot.

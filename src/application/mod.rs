@@ -42,6 +42,7 @@ mod module_upload;
 mod named;
 mod other_files;
 mod other_robot;
+mod outside_names;
 mod page;
 mod planning;
 mod program_comparison;

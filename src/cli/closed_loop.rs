@@ -4,7 +4,7 @@
 use super::number::positive;
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
-use super::sealed::{Language, Sealed};
+use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
 use driftpost::application::{ChosenEffects, ClosedLoop};
@@ -75,7 +75,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let given = ProgramInput::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
-    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
+    let sealed = |path| Sealed::new(path, Language::Toml(TomlKind::Model), args.force);
     let model_out = args.model_out.as_deref().map(sealed).transpose()?;
     let mut rng = Rng::new(args.seed, 0);
     let chosen = ChosenEffects {

@@ -3,9 +3,10 @@
 use super::files::{self, Output, Pending};
 use super::measured::{MeasurementArgs, MeasurementInput};
 use super::page::ReportArgs;
-use super::sealed::{Language, Sealed};
+use super::program_at::check_no_program;
+use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::{PriorKnowledgeArgs, RobotName};
-use super::{Console, Outcome, model};
+use super::{Console, Outcome, model, overwriting};
 use driftpost::application::{ControllerData, ControllerDataError, Declaration, Diagnosed, Diagnosis};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -13,6 +14,7 @@ use std::path::{Path, PathBuf};
 
 /// Command line of `driftpost diagnose`.
 #[derive(Debug, clap::Args)]
+#[command(group(clap::ArgGroup::new("forced").args(["model_out", "rapid_out"]).multiple(true)))]
 pub struct Args {
     /// Where measurements come from.
     #[command(flatten)]
@@ -34,8 +36,8 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub model_out: Option<PathBuf>,
 
-    /// Overwrite a model that was changed by hand since it was written.
-    #[arg(long, requires = "model_out")]
+    /// Overwrite a model that was changed by hand since it was written, or another program at --rapid-out.
+    #[arg(long, requires = "forced")]
     pub force: bool,
 
     /// Corrected tool, work object and load data as RAPID to paste, and each axis's offset (docs/ISO9283_AND_CHANGES.md).
@@ -83,7 +85,13 @@ struct Outputs {
 impl Outputs {
     fn open(args: &Args) -> Result<Self, Diagnostic> {
         let file = |path: &Option<PathBuf>| path.as_deref().map(Pending::new).transpose();
-        let sealed = |path| Sealed::new(path, Language::Toml, args.force);
+        let sealed = |path| Sealed::new(path, Language::Toml(TomlKind::Model), args.force);
+        for path in [&args.csv, &args.clean_out].into_iter().flatten() {
+            check_no_program(path)?;
+        }
+        if let Some(rapid) = args.rapid_out.as_deref().filter(|_| !args.force) {
+            overwriting::check_found_data(rapid)?;
+        }
         Ok(Self {
             json: Output::new(args.json.as_deref())?,
             csv: file(&args.csv)?,

@@ -3,6 +3,7 @@
 use super::Console;
 use super::pending::folder_of;
 pub use super::pending::{PENDING, Pending, place_all, unwritable};
+use super::program_at::check_no_program;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
 use std::io::{self, Read};
@@ -152,11 +153,20 @@ pub enum Output {
 }
 
 impl Output {
-    /// The output that an option names; a file is made sure of.
+    /// The output that an option names, of what is no program; a file is made sure of.
+    ///
+    /// # Errors
+    /// `output::changed` where a program stands there; a place where no file can be put, as [`Pending::new`] says.
+    pub fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
+        path.map_or(Ok(()), check_no_program)?;
+        Self::of_program(path)
+    }
+
+    /// The same of a program.
     ///
     /// # Errors
     /// A place where no file can be put, as [`Pending::new`] says.
-    pub fn new(path: Option<&Path>) -> Result<Self, Diagnostic> {
+    pub fn of_program(path: Option<&Path>) -> Result<Self, Diagnostic> {
         match path {
             None => Ok(Self::Nowhere),
             Some(path) if path == Path::new("-") => Ok(Self::Standard),

@@ -4,7 +4,7 @@ use super::measured::MeasurementArgs;
 use super::overwriting;
 use super::page::ReportArgs;
 use super::program_input::ProgramInput;
-use super::sealed::{Language, Sealed};
+use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::{RobotName, no_tool, tool};
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
@@ -83,7 +83,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         overwriting::check_table(table)?;
     }
     let table_out = args.table_out.as_deref().map(files::Pending::new).transpose()?;
-    let sealed = |path| Sealed::new(path, Language::Toml, args.force);
+    let sealed = |path| Sealed::new(path, Language::Toml(TomlKind::Model), args.force);
     let model_out = args.model_out.as_deref().map(sealed).transpose()?;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;

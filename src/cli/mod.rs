@@ -21,6 +21,7 @@ mod outcome;
 mod overwriting;
 pub mod page;
 mod pending;
+mod program_at;
 pub mod program_input;
 mod sealed;
 mod settings;

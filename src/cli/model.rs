@@ -77,9 +77,34 @@ pub fn deformation_beside(
     growth: Option<&str>,
 ) -> Result<Named<Deformation>, Diagnostic> {
     match file {
-        None => Ok(Named::of_model_alone(model, growth.map(growth_law).transpose()?)),
+        None => {
+            let growth = growth.map(growth_law).transpose()?;
+            own_growth(&model.model, growth)?;
+            Ok(Named::of_model_alone(model, growth))
+        }
         Some(_) => Ok(deformation_with_source(file, growth)?.with_model(model)),
     }
+}
+
+/// Refuses a growth law beside a model whose terms have one of their own, which it does not change.
+fn own_growth(model: &Identified, growth: Option<GrowthLaw>) -> Result<(), Diagnostic> {
+    match (model.growth(), growth) {
+        (Some(own), Some(growth)) if own != growth => {
+            let text = format!("the model's terms grow by {own}, and --growth {growth} does not change them");
+            Err(Diagnostic::error("deform::growth-not-used", text).help("leave --growth out"))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The model of a file as [`identified`], and nothing beside it that the model has itself.
+///
+/// # Errors
+/// As [`identified`]; `deform::growth-not-used` where `growth` is another law than the model's.
+pub fn identified_alone(path: &Path, growth: Option<&str>) -> Result<Named<Identified>, Diagnostic> {
+    let model = identified(path)?;
+    own_growth(&model.model, growth.map(growth_law).transpose()?)?;
+    Ok(model)
 }
 
 /// The last part of a path: what an emitted program calls a file, wherever it stood.

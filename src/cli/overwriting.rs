@@ -2,19 +2,15 @@
 
 use super::copies::Copies;
 use super::files::{self, PENDING};
+use super::pending::folder_of;
+use super::program_at::{bytes_of_file, holds_module, kept, module_names};
 use crate::application::EarlierResult;
 use crate::report::fit as report;
+use crate::report::rapid_data::MODULE as FOUND_MODULE;
 use rapid_program::MEASURING_MODULE;
-use rapid_syntax::SourceFile;
-use rapid_syntax::diagnostic::{Diagnostic, FileId};
-use rapid_syntax::tree::FileItem;
+use rapid_syntax::diagnostic::Diagnostic;
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// What stands in a regular file; `None` of a pipe or device, which may give nothing for ever, and where nothing is.
-pub(super) fn bytes_of_file(path: &Path) -> Option<Vec<u8>> {
-    path.is_file().then(|| fs::read(path).ok()).flatten()
-}
 
 /// Refuses to overwrite a result that was changed since it was written: touched up, or saved back by a controller.
 ///
@@ -44,10 +40,6 @@ pub fn check_program(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
     Err(Diagnostic::error("output::changed", text).help("name another place with -o, or say --force"))
 }
 
-fn holds_module(path: &Path, bytes: Vec<u8>) -> bool {
-    !module_names(path, bytes).is_empty()
-}
-
 /// Refuses to overwrite a program that has none of the modules of the `original` that goes there.
 ///
 /// # Errors
@@ -62,31 +54,29 @@ pub fn check_original(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
     Err(Diagnostic::error("output::changed", text).help("name another place with -o"))
 }
 
-/// Names of the modules in a text, in lower case.
-fn module_names(path: &Path, bytes: Vec<u8>) -> Vec<String> {
-    let file = SourceFile::read(FileId(0), path.display().to_string(), bytes);
-    let name = |item: &FileItem| match item {
-        FileItem::Module(module) => {
-            Some(String::from_utf8_lossy(file.text(module.name)).to_ascii_lowercase())
-        }
-        _ => None,
-    };
-    file.tree.items.iter().filter_map(name).collect()
-}
-
 /// Refuses to overwrite a module that measures where a module of another name stands.
 ///
 /// # Errors
 /// `output::changed`, naming the file.
 pub fn check_plan(path: &Path) -> Result<(), Diagnostic> {
+    check_modules(path, MEASURING_MODULE, "is a program, and no module that measures")
+}
+
+/// Refuses to overwrite the data of a diagnosis where another module stands.
+///
+/// # Errors
+/// `output::changed`, naming the file.
+pub fn check_found_data(path: &Path) -> Result<(), Diagnostic> {
+    check_modules(path, FOUND_MODULE, "is a program, and no data that a diagnosis found")
+}
+
+/// Refuses to overwrite a file with modules of another name than `name`.
+fn check_modules(path: &Path, name: &str, against: &str) -> Result<(), Diagnostic> {
     let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
-    let is_measuring = |name: &String| name.eq_ignore_ascii_case(MEASURING_MODULE);
-    if module_names(path, bytes).iter().all(is_measuring) {
+    if module_names(path, bytes).iter().all(|module| module.eq_ignore_ascii_case(name)) {
         return Ok(());
     }
-    let text = format!("{} is a program, and no module that measures", path.display());
-    Err(Diagnostic::error("output::changed", text)
-        .help("name another place with --rapid-out, or say --force"))
+    Err(kept(path, against, "name another place with --rapid-out, or say --force"))
 }
 
 /// Refuses to overwrite anything but a sheet of `plan` in which nothing has been filled in.
@@ -101,11 +91,6 @@ pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
     let text =
         format!("{} has been filled in since it was written, or is no sheet of a plan", path.display());
     Err(Diagnostic::error("output::changed", text).help("name another place for the sheet, or say --force"))
-}
-
-/// That what stands at `path` is kept, and why.
-fn kept(path: &Path, why: &str, help: &'static str) -> Diagnostic {
-    Diagnostic::error("output::changed", format!("{} {why}", path.display())).help(help)
 }
 
 /// Refuses to overwrite anything but a page for a browser.
@@ -214,7 +199,7 @@ pub fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Optio
     }
     // Of this program alone where all compensated modules beside it are written anew.
     let written: Vec<PathBuf> = outputs.iter().map(|path| files::identity(path)).collect();
-    let beside = fs::read_dir(core.parent()?).ok()?;
+    let beside = fs::read_dir(folder_of(core)).ok()?;
     let mut others: Vec<PathBuf> = beside.filter_map(|entry| Some(entry.ok()?.path())).collect();
     others.sort();
     let other = others.into_iter().find(|path| {

@@ -1,6 +1,6 @@
 //! `driftpost robot`: a robot as a robot file or a URDF description.
 
-use super::sealed::{Language, Sealed};
+use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::RobotName;
 use super::{Console, Outcome, files};
 use crate::report::rounded;
@@ -71,7 +71,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
     match ending.as_deref() {
-        Some("toml") => Sealed::new(path, Language::Toml, args.force)?.write(&robot.to_toml())?,
+        Some("toml") => {
+            Sealed::new(path, Language::Toml(TomlKind::Robot), args.force)?.write(&robot.to_toml())?;
+        }
         Some("urdf") => files::Pending::new(path)?.write(robot.to_urdf().as_bytes())?,
         _ => {
             let text = format!("{} ends neither in .toml nor in .urdf", path.display());

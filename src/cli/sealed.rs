@@ -2,7 +2,7 @@
 //! what was changed since is not overwritten.
 
 use super::files::Pending;
-use super::overwriting::bytes_of_file;
+use super::program_at::bytes_of_file;
 use crate::application::sha256;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::Path;
@@ -14,9 +14,36 @@ const MARK: &str = "Digest of all other lines, by driftpost: ";
 #[derive(Clone, Copy)]
 pub enum Language {
     /// The line stands at the end.
-    Toml,
+    Toml(TomlKind),
     /// The line stands behind the module's head.
     Rapid,
+}
+
+/// What a TOML file describes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum TomlKind {
+    /// A robot: its joints.
+    Robot,
+    /// An identified model: its terms.
+    Model,
+}
+
+impl TomlKind {
+    /// What a file describes; `None` of one that is neither.
+    fn of(bytes: &[u8]) -> Option<Self> {
+        let file = std::str::from_utf8(bytes).ok()?.parse::<toml::Table>().ok()?;
+        let kinds = [("joint", Self::Robot), ("seen", Self::Model), ("term", Self::Model)];
+        kinds.into_iter().find(|(key, _)| file.contains_key(*key)).map(|(_, kind)| kind)
+    }
+
+    /// Why what stands in a place is not replaced by a file of this kind.
+    fn against(self, there: &[u8]) -> Option<&'static str> {
+        match (self, Self::of(there)?) {
+            (Self::Robot, Self::Model) => Some("is an identified model, and no robot"),
+            (Self::Model, Self::Robot) => Some("is a robot, and no identified model"),
+            _ => None,
+        }
+    }
 }
 
 /// A file that is sealed when it is written.
@@ -33,12 +60,14 @@ impl Sealed {
     pub fn new(path: &Path, language: Language, force: bool) -> Result<Self, Diagnostic> {
         let there = bytes_of_file(path).filter(|bytes| !force && !bytes.is_empty());
         let against = there.and_then(|bytes| match (is_as_written(&bytes), language) {
-            (Some(true), _) => None,
+            (Some(true), Language::Toml(kind)) => kind.against(&bytes),
+            (Some(true), Language::Rapid) => None,
             (Some(false), _) => Some("was changed since it was written"),
             // What a module of somebody else's is, is looked at where it is to be replaced.
             (None, Language::Rapid) => None,
             // One of an earlier version or of somebody's own hand is replaced, as its name asks; what is no such file is not.
-            (None, Language::Toml) => (!is_toml(&bytes)).then_some("is no file that this program wrote"),
+            (None, Language::Toml(kind)) if is_toml(&bytes) => kind.against(&bytes),
+            (None, Language::Toml(_)) => Some("is no file that this program wrote"),
         });
         if let Some(against) = against {
             let text = format!("{} {against}", path.display());
@@ -68,7 +97,7 @@ fn is_toml(bytes: &[u8]) -> bool {
 /// The text with its digest in a line of its own.
 fn seal(text: &str, language: Language) -> String {
     let (at, comment) = match language {
-        Language::Toml => (text.len(), "# "),
+        Language::Toml(_) => (text.len(), "# "),
         Language::Rapid => (text.find('\n').map_or(text.len(), |end| end + 1), "  ! "),
     };
     let (before, behind) = text.split_at(at);
@@ -91,7 +120,7 @@ mod tests {
     #[test]
     fn a_change_of_any_line_is_seen_and_a_file_without_a_digest_is_nobodys() {
         let text = "MODULE A\n  ! of somebody\nENDMODULE\n";
-        for language in [Language::Toml, Language::Rapid] {
+        for language in [Language::Toml(TomlKind::Robot), Language::Rapid] {
             let sealed = seal(text, language);
             assert_eq!(is_as_written(sealed.as_bytes()), Some(true), "{sealed}");
             for (of, by) in [("MODULE A", "MODULE B"), ("somebody", "me"), ("ENDMODULE\n", "ENDMODULE\n\n")] {

@@ -76,7 +76,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load()?;
     let mut job = match &args.model {
         Some(path) => {
-            let identified = model::identified(path)?.model;
+            let identified = model::identified_alone(path, args.growth.as_deref())?.model;
             args.accepted.check(&robot, false, Some(&identified), console)?;
             StateEstimation::with_model(robot, &identified)
         }

@@ -2,7 +2,7 @@
 
 use super::destination::{Destination, STANDARD, is_pgf};
 use super::files::{self, Pending};
-use super::overwriting::bytes_of_file;
+use super::program_at::bytes_of_file;
 use super::program_input::ProgramInput;
 use crate::application::EarlierResult;
 use rapid_compensation::emit::EmittedFile;

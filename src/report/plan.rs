@@ -27,12 +27,13 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
     never_seen(out, plan)?;
     let open = open_pairs(plan);
     if open == 0 {
-        writeln!(out, "\n{ALL_APART}")?;
+        writeln!(out, "\n{}", all_apart(plan))?;
+    } else {
+        writeln!(
+            out,
+            "\nPairs that stay confounded at usual size: true one, taken for, share of its signal that is taken"
+        )?;
     }
-    writeln!(
-        out,
-        "\nPairs that stay confounded at usual size: true one, taken for, share of its signal that is taken"
-    )?;
     for Confounded { a, b, r2, .. } in plan.outlook.confounded.iter().take(open.min(SHOWN)) {
         writeln!(out, "  {}, {}: {:.1} %", name(a), name(b), 100.0 * r2)?;
     }
@@ -43,8 +44,15 @@ pub fn write(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Re
     pairs_beside(out, plan)
 }
 
-/// What is said where no pair stays confounded.
-const ALL_APART: &str = "Every pair of effects of usual size will be told apart";
+/// What is said where no pair stays confounded: an effect that is never seen is told apart from none.
+fn all_apart(plan: &MeasurementPlan) -> &'static str {
+    match plan.outlook.hidden.is_empty() {
+        true => "Every pair of effects of usual size will be told apart",
+        false => {
+            "Every pair of the effects that are seen at their usual size will be told apart; those never seen are told from nothing"
+        }
+    }
+}
 
 /// How much is to be measured, and how it was chosen.
 fn opening(out: &mut dyn Write, plan: &MeasurementPlan, robot: &str) -> io::Result<()> {
@@ -179,7 +187,7 @@ fn in_sentences(plan: &MeasurementPlan, robot: &str) -> io::Result<Vec<String>> 
     let mut text = Vec::new();
     opening(&mut text, plan, robot)?;
     match open_pairs(plan) {
-        0 => writeln!(text, "{ALL_APART}")?,
+        0 => writeln!(text, "{}", all_apart(plan))?,
         n => writeln!(text, "{n} pairs of effects stay confounded at usual size")?,
     }
     pairs_beside(&mut text, plan)?;

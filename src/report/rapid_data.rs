@@ -10,6 +10,9 @@ use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::fmt::Write as _;
 
+/// Name of the module that the data stand in.
+pub const MODULE: &str = "DriftpostFound";
+
 /// Before anyone touches calibration offsets.
 pub const WARNING: [&str; 6] = [
     "WARNING: do not type these into the calibration offsets of the controller before you have",
@@ -62,7 +65,7 @@ pub fn axis_table(model: &Identified) -> String {
 pub fn rapid(model: &Identified, written: &ControllerData) -> Option<String> {
     let mounting = model.mounting.as_ref()?;
     let target_m = *mounting.tools_m.first()?;
-    let mut out = String::from("MODULE DriftpostFound\n");
+    let mut out = format!("MODULE {MODULE}\n");
     let comment = |out: &mut String, text: &str| {
         let _ = writeln!(out, "  ! {}", ascii(text));
     };

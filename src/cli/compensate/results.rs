@@ -127,7 +127,8 @@ impl Results {
         console: &mut Console,
     ) -> anyhow::Result<()> {
         console.explain(&refusal.messages, args.all);
-        console.note("nothing was written");
+        let is_told = args.json.is_some() || args.report.is_some();
+        console.note(if is_told { "no program was written" } else { "nothing was written" });
         if let Some(mut page) = self.page {
             let title = args.program.iter().map(|path| path.display().to_string()).collect::<Vec<_>>();
             // of several jobs it does not say whose the refusal is

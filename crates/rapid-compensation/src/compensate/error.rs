@@ -49,6 +49,12 @@ pub enum CompensateError {
         /// The table or the model, and that it holds nothing, as a clause.
         what: &'static str,
     },
+    /// A table stands beside a model of the same drift.
+    #[error(
+        "the model is the warm-up that `fit` found, and the deformation table beside it is the same warm-up once more: the drift would be \
+         corrected twice. Give the one or the other"
+    )]
+    DriftTwice,
     /// The targets do not drift.
     #[error(
         "there is nothing to correct: the program's targets that can be corrected drift by at most {drift_mm:.4} mm, within the \
@@ -100,6 +106,7 @@ impl CompensateError {
             Self::Selection { .. } => "option::names-nothing",
             Self::Hint(error) => error.code(),
             Self::NoDeformation { .. } => "deform::nothing",
+            Self::DriftTwice => "deform::twice",
             Self::NoDrift { .. } => "compensate::no-drift",
             Self::NoMotion => "compensate::no-motion",
             Self::NothingToCompensate { .. } => "compensate::nothing",

@@ -20,7 +20,7 @@ const SMALL_DEG: f64 = 0.0005;
 /// Warns of a table that looks wrong, before anything is made with it.
 ///
 /// # Errors
-/// [`CompensateError::NoDeformation`] where nothing deforms at all.
+/// [`CompensateError::NoDeformation`] where nothing deforms at all, [`CompensateError::DriftTwice`] where one drift stands there twice.
 pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> Result<(), CompensateError> {
     let [shift_mm, turn_deg] = largest(&model.offsets(Moment::Settled));
     let identified = model.identified.as_deref();
@@ -29,6 +29,10 @@ pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> R
         return Err(CompensateError::NoDeformation {
             what: if identified.is_some() { "the model holds no effect" } else { "the table is all zero" },
         });
+    }
+    let has_table = shift_mm > 0.0 || turn_deg > 0.0;
+    if has_table && identified.is_some_and(|identified| identified.found_by == Some(FoundBy::WarmUp)) {
+        return Err(CompensateError::DriftTwice);
     }
     let mut warn = |code, text: String, help: &'static str| {
         messages.add(None, Diagnostic::warning(code, text).help(help));
@@ -39,6 +43,15 @@ pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> R
         let text = "the model was written of measurements that contradict themselves (verdict data_fault)"
             .to_owned();
         warn("model::data-fault", text, "measure again before a robot is corrected with it");
+    }
+    if has_table && identified.is_some_and(Identified::moves_with_time) {
+        let text =
+            "the model drifts, and so does the table beside it: what both hold is corrected twice".to_owned();
+        warn(
+            "model::drift-beside-table",
+            text,
+            "give both only where the model was found on the robot that the table had corrected",
+        );
     }
     if let Some(region_m) = identified.and_then(Identified::gains_nothing_elsewhere) {
         let [before_mm, after_mm] = region_m.map(mm_from_m);

@@ -70,11 +70,18 @@ pub struct Chosen {
     pub other_tolerances: Vec<(f64, Option<usize>)>,
 }
 
+/// Smaller tolerances than this, metres, would take millions of moments, and single precision resolves a hundred times as much at a metre.
+const LEAST_TOLERANCE_M: f64 = 1e-9;
+
 /// Why there is no schedule.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ScheduleError {
-    /// The tolerance is no positive length.
-    #[error("the tolerance must be more than 0 and finite, not {} mm", robot_model::units::mm_from_m(*tolerance_m))]
+    /// The tolerance is no length that a controller could keep.
+    #[error(
+        "the tolerance must be finite and at least {:e} mm, which is less than the controller's numbers resolve, not {} mm",
+        robot_model::units::mm_from_m(LEAST_TOLERANCE_M),
+        robot_model::units::mm_from_m(*tolerance_m)
+    )]
     Tolerance {
         /// As it was given, metres.
         tolerance_m: f64,
@@ -153,7 +160,7 @@ pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleEr
     let mut active = most_drifting(drift, request)?;
     let mut working_m = request.tolerance_m * (1.0 - MARGIN);
     let mut worst_m = f64::INFINITY;
-    for _ in 0..MAX_ROUNDS {
+    for round in 1..=MAX_ROUNDS {
         let displacements_m = drift.displacements_m(&active);
         let knots_min = drift.knots_min();
         let horizon_min =
@@ -175,6 +182,9 @@ pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleEr
             active.sort_unstable();
             active.dedup();
             if active.len() > before {
+                if round == MAX_ROUNDS {
+                    worst_m = exact_worst_m(drift, &active, &schedule, held, horizon_min);
+                }
                 continue;
             }
         }
@@ -203,7 +213,7 @@ impl Request {
     /// What does not.
     pub fn check(&self) -> Result<(), ScheduleError> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
-        if !positive(self.tolerance_m) {
+        if !(self.tolerance_m.is_finite() && self.tolerance_m >= LEAST_TOLERANCE_M) {
             return Err(ScheduleError::Tolerance { tolerance_m: self.tolerance_m });
         }
         if let Until::Minutes(until_min) = self.until

@@ -150,6 +150,24 @@ impl Deformation {
         (1..).zip(knots).find_map(|(number, row)| Some((number, late(row)?)))
     }
 
+    /// The joints, counted from 1, that lack the last of the times (or temperatures) that all others have, and have all before it, and which that
+    /// is: the file seems to be cut off there. Number 7 is the tool, which a table need not have.
+    #[must_use]
+    pub fn cut_off(&self) -> Option<(Vec<usize>, f64)> {
+        /// Fewer rows of a joint show no grid of times.
+        const FEWEST: usize = 3;
+        let Tabulation::Scheduled { knots, .. } = &self.0 else { return None };
+        let longest = knots.iter().max_by_key(|knots| knots.len()).filter(|knots| knots.len() >= FEWEST)?;
+        let (last, before) = longest.split_last()?;
+        let has = |own: &[Knot], wanted: &[Knot]| {
+            own.len() == wanted.len() && own.iter().zip(wanted).all(|(own, wanted)| own.at == wanted.at)
+        };
+        let there = || (1..).zip(knots).filter(|(_, own)| !own.is_empty());
+        let short: Vec<usize> = there().filter(|(_, own)| has(own, before)).map(|(joint, _)| joint).collect();
+        let is_grid = there().all(|(_, own)| has(own, longest) || has(own, before));
+        (is_grid && !short.is_empty()).then_some((short, last.at))
+    }
+
     /// The minutes (or temperatures) at which a scheduled table has a row, ascending; empty for a static one.
     #[must_use]
     pub fn knots(&self) -> Vec<f64> {

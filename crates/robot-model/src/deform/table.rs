@@ -273,6 +273,15 @@ mod tests {
         assert_eq!(deformation.late_start(), Some((2, 10.0)));
         let cold = SCHEDULED.replace("10,2,0.1,", "10,2,0,");
         assert_eq!(Deformation::from_csv(cold.as_bytes(), None).unwrap().late_start(), None);
+        assert_eq!(deformation.cut_off(), None, "each joint has times of its own");
+        let times = || [0, 10, 20, 30].into_iter().flat_map(|t| (1..=6).map(move |joint| (t, joint)));
+        let rows: Vec<String> = times().map(|(t, joint)| format!("{t},{joint},{t}e-3,0,0,0,0,0")).collect();
+        let head = SCHEDULED.lines().next().unwrap();
+        let of = |rows: &[String]| {
+            Deformation::from_csv(format!("{head}\n{}\n", rows.join("\n")).as_bytes(), None).unwrap()
+        };
+        assert_eq!(of(&rows).cut_off(), None);
+        assert_eq!(of(&rows[..21]).cut_off(), Some((vec![4, 5, 6], 30.0)));
         let at = |t_min: f64| deformation.offsets_at(t_min);
         assert!((at(20.0).0[1][0] - 0.2e-3).abs() < 1e-18);
         assert!((at(20.0).0[0][2] - 0.2e-3).abs() < 1e-18);
