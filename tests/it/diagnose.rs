@@ -1,11 +1,13 @@
 //! `diagnose`, `synth` and `exam` as scripts rely on them: bad input, the same bytes at any number of threads,
 //! files written, and a small fixed exam.
 
+mod campaigns_and_clocks;
 mod held_out;
 mod long;
 mod outside_the_library;
 mod steps;
 mod told_apart;
+
 mod unrecorded;
 
 use assert_cmd::Command;

@@ -66,8 +66,11 @@ impl AngleGrid {
     pub(super) fn in_part(measurements: &Measurements) -> Option<Self> {
         let kinds = measurements.joint_kinds.iter().enumerate();
         let turning: Vec<usize> = kinds.filter(|(_, kind)| !kind.slides()).map(|(j, _)| j).collect();
+        // A nest on the base has no joints.
+        let of_arm: Vec<usize> =
+            (0..measurements.rows.len()).filter(|&i| measurements.rows[i].reading.involves_arm()).collect();
         let angles_deg = |j: usize| -> Vec<f64> {
-            measurements.rows.iter().map(|row| deg_from_rad(row.q_rad[j])).collect()
+            of_arm.iter().map(|&i| deg_from_rad(measurements.rows[i].q_rad[j])).collect()
         };
         let columns: Vec<(usize, Vec<f64>)> = turning.into_iter().map(|j| (j, angles_deg(j))).collect();
         PART_STEPS_DEG.into_iter().find_map(|step_deg| {
@@ -75,7 +78,9 @@ impl AngleGrid {
             let parts: Vec<(usize, Range<usize>)> = parts.collect();
             let (_, rows) = parts.iter().max_by_key(|(_, rows)| rows.len())?.clone();
             let joints = parts.iter().filter(|(_, part)| (part.start == 0) == (rows.start == 0));
-            Some(Self { step_deg, joints: joints.map(|(j, _)| *j).collect(), rows: Some(rows) })
+            let start = if rows.start == 0 { 0 } else { of_arm[rows.start] };
+            let end = of_arm.get(rows.end).copied().unwrap_or(measurements.rows.len());
+            Some(Self { step_deg, joints: joints.map(|(j, _)| *j).collect(), rows: Some(start..end) })
         })
     }
 

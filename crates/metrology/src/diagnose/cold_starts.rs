@@ -1,4 +1,5 @@
-//! Nights that a file's clock goes on over: an arm that has stood still for hours is cold again, and what warms up begins anew.
+//! Nights that a file's clock goes on over, and hours before its first row: an arm that has stood still for hours is cold again, and what warms
+//! up begins anew.
 //!
 //! Whether it did the data say: the diagnosis is made both ways, and the likelier of the two stands.
 
@@ -25,7 +26,8 @@ pub(super) struct ColdStarts {
 }
 
 impl ColdStarts {
-    /// Of a file whose clock goes on over pauses of hours; `None` of one that has none, or whose minutes begin anew already.
+    /// Of a file whose clock goes on over pauses of hours, or begins hours after a cold start; `None` of another, or where minutes begin anew
+    /// already.
     #[must_use]
     pub(super) fn of(stations: &Stations) -> Option<Self> {
         let all = &stations.stations;
@@ -35,13 +37,17 @@ impl ColdStarts {
         let mut order: Vec<(f64, &Station)> = all.iter().filter_map(|s| Some((s.t_min?, s))).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         let is_long = |pair: &[(f64, &Station)]| pair[1].0 - pair[0].0 >= LONG_MIN;
-        let behind: Vec<usize> = (1..order.len()).filter(|&at| is_long(&order[at - 1..=at])).collect();
+        // A clock that begins hours late may be that of the day.
+        let first = order.first().filter(|(t_min, _)| *t_min >= LONG_MIN).map(|_| 0);
+        let later = (1..order.len()).filter(|&at| is_long(&order[at - 1..=at]));
+        let behind: Vec<usize> = first.into_iter().chain(later).collect();
         let ends = behind.iter().skip(1).copied().chain([order.len()]);
         if behind.is_empty() || behind.iter().zip(ends).any(|(from, to)| to - from < FEWEST_BEHIND) {
             return None;
         }
         let starts: Vec<f64> = behind.iter().map(|&at| order[at].0).collect();
-        let pauses = behind.iter().map(|&at| (order[at].1.line, order[at].0 - order[at - 1].0)).collect();
+        let before_min = |at: usize| at.checked_sub(1).map_or(0.0, |before| order[before].0);
+        let pauses = behind.iter().map(|&at| (order[at].1.line, order[at].0 - before_min(at))).collect();
         let last = *starts.last()?;
         let anew = |station: &Station| {
             let start = starts.iter().rev().find(|start| station.t_min.is_some_and(|t_min| t_min >= **start));
@@ -91,7 +97,7 @@ impl ColdStarts {
         Warning {
             code: "diagnose::cold-start",
             message: format!(
-                "t_min goes on over a pause ({}), and behind it something warms up anew: minutes were counted from there. Write t_min since the cold start \
+                "t_min goes on over hours in which nothing was measured ({}), and behind it something warms up anew: minutes were counted from there. Write t_min since the cold start \
                  before each row: a model of it is validated by the minutes as they stand in a file",
                 pauses.join(", ")
             ),

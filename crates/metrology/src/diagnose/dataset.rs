@@ -187,6 +187,12 @@ impl Dataset {
         later.min_by(|a, b| a.clock().total_cmp(&b.clock()).then(a.line.cmp(&b.line))).map(|s| s.line)
     }
 
+    /// Whether `t0` of the clock lies in a pause.
+    #[must_use]
+    pub(super) fn is_in_pause(&self, t0: f64) -> bool {
+        self.pauses.iter().any(|pause| (pause.end - pause.closed..=pause.end).contains(&t0))
+    }
+
     /// The minute of a step at `t0` of the clock, where it means something to people: since the only cold start.
     #[must_use]
     pub(super) fn minute_of(&self, t0: f64) -> Option<f64> {
@@ -304,10 +310,11 @@ const HELD_SHARES: [f64; LIMITS] = [
 /// How many of them.
 const LIMITS: usize = 19;
 
-/// For each joint the torque above which each of [`HELD_SHARES`] of the observations lies, N.m.
+/// For each joint the torque above which each of [`HELD_SHARES`] of the observations of the arm lies, N.m.
 fn torque_limits_n_m(observations: &[Observation], joints: usize) -> Joints<[f64; LIMITS]> {
     Joints::from_fn(joints, |j| {
-        let mut torques: Vec<f64> = observations.iter().map(|s| s.loads.torque_n_m[j].abs()).collect();
+        let of_arm = observations.iter().filter(|s| s.kind != ObservationKind::Nest);
+        let mut torques: Vec<f64> = of_arm.map(|s| s.loads.torque_n_m[j].abs()).collect();
         torques.sort_by(f64::total_cmp);
         HELD_SHARES.map(|share| {
             let index = ((1.0 - share) * torques.len() as f64) as usize;

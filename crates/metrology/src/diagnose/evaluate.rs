@@ -140,7 +140,8 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
     {
         return Evaluation::without_model(Findings::of_fault(fault));
     }
-    let not_carried = judgement.hold_against(&shrink).or_else(|| worse_elsewhere(&shrink, &judgement.causes));
+    let held_against = judgement.hold_against(&shrink);
+    let not_carried = held_against.or_else(|| worse_elsewhere(&shrink, judgement.verdict, &judgement.causes));
     let identification = wants_model.then(|| match not_carried {
         Some([before_mm, after_mm]) => Identification::none(NoModel::NotCarried { before_mm, after_mm }),
         None => {

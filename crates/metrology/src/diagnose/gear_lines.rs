@@ -47,11 +47,13 @@ impl AngleSpectra {
     fn mean(&mut self, dataset: &Dataset, axis: Axis, order: u32) -> f64 {
         *self.means.entry((axis, order)).or_insert_with(|| {
             let [mut cos, mut sin] = [0.0; 2];
-            for observation in &dataset.observations {
+            let mut count = 0_usize;
+            for observation in dataset.of_arm() {
+                count += 1;
                 let at = (f64::from(order) * observation.q_rad[axis.index()]).sin_cos();
                 (sin, cos) = (sin + at.0, cos + at.1);
             }
-            f64::hypot(sin, cos) / dataset.observations.len().max(1) as f64
+            f64::hypot(sin, cos) / count.max(1) as f64
         })
     }
 

@@ -238,8 +238,8 @@ fn loaded_play_columns(design: &Design, dataset: &Dataset, axis: Axis) -> DMatri
     };
     // What is the same everywhere is play, and no alternative to it.
     let mut means = vec![0.0; centres.len()];
-    for observation in &dataset.observations {
-        let share = 1.0 / dataset.observations.len() as f64;
+    let share = 1.0 / dataset.of_arm().count().max(1) as f64;
+    for observation in dataset.of_arm() {
         means.iter_mut().zip(shapes(observation)).for_each(|(mean, shape)| *mean += share * shape);
     }
     compress(&design.stack(dataset, centres.len(), |_, observation, out| {
@@ -343,7 +343,7 @@ struct Turning {
 fn joint_columns(design: &Design, dataset: &Dataset, turnings: &[Turning], length_rad: f64) -> DMatrix<f64> {
     let mut all = Vec::new();
     for (j, turned) in turnings.iter().map(|one| (one.by.index(), one.turned.index())) {
-        let values = dataset.observations.iter().map(|s| s.as_angle(j));
+        let values = dataset.of_arm().map(|s| s.as_angle(j));
         let low = values.clone().fold(f64::INFINITY, f64::min);
         let high = values.fold(f64::NEG_INFINITY, f64::max);
         let count = (((high - low) / (0.8 * length_rad)).ceil() as usize + 1).clamp(2, 64);

@@ -8,6 +8,8 @@ use nalgebra::Vector3;
 
 /// A station further than this many sigmas from the model, and alone there, is false.
 pub(super) const FALSE_SIGMAS: f64 = 4.5;
+/// So many times the middle distance that a registration leaves no effect moves a point that none of its neighbours is near.
+const GROSS: f64 = 50.0;
 /// A station whose measured orientation is so many sigmas from the model is false, whatever its neighbours: no structure is so much larger
 /// at one station than in the middle, a sensor that was read wrongly is.
 const FALSE_TURN_SIGMAS: f64 = 25.0;
@@ -32,10 +34,21 @@ pub(super) struct RobustWeights {
 }
 
 impl RobustWeights {
-    /// Of what a registration leaves: all of full weight but where the orientation is false, which a fit of all would spread over the others.
+    /// Of what a registration leaves, which is robust: all of full weight but where the orientation is false, or the point by far more than any
+    /// effect moves it, which a fit of all would spread over the others.
     #[must_use]
     pub(super) fn at_first(linear: &Linearised) -> Self {
-        let beyond = turns_beyond(linear, &linear.residuals, &vec![1.0; linear.residuals.len()]);
+        let all = vec![1.0; linear.residuals.len()];
+        let mut beyond = turns_beyond(linear, &linear.residuals, &all);
+        let distances: Vec<f64> = linear.residuals.iter().map(shift_m).collect();
+        let limit_m = GROSS * upper_median(&mut distances.clone());
+        let mut gross: Vec<bool> = (0..distances.len())
+            .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, &linear.residuals, i, limit_m))
+            .collect();
+        moved_together::excuse(linear, &linear.residuals, &mut gross);
+        for (i, distance) in distances.iter().enumerate().filter(|(i, _)| gross[*i]) {
+            beyond[i] = beyond[i].max(distance / limit_m);
+        }
         Self {
             weights: beyond.iter().map(|beyond| beyond.max(1.0).powi(-4)).collect(),
             outliers: beyond.iter().map(|beyond| *beyond > 1.0).collect(),

@@ -7,6 +7,7 @@ use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist};
 use crate::diagnose::size_unit::SizeUnit;
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
+use robot_model::deform::gravity::GRAVITY_M_S2;
 
 /// Turn of the base about x and y through joint 1's origin, each by its own compliance times its moment; each link's share may be wrong.
 /// Refined it turns about what lies below that origin or above it: the mounting face, a pedestal's foot.
@@ -21,6 +22,18 @@ const PIVOT_M: f64 = 0.3;
 
 /// Share of the bases that turn about something else than joint 1's origin.
 const ELSEWHERE: f64 = 0.3;
+
+/// What a foundation usually turns under a moment, rad/(N.m).
+const USUAL_COMPLIANCE: f64 = 1e-6;
+
+/// How the base, of its usual compliance, tilts under one kilogram more at the measured point.
+#[must_use]
+pub(in crate::diagnose) fn base_tilt_per_kg(observation: &Observation) -> Twist {
+    let lever_m = &observation.point_m;
+    let turn = |n_m: f64, k: usize| scaled(observation.frame_offset(0, k), USUAL_COMPLIANCE * n_m);
+    let (x, y) = (turn(-GRAVITY_M_S2 * lever_m.y, 3), turn(GRAVITY_M_S2 * lever_m.x, 4));
+    Twist(std::array::from_fn(|i| x[i] + y[i]))
+}
 
 impl Effect for BaseTilt {
     fn kind(&self) -> EffectKind {

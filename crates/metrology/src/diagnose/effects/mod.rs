@@ -29,6 +29,7 @@ mod thermal_joint_drift;
 mod thermal_link_growth;
 
 pub(in crate::diagnose) use backlash::held_above_n_m;
+pub(in crate::diagnose) use base_tilt::base_tilt_per_kg;
 pub(super) use effect::{Candidate, CauseKey, EffectVariant, GravityHold};
 pub(super) use gear_harmonic::OVERTONE_WEIGHT;
 pub(super) use gear_mesh::{line, line_with_overtone};

@@ -2,6 +2,7 @@
 //! from observation to observation.
 
 use crate::diagnose::dataset::{DataPoint, Dataset, Observation, Twist, scaled};
+use nalgebra::Vector3;
 use robot_model::robot::Axis;
 
 /// How far from the measured point a payload's centre usually lies, metres: the file does not say.
@@ -59,7 +60,7 @@ impl Motion {
 /// What stands on one side of the arm and moves rigidly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RigidBody {
-    /// The base: three shifts, three turns, along and about the axes of joint 1's frame.
+    /// The base: three shifts along its axes, three turns about these through joint 1's origin.
     Base,
     /// The target on the flange: three shifts in the flange's axes and, where the orientation is measured, three turns (without it
     /// a turn of the target is a shift).
@@ -75,16 +76,25 @@ impl RigidBody {
         }
     }
 
+    /// Its motion at the observation when it is shifted by `by_m`, in its own axes.
+    #[must_use]
+    pub(in crate::diagnose) fn shift(self, observation: &Observation, by_m: &Vector3<f64>) -> Twist {
+        let v = match self {
+            Self::Base => *by_m,
+            Self::Tool => observation.flange * by_m,
+        };
+        Twist([v.x, v.y, v.z, 0.0, 0.0, 0.0])
+    }
+
     /// Its motion at the observation per unit of each parameter, pushed onto `out`.
     fn signature(self, at: DataPoint<'_>, out: &mut Vec<Twist>) {
         let DataPoint { dataset, observation } = at;
         match self {
             Self::Base => out.extend((0..6).map(|k| observation.frame_offset(0, k))),
             Self::Tool => {
-                for k in 0..3 {
-                    let axis = observation.flange.column(k);
-                    out.push(Twist([axis[0], axis[1], axis[2], 0.0, 0.0, 0.0]));
-                }
+                out.extend(
+                    [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| self.shift(observation, &axis)),
+                );
                 if dataset.rows_per_observation == 6 {
                     for k in 0..3 {
                         // About the measured point itself: its shift stands above.

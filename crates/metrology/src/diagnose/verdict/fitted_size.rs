@@ -13,12 +13,17 @@ pub(super) fn size_of(candidate: &Candidate, columns: &[usize], fit: &LinearFit,
         .map(|(&c, prior_sigma)| fit.coefficients[c - 1] * prior_sigma * candidate.display_scale)
         .collect();
     let size = values.iter().map(|v| v * v).sum::<f64>().sqrt();
+    let numbers = values.len() as f64;
     let at: Vec<Option<usize>> = columns.iter().map(|c| fit.columns.iter().position(|x| x == c)).collect();
     let mut variance = 0.0;
     for (a, (ia, ua)) in at.iter().zip(&candidate.prior_sigma).enumerate().take(candidate.n_reported) {
         for (b, (ib, ub)) in at.iter().zip(&candidate.prior_sigma).enumerate().take(candidate.n_reported) {
             if let (Some(ia), Some(ib)) = (ia, ib) {
-                let slope = values[a] * values[b] / size.max(1e-300).powi(2);
+                let slope = match size > 0.0 {
+                    true => (values[a] / size) * (values[b] / size),
+                    // Of nothing no number leads: in the middle of all directions.
+                    false => f64::from(u8::from(a == b)) / numbers,
+                };
                 variance += slope * fit.covariance[(*ia, *ib)] * ua * ub * candidate.display_scale.powi(2);
             }
         }

@@ -33,7 +33,7 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
             fitted,
             &chosen,
             &rest.ranking,
-            along.map_or(0.0, |along| along.gain_nats),
+            (along.map_or(0.0, |along| along.gain_nats), judgement.verdict),
             &judgement.location,
         )
     {
@@ -49,10 +49,10 @@ pub(crate) fn judge(fitted: &mut FittedModel<'_>) -> Judgement {
     judgement
 }
 
-/// Whether something is not explained that does not follow time.
+/// Whether something is not explained that does not follow time, or may be hidden in what is taken for noise.
 fn is_open(judgement: &Judgement) -> bool {
     match judgement.verdict {
-        Verdict::UnexplainedScatter => true,
+        Verdict::UnexplainedScatter | Verdict::NothingAboveNoise | Verdict::Geometry => true,
         Verdict::UnexplainedStructure => {
             !matches!(judgement.location.time, Some(TimeCourse::Drift | TimeCourse::Step))
         }

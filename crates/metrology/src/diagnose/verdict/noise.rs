@@ -69,6 +69,12 @@ impl Scatter {
     }
 }
 
+/// How many of the parameters of a model are the points': orientation has rows of its own, and with it half of them are.
+#[must_use]
+pub(super) fn points_share(dataset: &Dataset) -> f64 {
+    3.0 / dataset.rows_per_observation as f64
+}
+
 /// Scatter of the residuals along a joint.
 #[must_use]
 pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
@@ -76,9 +82,7 @@ pub(super) fn joint_scatter(fitted: &FittedModel<'_>) -> Option<JointScatter> {
     let groups = workspace.design.all_groups();
     let nuisance =
         NuisanceModel::new(&workspace.design, &groups, &cause_columns(&model.chosen, None), model.noise);
-    // Orientation has rows of its own; half of the parameters are then the points'.
-    let share = 3.0 / linear.dataset.rows_per_observation as f64;
-    let used = share * nuisance.parameters(model.peak.geometry_ratio);
+    let used = points_share(&linear.dataset) * nuisance.parameters(model.peak.geometry_ratio);
     scatter::along_joints(&Residuals {
         dataset: &linear.dataset,
         residuals: &model.residuals,
@@ -171,6 +175,7 @@ pub(super) fn reduced_chi_square(
             rows += observation.rows(3) as f64;
         }
     }
+    // All of them, with orientation too: its rows weigh less than the points where they tell the same parameters.
     let free: f64 = (rows - nuisance.parameters(ratio)).max(6.0);
     let spread = 1.5 * (2.0 / freedom + 2.0 / free).sqrt();
     let limit = if model.noise.from_repeats {

@@ -49,7 +49,7 @@ pub(super) fn cause(
     let of_gap_m = (left_m(&without).powi(2) - left_m(&fit).powi(2)).max(0.0).sqrt();
     let candidate = &workspace.library.candidates[cause_group.best];
     let (size, sigma_of_fit) = size_of(candidate, &columns, &fit, model.peak.sigma_m);
-    let moved: Vec<f64> = moved_by(linear, candidate, &columns, &fit);
+    let moved: Vec<f64> = moved_by(linear, candidate, &columns, &fit).iter().map(shift_m).collect();
     let mut cause = cause_unfitted(workspace, cause_group);
     cause.rms_of_gap_mm = Some(mm_from_m(of_gap_m));
     cause.size = Some(size);
@@ -77,20 +77,20 @@ pub(super) fn cause_unfitted(workspace: &Workspace<'_>, cause_group: &CauseGroup
     }
 }
 
-/// How far all of `chosen` together move the point at each station, metres.
+/// How far all of `chosen` together move the point at each station, metres: what two of them do against each other counts as what is left.
 #[must_use]
 pub(super) fn moved_m(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Vec<f64> {
     let FittedModel { model, workspace, linear } = fitted;
     let groups = workspace.design.all_groups();
     let fit = solve(&workspace.design, &groups, chosen, Some(model.peak.geometry_ratio));
-    let mut total = vec![0.0_f64; linear.dataset.observations.len()];
+    let mut total = vec![Twist::default(); linear.dataset.observations.len()];
     for one in chosen {
         let candidate = &workspace.library.candidates[one.candidate];
         for (sum, moved) in total.iter_mut().zip(moved_by(linear, candidate, &one.columns, &fit)) {
-            *sum = sum.hypot(moved);
+            sum.iter_mut().zip(moved.iter()).for_each(|(to, from)| *to += from);
         }
     }
-    total
+    total.iter().map(shift_m).collect()
 }
 
 /// What `chosen` take off the residuals beyond registration and geometry, 3-D rms, metres.
@@ -158,8 +158,8 @@ pub(in crate::diagnose) fn reported(candidate: &Candidate, columns: usize) -> us
     if constant { candidate.n_reported } else { columns }
 }
 
-/// How far the effect moves the point at each station, metres.
-fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: &LinearFit) -> Vec<f64> {
+/// How the effect moves the point at each station.
+fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: &LinearFit) -> Vec<Twist> {
     let mut buffer = Vec::new();
     linear
         .dataset
@@ -177,7 +177,7 @@ fn moved_by(linear: &Linearised, candidate: &Candidate, columns: &[usize], fit: 
                     *to += fit.coefficients[column - 1] * prior_sigma * from;
                 }
             }
-            shift_m(&sum)
+            sum
         })
         .collect()
 }

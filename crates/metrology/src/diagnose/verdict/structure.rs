@@ -222,10 +222,10 @@ pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -
         let mut best: Option<(f64, usize)> = None;
         for (k, structure) in workspace.library.gp_alternatives.iter().enumerate() {
             let fits = match structure.gp_alternative {
-                GpAlternative::Periodic(j, _)
-                | GpAlternative::SquareWave(j, _)
-                | GpAlternative::Joint(j)
-                | GpAlternative::JointFine(j) => j == joint,
+                GpAlternative::Periodic(j, n) | GpAlternative::SquareWave(j, n) => {
+                    j == joint && !lacks_odd_harmonics(workspace, chosen, &lines, n)
+                }
+                GpAlternative::Joint(j) | GpAlternative::JointFine(j) => j == joint,
                 _ => false,
             };
             if fits {
@@ -246,6 +246,16 @@ pub(super) fn shape_of_lines(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -
         }
     }
     None
+}
+
+/// Steps and corners show in odd harmonics: a square has a third of its amplitude at three times its periods per turn, a saw tooth too. Lines of
+/// a gear that are so many, none of them an odd multiple of `n` periods but the first, are smooth.
+fn lacks_odd_harmonics(workspace: &Workspace<'_>, chosen: &[ChosenCause], lines: &[usize], n: u32) -> bool {
+    /// Of fewer lines the odd ones may be those that are not seen.
+    const ENOUGH: usize = 3;
+    let periods = lines.iter().filter_map(|&i| workspace.library.candidates[chosen[i].candidate].variant.n);
+    let multiple = |m: u32| (m.is_multiple_of(n)).then_some(m / n);
+    lines.len() >= ENOUGH && periods.map(multiple).all(|k| k.is_some_and(|k| k == 1 || k.is_multiple_of(2)))
 }
 
 /// A cause that must have grown or faded over rows whose time is not known: then it is not the cause.

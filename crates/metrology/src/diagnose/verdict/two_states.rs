@@ -1,19 +1,24 @@
-//! Scatter between two states that nothing in the file tells apart: a joint now on one side of its play and now on the other, or a load
-//! that hangs there at some rows and not at others. Which of the two says which channel is missing.
+//! Scatter between two states that nothing in the file tells apart: a joint now on one side of its play and now on the other, a load
+//! that hangs there at some rows and not at others and under which a joint or the base gives, a target or a base that stands now here and
+//! now there. Which of these it is says which channel is missing.
 //!
 //! Of each station the state is unknown, either as likely as the other: e = c v + s h v + noise with s = -1 or 1, of which the sum over
-//! both is exp(-(e - c v)^2 / 2 sigma^2 - h^2 v^2 / 2 sigma^2) cosh(h v (e - c v) / sigma^2).
+//! both is exp(-(e - c v)^2 / 2 sigma^2 - h^2 v^2 / 2 sigma^2) cosh(h v (e - c v) / sigma^2). Held against s of a normal distribution, which
+//! is noise that is larger along one motion, as an instrument's is.
 
 use crate::diagnose::dataset::{Observation, Twist};
-use crate::diagnose::effects::give_per_kg;
+use crate::diagnose::effects::{RigidBody, base_tilt_per_kg, give_per_kg};
 use crate::diagnose::marginal::{Marginal, NoiseIntegral, log_sum};
 use crate::diagnose::model::FittedModel;
+use nalgebra::Vector3;
 use robot_model::robot::Axis;
 
-/// Half distances of the two states that are tried: of a joint, radians or metres, and of a load, kilograms of usual compliance.
+/// Half distances of the two states that are tried: of a joint, radians or metres, of a load, kilograms of usual compliance, of a body
+/// metres.
 const SIZES: std::ops::Range<i32> = 0..16;
 const SMALLEST_TURN: f64 = 4e-6;
 const SMALLEST_LOAD_KG: f64 = 0.05;
+const SMALLEST_SHIFT_M: f64 = 4e-6;
 /// Each size over the one before it.
 const STEP: f64 = 1.6;
 /// Rounds until the noise and the states fit each other.
@@ -28,6 +33,10 @@ pub(super) enum State {
     Side(Axis),
     /// What hangs at the tool: a joint of the arm gives under it.
     Load(Axis),
+    /// What hangs at the tool: the base tilts under it.
+    LoadOnBase,
+    /// Where a body lies, along a direction (unit vector) of its own axes: a mount with play, a target of which there are two.
+    Place(RigidBody, Vector3<f64>),
 }
 
 /// Scatter between two states.
@@ -35,12 +44,32 @@ pub(super) enum State {
 pub(super) struct TwoStates {
     /// What is in two states.
     pub state: State,
-    /// From one state to the other: radians, metres of a joint that slides, kilograms of usual compliance.
+    /// From one state to the other: radians, metres of what slides or is shifted, kilograms of usual compliance.
     pub distance: f64,
     /// ln evidence over noise alone, larger noise than stated among it, of all that could be in two states, nats.
     pub gain_nats: f64,
+    /// The same of noise that is larger along one of the motions, in the place of two states.
+    pub scattered_nats: f64,
     /// The noise beside them, metres.
     pub sigma_m: f64,
+}
+
+/// How what moves is spread about its middle.
+#[derive(Clone, Copy, Debug)]
+enum Spread {
+    /// On two sides.
+    TwoStates,
+    /// Normally.
+    Normal,
+}
+
+/// What a station says of its own place, in units of the half distance.
+struct Placed {
+    mean: f64,
+    /// Mean of the square.
+    square: f64,
+    /// What it costs to say so, nats.
+    price: f64,
 }
 
 /// What one station says of two states, by its weight.
@@ -93,9 +122,11 @@ pub(super) fn two_states(fitted: &FittedModel<'_>, residuals: &[Twist], used: f6
     let plain = Plain { marginal, squares, log, sigma_m, free: left / rows };
     let joints = || (0..dataset.joints()).map(Axis::at);
     let sides = joints().filter(|_| !dataset.channels.direction).map(State::Side);
-    let loads = joints().filter(|_| !dataset.channels.payload).map(State::Load);
+    let loads = joints().map(State::Load).chain([State::LoadOnBase]).filter(|_| !dataset.channels.payload);
+    let bodies = [RigidBody::Tool, RigidBody::Base].into_iter();
+    let places = bodies.flat_map(|body| directions().map(move |along| State::Place(body, along)));
     let mut tried = Vec::new();
-    for state in sides.chain(loads) {
+    for state in sides.chain(loads).chain(places) {
         let motions = kept.iter().map(|&i| (i, state.motion(&dataset.observations[i])));
         let along = motions.map(|(i, motion)| Along {
             seen: weight(i) * product(&motion, &residuals[i]),
@@ -104,13 +135,15 @@ pub(super) fn two_states(fitted: &FittedModel<'_>, residuals: &[Twist], used: f6
         let along = about_their_mean(along.collect());
         tried.extend(SIZES.map(|k| {
             let half = state.smallest() * STEP.powi(k);
-            let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, half);
-            TwoStates { state, distance: 2.0 * fitted_half, gain_nats, sigma_m }
+            let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, half, Spread::TwoStates);
+            let scattered_nats = plain.weigh(&along, half, Spread::Normal).gain_nats;
+            TwoStates { state, distance: 2.0 * fitted_half, gain_nats, scattered_nats, sigma_m }
         }));
     }
     let best = tried.iter().copied().reduce(|a, b| if b.gain_nats > a.gain_nats { b } else { a })?;
-    let all = log_sum(tried.iter().map(|one| one.gain_nats)) - (tried.len() as f64).ln();
-    Some(TwoStates { gain_nats: all, ..best })
+    let all = |of: fn(&TwoStates) -> f64| log_sum(tried.iter().map(of)) - (tried.len() as f64).ln();
+    let (gain_nats, scattered_nats) = (all(|one| one.gain_nats), all(|one| one.scattered_nats));
+    Some(TwoStates { gain_nats, scattered_nats, ..best })
 }
 
 impl State {
@@ -119,6 +152,8 @@ impl State {
         observation.observed(match self {
             Self::Side(axis) => observation.jacobian_column(axis.index()),
             Self::Load(axis) => give_per_kg(observation, axis.index()..axis.index() + 1),
+            Self::LoadOnBase => base_tilt_per_kg(observation),
+            Self::Place(body, along) => body.shift(observation, &along),
         })
     }
 
@@ -126,25 +161,26 @@ impl State {
     fn smallest(self) -> f64 {
         match self {
             Self::Side(_) => SMALLEST_TURN,
-            Self::Load(_) => SMALLEST_LOAD_KG,
+            Self::Load(_) | Self::LoadOnBase => SMALLEST_LOAD_KG,
+            Self::Place(..) => SMALLEST_SHIFT_M,
         }
     }
 }
 
 impl Plain {
-    /// ln evidence over noise alone of states `half` to either side, held from below: each station at its expected state, less what it
-    /// costs to say so (Jordan, Ghahramani, Jaakkola, Saul 1999, eq. 6).
-    fn weigh(&self, along: &[Along], half: f64) -> Weighed {
-        let apart: f64 = along.iter().map(|a| half * half * a.motion).sum();
+    /// ln evidence over noise alone of what is `spread` by `half` to either side, held from below: each station at its expected place, less
+    /// what it costs to say so (Jordan, Ghahramani, Jaakkola, Saul 1999, eq. 6).
+    fn weigh(&self, along: &[Along], half: f64, spread: Spread) -> Weighed {
         let mut integral = NoiseIntegral { log: self.log, sigma_m: self.sigma_m };
         let mut weighed = Weighed { gain_nats: f64::NEG_INFINITY, fitted_half: half, sigma_m: self.sigma_m };
         for _ in 0..ROUNDS {
             let variance = integral.sigma_m.powi(2);
-            let (mut taken, mut price) = (0.0, 0.0);
-            for argument in along.iter().map(|a| half * a.seen / variance) {
-                let expected = argument.tanh();
-                taken += variance * argument * expected;
-                price += argument * expected - ln_cosh(argument);
+            let (mut taken, mut apart, mut price) = (0.0, 0.0, 0.0);
+            for a in along {
+                let placed = spread.placed(half * a.seen / variance, half * half * a.motion / variance);
+                taken += half * a.seen * placed.mean;
+                apart += half * half * a.motion * placed.square;
+                price += placed.price;
             }
             // Parameters took their share of the distances.
             let squares = self.squares + self.free * apart - 2.0 * taken;
@@ -154,6 +190,33 @@ impl Plain {
             weighed = Weighed { gain_nats, fitted_half, sigma_m: integral.sigma_m };
         }
         weighed
+    }
+}
+
+/// Axes, and halfway between two and between three of them: no direction is more than 28 deg from one of these.
+fn directions() -> impl Iterator<Item = Vector3<f64>> {
+    let steps = || [-1.0, 0.0, 1.0].into_iter();
+    let all =
+        steps().flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| Vector3::new(x, y, z))));
+    // Of two that are opposite the one whose first number that is not 0 is positive.
+    all.filter(|v| v.iter().find(|&&c| c != 0.0).is_some_and(|&c| c > 0.0)).map(|v| v.normalize())
+}
+
+impl Spread {
+    /// Where a station lies that sees `seen` of what moves by `motion`, both over the noise.
+    fn placed(self, seen: f64, motion: f64) -> Placed {
+        match self {
+            Self::TwoStates => {
+                let mean = seen.tanh();
+                Placed { mean, square: 1.0, price: seen * mean - ln_cosh(seen) }
+            }
+            Self::Normal => {
+                let variance = 1.0 / (1.0 + motion);
+                let mean = variance * seen;
+                let square = mean * mean + variance;
+                Placed { mean, square, price: 0.5 * (square - 1.0 - variance.ln()) }
+            }
+        }
     }
 }
 
@@ -205,12 +268,15 @@ mod tests {
     #[test]
     fn a_gap_is_told_with_its_size() {
         let (along, plain) = stations(HALF_RAD, 2e-5);
-        let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, HALF_RAD);
+        let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, HALF_RAD, Spread::TwoStates);
         assert!((sigma_m - 2e-5).abs() < 0.2 * 2e-5, "{sigma_m}");
         assert!((fitted_half - HALF_RAD).abs() < 0.05 * HALF_RAD, "{fitted_half}");
         // ln of how much larger noise alone is, for each row, less ln 2 for each side.
         let by_hand = 90.0 * ((180.0 + 25.0 * 60.0) / 180.0_f64).ln() - 60.0 * 2.0_f64.ln();
         assert!((gain_nats - by_hand).abs() < 0.1 * by_hand, "{gain_nats} {by_hand}");
+        // Normally spread, each station costs half of ln (1 + 25) in place of ln 2, and that its place is on no side but about it.
+        let scattered = plain.weigh(&along, HALF_RAD, Spread::Normal).gain_nats;
+        assert!(scattered < gain_nats - 20.0 && scattered > 0.3 * gain_nats, "{scattered} {gain_nats}");
     }
 
     /// Of noise alone, and of a gap under it, no distance gains what an alarm asks.
@@ -220,7 +286,7 @@ mod tests {
             let (along, plain) = stations(half_rad, 2e-5);
             for k in SIZES {
                 let half = SMALLEST_TURN * STEP.powi(k);
-                let Weighed { gain_nats, .. } = plain.weigh(&along, half);
+                let Weighed { gain_nats, .. } = plain.weigh(&along, half, Spread::TwoStates);
                 assert!(gain_nats < 1.0, "{half_rad} {half} {gain_nats}");
             }
         }

@@ -18,7 +18,8 @@ use super::structure::{
     structure_odds, varying_cause,
 };
 use super::wording::{
-    OR_BALANCING, OR_LOAD, describe, in_short, one_beam_reason, structure_reason, switched_reason,
+    OR_BALANCING, OR_LOAD, describe, in_short, one_beam_reason, only_missing, structure_reason,
+    switched_reason,
 };
 use crate::diagnose::cause::Cause;
 use crate::diagnose::evidence::NuisanceModel;
@@ -340,7 +341,7 @@ fn comparable_scatter(
         verdict: Verdict::UnexplainedScatter,
         reason: scatter.reason(&fitted.linear.dataset),
         location: Location { joint: scatter.along.map(|a| a.joint), ..of_causes.clone() },
-        missing_channel: None,
+        missing_channel: only_missing(&fitted.linear.dataset),
     })
 }
 
@@ -350,6 +351,8 @@ fn switched(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<Decision
     let mut lines: Vec<u64> = chosen
         .iter()
         .filter_map(|c| fitted.workspace.library.candidates[c.candidate].variant.t0_min())
+        // Between two days of measuring instruments are set up anew, however often.
+        .filter(|t0| !dataset.is_in_pause(*t0))
         .filter_map(|t0| dataset.line_from(t0))
         .collect();
     lines.sort_unstable();

@@ -9,7 +9,7 @@ use super::noise::{
 };
 use super::size::cause;
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
-use super::wording::structure_reason;
+use super::wording::{only_missing, structure_reason};
 use crate::diagnose::gp_alternative::GpAlternative;
 use crate::diagnose::linearise::rms_m;
 use crate::diagnose::missing_channel::MissingChannel;
@@ -66,6 +66,7 @@ pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatt
         judgement.verdict = Verdict::UnexplainedScatter;
         judgement.location.joint = scatter.along.map(|a| a.joint);
         judgement.reason = scatter.reason(&fitted.linear.dataset);
+        judgement.missing_channel = only_missing(&fitted.linear.dataset);
     } else if geometry {
         judgement.verdict = Verdict::Geometry;
         "small errors of all joints' geometry take the gap; none stands out"

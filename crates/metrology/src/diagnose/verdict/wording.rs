@@ -3,8 +3,10 @@
 use super::two_states::{State, TwoStates};
 use crate::diagnose::cause::Cause;
 use crate::diagnose::dataset::Dataset;
-use crate::diagnose::effects::Candidate;
+use crate::diagnose::effects::{Candidate, RigidBody};
 use crate::diagnose::gp_alternative::GpAlternative;
+use crate::diagnose::missing_channel::MissingChannel;
+use nalgebra::Vector3;
 use rapid_syntax::diagnostic::plural;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, MOST_JOINTS};
@@ -158,6 +160,28 @@ pub(super) fn two_states_reason(states: &TwoStates, dataset: &Dataset) -> String
             "joint {joint} gives at some rows as under a load that hangs at the tool, and at others not: a channel is missing: the payload \
              (payload_kg) is not in the file"
         ),
+        State::LoadOnBase => "the base tilts at some rows as under a load that hangs at the tool, and at others not: a channel is missing: \
+             the payload (payload_kg) is not in the file"
+            .to_owned(),
+        State::Place(body, along) => {
+            let (body, of) = match body {
+                RigidBody::Tool => ("target", "a mount with play, or two targets, do that"),
+                RigidBody::Base => ("base", "a stand with play, or a frame that was taken anew, does that"),
+            };
+            format!(
+                "the {body} stands now in one place and now in another, {:.3} mm apart along its {}, whatever the pose: {of}",
+                mm_from_m(states.distance),
+                direction(along)
+            )
+        }
+    }
+}
+
+/// A direction by the axis that it is, or by its numbers.
+fn direction(along: Vector3<f64>) -> String {
+    match ["x", "y", "z"].into_iter().zip(along.iter()).find(|(_, share)| share.abs() > 0.999) {
+        Some((axis, _)) => axis.to_owned(),
+        None => format!("({:.2} {:.2} {:.2})", along.x, along.y, along.z),
     }
 }
 
@@ -174,20 +198,36 @@ pub(super) fn one_beam_reason([before, link]: &[Axis; 2]) -> String {
     format!("; links {before} and {link} are one beam to any poses, as joint {link} turns along it")
 }
 
-/// Channels that are not in the file and could tell what scatters, as a phrase.
+/// Channels that are not in the file and could tell what scatters, with their names for people.
+fn missing(dataset: &Dataset) -> Vec<(MissingChannel, &'static str)> {
+    let channels = &dataset.channels;
+    let with_warmth = channels.joint_temperature || channels.time;
+    let warmth = "temperature or time (temp_j1_c to temp_j6_c, t_min)";
+    let all = [
+        (channels.direction, MissingChannel::Direction, "the direction of approach (dir1 to dir6)"),
+        (channels.payload, MissingChannel::Payload, "the payload (payload_kg)"),
+        (with_warmth, MissingChannel::Time, warmth),
+    ];
+    all.into_iter().filter(|(there, ..)| !there).map(|(_, channel, name)| (channel, name)).collect()
+}
+
+/// The same as a phrase.
 #[must_use]
 pub(super) fn missing_channels(dataset: &Dataset) -> String {
-    let channels = &dataset.channels;
-    let all = [
-        (channels.direction, "the direction of approach (dir1 to dir6)"),
-        (channels.payload, "the payload (payload_kg)"),
-        (channels.joint_temperature || channels.time, "temperature or time (temp_j1_c to temp_j6_c, t_min)"),
-    ];
-    let missing: Vec<&str> = all.into_iter().filter(|(there, _)| !there).map(|(_, name)| name).collect();
-    match missing.as_slice() {
+    let names: Vec<&str> = missing(dataset).into_iter().map(|(_, name)| name).collect();
+    match names.as_slice() {
         [] => "something is missing that is no column of such files".to_owned(),
         [one] => format!("a channel is missing: {one} is not in the file"),
         [first, more @ ..] => format!("a channel is missing: {first}, or {}", more.join(", or ")),
+    }
+}
+
+/// The only channel that is not in the file and could tell what scatters; `None` of several.
+#[must_use]
+pub(super) fn only_missing(dataset: &Dataset) -> Option<MissingChannel> {
+    match missing(dataset).as_slice() {
+        [(channel, _)] => Some(*channel),
+        _ => None,
     }
 }
 
