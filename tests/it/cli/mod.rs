@@ -5,6 +5,7 @@ mod changed_by_hand;
 mod compensate;
 mod diff;
 mod elements;
+mod kept_apart;
 mod other_robots;
 mod outputs;
 mod refusals;
