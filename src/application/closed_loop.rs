@@ -20,6 +20,7 @@ use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, mm_from_m};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use virtual_controller::compare::MoveComparator;
 use virtual_controller::{Controller, Move};
 
 /// Simulates measuring, diagnosing and compensating with what was found, on a robot whose truth is known.
@@ -111,13 +112,25 @@ impl ClosedLoop {
         let plain: Vec<(&str, &[u8])> = program.iter().collect();
         let meant = moves(robot, &plain)?;
         let done = moves(robot, &made.loaded())?;
+        MoveComparator::same_moves(&meant, &done)
+            .map_err(|mismatch| Diagnostic::error("rehearse::moves", mismatch.to_string()))?;
         let under_test = VirtualRobot::from_truth(&robot.into(), &set.truth);
         let sigma_mm = self.recipe.sigma_mm;
         let [before, after] =
             [&meant, &done].map(|done| left_at_targets(&under_test, &meant, done, sigma_mm, rng));
+        let fewest = before.n.min(after.n);
+        if fewest < FEWEST_TARGETS {
+            let text =
+                format!("{} measured again: base and tool alone take 9 numbers", counted(fewest, "target"));
+            return Err(Diagnostic::error("rehearse::targets", text)
+                .help(format!("a program with {FEWEST_TARGETS} moves or more that are made")));
+        }
         Ok(MeasuredAgain { before, after, kept: made.totals.kept })
     }
 }
+
+/// Of fewer targets base and tool, 9 numbers that are fitted, leave nothing to be judged.
+const FEWEST_TARGETS: usize = 4;
 
 /// What was found in the measurements of a virtual robot.
 struct Identification {

@@ -100,6 +100,10 @@ impl Planning {
         if let Some(joint) = self.options.sweeps.joints.iter().find(|joint| joint.index() >= joints) {
             return Err(PlanningError::NoSuchJoint { joint: *joint, robot: self.robot.name.clone(), joints });
         }
+        let slides = |joint: &&Axis| self.robot.joints.get(joint.index()).is_some_and(|j| j.kind.slides());
+        if let Some(joint) = self.options.sweeps.joints.iter().find(slides) {
+            return Err(PlanningError::Slides { joint: *joint });
+        }
         Ok(self.with_rapid.then(|| self.robot.clone().six_axis()).transpose()?)
     }
 
@@ -176,6 +180,12 @@ pub enum PlanningError {
         /// How many joints it has.
         joints: usize,
     },
+    /// A joint is to be swept that slides.
+    #[error("--sweep {joint}: it slides, and a sweep by degrees tells of the gears of joints that turn")]
+    Slides {
+        /// The joint as asked for.
+        joint: Axis,
+    },
 }
 
 impl PlanningError {
@@ -185,7 +195,7 @@ impl PlanningError {
         match self {
             Self::Plan(error) => error.code(),
             Self::Robot(error) => error.code(),
-            Self::NoSuchJoint { .. } => "option::range",
+            Self::NoSuchJoint { .. } | Self::Slides { .. } => "option::range",
         }
     }
 }
@@ -195,7 +205,9 @@ impl From<PlanningError> for Diagnostic {
         match error {
             PlanningError::Plan(error) => error.into(),
             PlanningError::Robot(error) => error.into(),
-            PlanningError::NoSuchJoint { .. } => Self::error(error.code(), error.to_string()),
+            PlanningError::NoSuchJoint { .. } | PlanningError::Slides { .. } => {
+                Self::error(error.code(), error.to_string())
+            }
         }
     }
 }

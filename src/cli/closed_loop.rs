@@ -70,7 +70,11 @@ pub struct Args {
 /// # Errors
 /// A file that cannot be read, an effect that a program cannot meet, a program that cannot be compensated.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
-    positive(&[("--sigma-mm", Some(args.sigma_mm)), ("--limit", Some(args.limit))])?;
+    positive(&[
+        ("--sigma-mm", Some(args.sigma_mm)),
+        ("--rho", Some(args.rho)),
+        ("--limit", Some(args.limit)),
+    ])?;
     let robot = args.robot.load()?;
     let given = ProgramInput::read(&args.program)?;
     let json = files::Output::new(args.json.as_deref())?;

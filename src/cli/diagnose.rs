@@ -10,7 +10,7 @@ use super::{Console, Outcome, model, overwriting};
 use driftpost::application::{ControllerData, ControllerDataError, Declaration, Diagnosed, Diagnosis};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Command line of `driftpost diagnose`.
 #[derive(Debug, clap::Args)]
@@ -128,17 +128,21 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if !outputs.json.is_standard() {
         console.out().write_all(found.text().as_bytes())?;
     }
-    write_results(args, outputs, &found, &given, &controller_data, console)?;
+    let refused = write_results(args, outputs, &found, &given, &controller_data, console)?;
     page.write_with(|out| found.write_page(&given.name, &given.sha256, out))?;
     if let Some(folder) = &args.plots {
         for (name, picture) in found.pictures() {
             Pending::new(&folder.join(name))?.write(picture.as_bytes())?;
         }
     }
-    Ok(Outcome::Done)
+    match refused {
+        Some(refused) => Err(refused.into()),
+        None => Ok(Outcome::Done),
+    }
 }
 
-/// Writes JSON, RAPID, the table of axes, the file without false rows, the residuals and the model, as far as they are asked for.
+/// Writes JSON, RAPID, the table of axes, the file without false rows, the residuals and the model, as far as they are asked for; and says
+/// what could not be written, for there is no model.
 fn write_results(
     args: &Args,
     outputs: Outputs,
@@ -146,18 +150,19 @@ fn write_results(
     given: &MeasurementInput,
     controller_data: &ControllerData,
     console: &mut Console,
-) -> anyhow::Result<()> {
+) -> anyhow::Result<Option<Diagnostic>> {
     let is_model_shown = !outputs.json.is_standard() && (outputs.model.is_some() || outputs.rapid.is_some());
     outputs.json.write(console, || {
         let mut text = Vec::new();
         found.write_json(&mut text)?;
         Ok(text)
     })?;
-    let none = |path: &Path| found.no_model().help(format!("{} was not written", path.display()));
+    let mut not_written: Vec<String> = Vec::new();
     if let Some(file) = outputs.rapid {
-        let text = found.rapid_of(&given.name, &given.sha256, controller_data);
-        let text = text.ok_or_else(|| none(file.path()))?;
-        file.write(text.as_bytes())?;
+        match found.rapid_of(&given.name, &given.sha256, controller_data) {
+            Some(text) => file.write(text.as_bytes())?,
+            None => not_written.push(file.path().display().to_string()),
+        }
     }
     if let Some(table) = found.axis_table().filter(|_| is_model_shown) {
         console.out().write_all(table.as_bytes())?;
@@ -169,10 +174,14 @@ fn write_results(
         csv.write(found.residuals_csv().as_bytes())?;
     }
     if let Some(file) = outputs.model {
-        let model = found.model_of(&given.name, &given.sha256).ok_or_else(|| none(file.path()))?;
-        file.write(&model.to_toml())?;
+        match found.model_of(&given.name, &given.sha256) {
+            Some(model) => file.write(&model.to_toml())?,
+            None => not_written.push(file.path().display().to_string()),
+        }
     }
-    Ok(())
+    let was = if not_written.len() == 1 { "was" } else { "were" };
+    let help = format!("{} {was} not written", not_written.join(" and "));
+    Ok((!not_written.is_empty()).then(|| found.no_model().help(help)))
 }
 
 /// What the options say of the data that stand on the controller.

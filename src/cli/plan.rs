@@ -33,7 +33,7 @@ pub struct Args {
     pub repeats: Option<u32>,
 
     /// Single joints to move in small steps after the poses, for the lines of their gears: 2,3.
-    #[arg(long, value_name = "JOINT,JOINT", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=6))]
+    #[arg(long, value_name = "JOINT,JOINT", value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=7))]
     pub sweep: Vec<u32>,
 
     /// Poses of each sweep, beside --n.

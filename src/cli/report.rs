@@ -1,6 +1,6 @@
 //! `driftpost report`: a page of a result's JSON.
 
-use super::{Console, Outcome, files};
+use super::{Console, Outcome, files, overwriting};
 use crate::report::{Page, write_page};
 use std::io::{BufWriter, Write};
 use std::path::PathBuf;
@@ -27,6 +27,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         false => args.result.with_extension("html"),
     });
     files::keep_apart(&[&args.result], &[&path])?;
+    overwriting::check_page(&path)?;
     let mut page = files::Pending::new(&path)?;
     let bytes = files::read(&args.result, "result")?;
     let title = args.result.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());

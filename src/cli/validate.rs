@@ -75,7 +75,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let (measurements, given) = args.source.read(console)?;
     let times_min = measurements.rows.iter().filter_map(|row| row.t_min);
-    args.stop.check_before(times_min.fold(0.0, f64::max))?;
+    if let Some(last_min) = times_min.reduce(f64::max) {
+        args.stop.check_before(last_min)?;
+    }
     console.explain(
         &LocatedDiagnostic::all(job.warning().into_iter().chain(job.seen_before(&given.sha256)), &[]),
         false,

@@ -5,7 +5,7 @@ use nalgebra::{Isometry3, Vector3};
 use rapid_compensation::emit::{write_orient, write_pos};
 use rapid_syntax::write_num;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::Identified;
+use robot_model::deform::identified::{Identified, PayloadScaling};
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::fmt::Write as _;
@@ -137,14 +137,20 @@ fn wobj(out: &mut String, written: &ControllerData, base_from_instrument: &Isome
 }
 
 fn load(out: &mut String, written: &ControllerData, model: &Identified) {
-    let heavier_kg: f64 = model
-        .terms
-        .iter()
-        .filter(|t| t.kind == EffectKind::PayloadMass)
-        .filter_map(|t| t.values.first())
-        .map(|v| v.value)
-        .sum();
-    if heavier_kg == 0.0 {
+    let of = |scaling: PayloadScaling| -> f64 {
+        let terms =
+            model.terms.iter().filter(|t| t.kind == EffectKind::PayloadMass && t.payload_scaling == scaling);
+        terms.map(|t| t.value(0)).sum()
+    };
+    let (tool_kg, heavier_kg, share) =
+        (of(PayloadScaling::Always), of(PayloadScaling::WhereLoaded), of(PayloadScaling::PerKilogram));
+    if tool_kg != 0.0 {
+        let _ = writeln!(
+            out,
+            "  ! The tool itself pulls as {tool_kg:+.3} kg more than its tooldata says: weigh it."
+        );
+    }
+    if heavier_kg == 0.0 && share == 0.0 {
         out.push_str("  ! No wrong load was found.\n");
         if let Some(Declaration { name, value }) = &written.load {
             let _ = writeln!(out, "  PERS loaddata {name}:={value};");
@@ -152,15 +158,19 @@ fn load(out: &mut String, written: &ControllerData, model: &Identified) {
         out.push('\n');
         return;
     }
+    let kilograms = (heavier_kg != 0.0).then(|| format!("{heavier_kg:+.3} kg"));
+    let per_cent = (share != 0.0).then(|| format!("{:+.1} %", 100.0 * share));
+    let more: Vec<String> = kilograms.into_iter().chain(per_cent).collect();
     let _ = writeln!(
         out,
-        "  ! What hangs there pulls as {heavier_kg:+.3} kg more than was declared would, or with its centre of gravity elsewhere:\n  \
-         ! weigh it and balance it; the centre of gravity below is the one that was declared."
+        "  ! What hangs there pulls as {} more than was declared would, or with its centre of gravity elsewhere:\n  \
+         ! weigh it and balance it; the centre of gravity below is the one that was declared.",
+        more.join(" and ")
     );
     let parts = written.load.as_ref().and_then(|Declaration { name, value }| {
         let all = elements(value)?;
-        let mass_kg: f64 = all.first()?.parse().ok()?;
-        Some((name, mass_kg + heavier_kg, all[1..].join(",")))
+        let declared_kg: f64 = all.first()?.parse().ok()?;
+        Some((name, declared_kg + heavier_kg + share * declared_kg, all[1..].join(",")))
     });
     if let Some((name, mass_kg, rest)) = parts.filter(|(_, mass_kg, _)| *mass_kg > 0.0) {
         let _ = writeln!(out, "  PERS loaddata {name}:=[{},{rest}];", number(mass_kg));
@@ -192,4 +202,37 @@ fn frame(of: &Isometry3<f64>) -> String {
     let q = of.rotation;
     let turn = text(|out| write_orient(out, [q.w, q.i, q.j, q.k]));
     format!("[{},{turn}]", pos(of.translation.vector))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Isometry3;
+    use robot_model::deform::identified::{Estimate, Mounting, Term};
+
+    /// Six kilograms of which a seventh too little is declared are 6.857; half a kilogram wherever something hangs is half of one; what the
+    /// tool weighs is no matter of the load.
+    #[test]
+    fn a_load_is_corrected_by_kilograms_or_by_its_share() {
+        let written = |value: f64, payload_scaling: PayloadScaling| {
+            let values = vec![Estimate { value, sigma: None }];
+            let term = Term { payload_scaling, ..Term::plain(EffectKind::PayloadMass, None, values) };
+            let mounting = Mounting {
+                instrument_from_base: Isometry3::identity(),
+                tools_m: vec![Vector3::zeros()],
+                payload_m: None,
+            };
+            let model = Identified { terms: vec![term], mounting: Some(mounting), ..Identified::default() };
+            let load = Declaration::load("myLoad=[6,[0,0,50],[1,0,0,0],0,0,0]").unwrap();
+            let data = ControllerData { tool: None, wobj: None, load: Some(load), tool_m: None };
+            rapid(&model, &data).unwrap()
+        };
+        let seventh = written(1.0 / 7.0, PayloadScaling::PerKilogram);
+        assert!(seventh.contains("myLoad:=[6.857") && seventh.contains("as +14.3 % more"), "{seventh}");
+        let half = written(0.5, PayloadScaling::WhereLoaded);
+        assert!(half.contains("myLoad:=[6.5,") && half.contains("as +0.500 kg more"), "{half}");
+        let tool = written(0.5, PayloadScaling::Always);
+        assert!(tool.contains("myLoad:=[6,") && tool.contains("No wrong load"), "{tool}");
+        assert!(tool.contains("The tool itself pulls as +0.500 kg more"), "{tool}");
+    }
 }

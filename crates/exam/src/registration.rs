@@ -28,6 +28,9 @@ pub fn left_by_registration(
     let n = off_m.len();
     let mut columns = DMatrix::zeros(3 * n, 9);
     let mut right = DVector::zeros(3 * n);
+    if n == 0 {
+        return right;
+    }
     for (i, off) in off_m.iter().enumerate() {
         let rotation = flanges[i].rotation.to_rotation_matrix();
         for c in 0..3 {

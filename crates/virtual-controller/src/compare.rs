@@ -1,6 +1,7 @@
 //! What a run reached against what was intended: positions, orientations, paths.
 
 use super::arm::Move;
+use super::findings::larger;
 use super::path::{CartesianPath, PathKind};
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::counted;
@@ -73,8 +74,8 @@ impl PoseError {
 
     fn worse(self, other: Self) -> Self {
         Self {
-            position_m: self.position_m.max(other.position_m),
-            angle_rad: self.angle_rad.max(other.angle_rad),
+            position_m: larger(self.position_m, other.position_m),
+            angle_rad: larger(self.angle_rad, other.angle_rad),
         }
     }
 }
@@ -190,7 +191,7 @@ impl MoveComparator<'_> {
             q_rad = self.closed.nearest(&base_from_flange, &q_rad)?.q_rad;
             let flange = truth.under(&executed.conditions()).forward(&q_rad);
             let is = executed.setup.tcp_in_object_of(&intended.setup, &flange);
-            worst = worst.max(intended_path.distance_m(&is.translation.vector));
+            worst = larger(worst, intended_path.distance_m(&is.translation.vector));
         }
         Some(worst)
     }

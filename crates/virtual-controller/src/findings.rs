@@ -19,10 +19,16 @@ pub struct ErrorStatistics {
 impl ErrorStatistics {
     /// Adds the error of one move; the mean is taken at the end.
     pub(super) fn add(&mut self, error: &PoseError) {
-        self.max_m = self.max_m.max(error.position_m);
-        self.max_rad = self.max_rad.max(error.angle_rad);
+        self.max_m = larger(self.max_m, error.position_m);
+        self.max_rad = larger(self.max_rad, error.angle_rad);
         self.rms_m += error.position_m * error.position_m;
     }
+}
+
+/// The larger of two errors; what is no number is as large as can be.
+#[must_use]
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 /// One pass of the program.

@@ -23,7 +23,7 @@ impl Scenario {
         let step_s = seconds_from_ms(self.step_ms.unwrap_or(0.0));
         session.program.calendar_mut().step_s = step_s;
         let natural = session.truth.tau_cool_min();
-        let tau_cool_min = self.tau_cool_min.or(natural).map(|tau| tau / self.cooling.unwrap_or(1.0));
+        let tau_cool_min = Some(self.tau_cool_min.unwrap_or(natural) / self.cooling.unwrap_or(1.0));
         let gap_min = session.options().gap_min.or(self.gap_min).unwrap_or(GAP_MIN);
         if !(gap_min.is_finite() && gap_min >= 0.0) {
             let why = format!("gap_min = {gap_min}: a number of minutes, 0 or more, is asked for");

@@ -135,6 +135,14 @@ impl Scenario {
                 format!("`tau_cool_min` must be a number from {} to {}", TIMES_MIN.start(), TIMES_MIN.end());
             return Err(SimulateError::Scenario(text));
         }
+        for (name, value, least) in
+            [("cooling", scenario.cooling, f64::MIN_POSITIVE), ("step_ms", scenario.step_ms, 0.0)]
+        {
+            if value.is_some_and(|value| !(value.is_finite() && value >= least)) {
+                let than = if least > 0.0 { "more than 0" } else { "0 or more" };
+                return Err(SimulateError::Scenario(format!("`{name}` must be a finite number, {than}")));
+            }
+        }
         Ok(scenario)
     }
 
@@ -179,12 +187,12 @@ fn parse_step(text: &str) -> Result<ScenarioStep, SimulateError> {
         }
         "set" if rest.len() > 1 => ScenarioStep::Set(word(0)?, rest[1..].join(" ")),
         "temperature" => {
-            let temperature_c = word(0)?.parse().map_err(|_| bad("degrees Celsius are asked for"))?;
-            ScenarioStep::Temperature(temperature_c)
+            let temperature_c = word(0)?.parse().ok().filter(|c: &f64| c.is_finite());
+            ScenarioStep::Temperature(temperature_c.ok_or_else(|| bad("degrees Celsius are asked for"))?)
         }
         "signal" => {
-            let value = word(1)?.parse().map_err(|_| bad("a number is asked for"))?;
-            ScenarioStep::Signal(word(0)?, value)
+            let value = word(1)?.parse().ok().filter(|value: &f32| value.is_finite());
+            ScenarioStep::Signal(word(0)?, value.ok_or_else(|| bad("a number is asked for"))?)
         }
         "unit_down" => ScenarioStep::Unit(word(0)?, true),
         "unit_up" => ScenarioStep::Unit(word(0)?, false),
@@ -343,6 +351,12 @@ mod tests {
         for wrong in [
             "tau_cool_min = nan\nsteps = []",
             "tau_cool_min = 0\nsteps = []",
+            "cooling = nan\nsteps = []",
+            "cooling = -1\nsteps = []",
+            "step_ms = -1\nsteps = []",
+            "steps = [\"temperature NaN\"]",
+            "steps = [\"temperature inf\"]",
+            "steps = [\"signal diA NaN\"]",
             "[[step]]\npass = false",
             "[[step]]\nrun = 60\nstand = 5",
             "[[step]]\nrun = true",

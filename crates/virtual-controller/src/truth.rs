@@ -18,6 +18,9 @@ pub struct TrueRobot {
     joint_temperature_c: Option<[f64; 6]>,
 }
 
+/// Time constant of cooling where neither a growth law nor anybody says one, minutes: that of the reference paper's arm.
+const SCHEDULED_MIN: f64 = 46.0;
+
 impl TrueRobot {
     /// A robot and how it deforms.
     #[must_use]
@@ -55,11 +58,12 @@ impl TrueRobot {
         self.deformation.growth().copied()
     }
 
-    /// Time constant of cooling, minutes: the model's own, where it says one, else as the robot warms; `None` where neither tells.
+    /// Time constant of cooling, minutes: the model's own, where it says one, else as the robot warms, and of a scheduled table, which says
+    /// neither, [`SCHEDULED_MIN`].
     #[must_use]
-    pub fn tau_cool_min(&self) -> Option<f64> {
+    pub fn tau_cool_min(&self) -> f64 {
         let own = self.model.as_ref().and_then(|model| model.tau_cool_min);
-        own.or_else(|| self.growth().and_then(|law| law.tau_min()))
+        own.or_else(|| self.growth().and_then(|law| law.tau_min())).unwrap_or(SCHEDULED_MIN)
     }
 
     /// The arm at a warm-up minute (or temperature, where the deformation goes by that).
@@ -101,12 +105,12 @@ impl TrueRobot {
     /// A cold robot; `tau_cool_min` is how fast it cools, `None` = as fast as it warms.
     ///
     /// A scheduled table has no law of its own: its minute runs as it is and falls back as one lag with
-    /// `tau_cool_min`, or 46 minutes.
+    /// `tau_cool_min`, or [`SCHEDULED_MIN`].
     #[must_use]
     pub fn cold(&self, tau_cool_min: Option<f64>) -> Warmth {
         let law = match self.deformation.growth() {
             Some(law) => *law,
-            None => GrowthLaw::Exp { tau_min: tau_cool_min.unwrap_or(46.0) },
+            None => GrowthLaw::Exp { tau_min: tau_cool_min.unwrap_or(SCHEDULED_MIN) },
         };
         let tau_cool_min = tau_cool_min.or(law.tau_min()).unwrap_or(1.0);
         Warmth::cold(law, tau_cool_min)

@@ -3,6 +3,7 @@
 use crate::application::write_file_diff;
 use crate::cli::Console;
 use crate::cli::files::{Pending, unwritable};
+use crate::cli::program_at::check_no_program;
 use crate::report::{self, ShortDiff};
 use rapid_compensation::emit::EmittedFile;
 use rapid_program::Program;
@@ -32,7 +33,10 @@ impl DiffTo {
             Some("short") if is_quiet => Ok(Self::Nowhere),
             Some("short") => Ok(Self::Short(ShortDiff::default())),
             Some("-") => unnamed().map(Self::Standard),
-            _ => Pending::new(asked).map(Self::File),
+            _ => {
+                check_no_program(asked)?;
+                Pending::new(asked).map(Self::File)
+            }
         }
     }
 

@@ -5,6 +5,7 @@ use super::diff_to::{DiffTo, no_output};
 use crate::cli::Console;
 use crate::cli::destination::{Destination, is_pgf};
 use crate::cli::files::{Output, Pending, unwritable};
+use crate::cli::overwriting::check_page;
 use crate::cli::writing::Written;
 use crate::report::{self, SourceReview};
 use driftpost::application::{Compensated, Compensation, Refusal};
@@ -27,6 +28,12 @@ pub(super) struct Results {
     is_quiet: bool,
 }
 
+/// The page's place, where nothing stands or a page does.
+fn page(path: &Path) -> Result<Pending, Diagnostic> {
+    check_page(path)?;
+    Pending::new(path)
+}
+
 impl Results {
     /// JSON and page, which are written of a refusal as well.
     ///
@@ -35,7 +42,7 @@ impl Results {
     pub fn new(args: &Args) -> Result<Self, Diagnostic> {
         Ok(Self {
             json: Output::new(args.json.as_deref())?,
-            page: args.report.as_deref().map(Pending::new).transpose()?,
+            page: args.report.as_deref().map(page).transpose()?,
             joints: Output::Nowhere,
             diff: DiffTo::Nowhere,
             left_alone: Vec::new(),

@@ -109,6 +109,20 @@ fn a_program_is_overwritten_by_nothing_else() {
         );
         assert_eq!(std::fs::read(&program).unwrap(), cube, "{option}");
     }
+    let result = bench.path("plan.json").display().to_string();
+    assert!(driftpost(&["plan", "--n", "20", "--json", &result]).status.success());
+    let to = bench.path("to.mod").display().to_string();
+    let page = ["compensate", CUBE, "-o", &to, "--report", &program, "--diff", "none"];
+    let diff = ["compensate", CUBE, "-o", &to, "--diff", &program];
+    for command in [&["report", &*result, "-o", &*program][..], &page, &diff] {
+        let output = driftpost(command);
+        let message = err(&output);
+        assert!(
+            output.status.code() == Some(2) && message.contains("output::changed"),
+            "{command:?}: {message}"
+        );
+        assert_eq!(std::fs::read(&program).unwrap(), cube, "{command:?}");
+    }
     // What was written there before is written anew.
     let json = bench.path("d.json").display().to_string();
     for _ in 0..2 {
@@ -157,4 +171,71 @@ fn moves_that_no_robot_makes_are_not_within() {
     // Of a cold robot alone nothing is learned of its warm-up.
     let output = driftpost(&["simulate", &to]);
     assert!(err(&output).contains("minute 0 alone is judged"), "{}", err(&output));
+}
+
+/// A fit that makes no model still has a page, pictures and residuals.
+#[test]
+fn what_needs_no_model_is_written_without_one() {
+    let bench = Bench::default();
+    let measured = std::fs::read_to_string("fixtures/docs/measured.csv").unwrap();
+    let few: String = measured.lines().take(9).map(|line| format!("{line}\n")).collect();
+    let file = bench.file("few.csv", few);
+    let at = |name: &str| bench.path(name).display().to_string();
+    let all =
+        [("--model-out", "m.toml"), ("--rapid-out", "r.mod"), ("--csv", "c.csv"), ("--report", "p.html")];
+    let options: Vec<String> =
+        all.iter().flat_map(|(option, name)| [(*option).to_owned(), at(name)]).collect();
+    let options: Vec<&str> = options.iter().map(String::as_str).collect();
+    let output = driftpost(&[&["diagnose", &file][..], &options].concat());
+    let message = err(&output);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("r.mod and") && message.contains("m.toml were not written"), "{message}");
+    assert_eq!(bench.files(), ["c.csv", "few.csv", "p.html"]);
+}
+
+/// One target is placed by base and tool whatever the robot does; where no move is made there is nothing to place.
+#[test]
+fn a_rehearsal_of_few_targets_is_no_proof() {
+    let bench = Bench::default();
+    let program = |moves: &str| {
+        let text = format!(
+            "MODULE m\n  CONST robtarget p1:=[[450,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  PROC main()\n{moves}  ENDPROC\nENDMODULE\n"
+        );
+        bench.file("m.mod", text)
+    };
+    for moves in
+        ["    MoveJ p1,v100,fine,tool0;\n", "    IF FALSE THEN\n      MoveJ p1,v100,fine,tool0;\n    ENDIF\n"]
+    {
+        let output =
+            driftpost(&["closed-loop", &program(moves), "--inject", "joint_compliance:2", "--n", "60"]);
+        let message = err(&output);
+        assert!(output.status.code() == Some(2) && message.contains("rehearse::targets"), "{message}");
+    }
+}
+
+#[test]
+fn a_plan_repeats_as_often_as_asked_and_sweeps_what_turns() {
+    let output = driftpost(&["plan", "--n", "60", "--repeats", "45"]);
+    assert!(out(&output).contains("60 measurements of 15 poses"), "{}{}", out(&output), err(&output));
+    let sweep = |robot: &str, joint: &str| {
+        let output = driftpost(&["plan", "--n", "20", "--robot", robot, "--sweep", joint]);
+        (output.status.code(), err(&output))
+    };
+    let (code, message) = sweep("fixtures/robots/scara.toml", "3");
+    assert!(code == Some(2) && message.contains("it slides"), "{message}");
+    let (code, message) = sweep("fixtures/robots/seven_axes.toml", "7");
+    assert!(code == Some(0), "{message}");
+}
+
+/// A tracker's points are at joints that were commanded, and those never drift.
+#[test]
+fn the_state_is_told_by_touches_and_no_points() {
+    let bench = Bench::default();
+    let touches = std::fs::read_to_string("fixtures/docs/touches.csv").unwrap();
+    let seen = touches.lines().enumerate().map(|(k, line)| {
+        format!("{line},{}\n", if k == 0 { "x_mm,y_mm,z_mm".to_owned() } else { format!("{k},0,500") })
+    });
+    let file = bench.file("seen.csv", seen.collect::<String>());
+    let output = driftpost(&["state", &file, "--tool", "0,0,100"]);
+    assert!(output.status.code() == Some(2) && err(&output).contains("state::measured"), "{}", err(&output));
 }

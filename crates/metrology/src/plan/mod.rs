@@ -136,10 +136,12 @@ fn in_order(poses: &[Pose], swept: &[Pose], options: &PlanOptions) -> Vec<Measur
     }
     let first: Vec<usize> = options.payloads_kg.first().map(of).unwrap_or_default();
     order.extend(last);
-    let repeated = options.repeats.min(poses.len());
-    // Of the first payload as far as there are, spread over the run.
+    let repeated = options.repeats;
+    // Of the first payload as far as there are, spread over the run; where more come back than there are, each comes back several times.
     let from: Vec<usize> = if first.len() >= repeated { first } else { (0..poses.len()).collect() };
-    order.extend((0..repeated).filter_map(|k| from.get(k * from.len() / repeated.max(1)).copied()));
+    let spread =
+        |k: usize| if repeated <= from.len() { k * from.len() / repeated } else { k % from.len().max(1) };
+    order.extend((0..repeated).filter_map(|k| from.get(spread(k)).copied()));
     let mut steps = Vec::new();
     for (k, &i) in order.iter().enumerate() {
         if k % BETWEEN_NESTS == 0 {

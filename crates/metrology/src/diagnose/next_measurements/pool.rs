@@ -167,7 +167,12 @@ impl Draw<'_> {
             None => (None, observations.iter().max_by(|a, b| a.clock().total_cmp(&b.clock()))),
             Some([low, high]) => {
                 let each = (high - low) / observations.len().max(1) as f64;
-                let from = if self.setup.when == When::After { high } else { low };
+                // The clock of a file of several days is 0 at the last cold start, and a file may begin long after one.
+                let from = match self.setup.when {
+                    When::After => high,
+                    _ if self.dataset.time_min.is_some() => 0.0,
+                    _ => low,
+                };
                 let at = from + share * each * self.most as f64;
                 let near = |o: &Observation| (o.clock() - at).abs();
                 (Some(at), observations.iter().min_by(|a, b| near(a).total_cmp(&near(b))))

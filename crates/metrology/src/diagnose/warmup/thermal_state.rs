@@ -43,6 +43,11 @@ pub enum StateError {
     /// No point moves as the arm warms, so touches tell nothing.
     #[error("no point moves by more than 0.02 mm as the arm warms: they tell nothing of it")]
     NoDrift,
+    /// Points of an instrument, at commanded joints.
+    #[error(
+        "these are points that an instrument saw, at joints that were commanded: the state is told by touches of fixed points (fixed_id)"
+    )]
+    Measured,
     /// The touches contradict themselves or the robot.
     #[error("{}", .0.reason)]
     Fault(Box<Fault>),
@@ -56,6 +61,7 @@ impl StateError {
             Self::NoLaw => "state::no-law",
             Self::TooFew => "state::too-few",
             Self::NoDrift => "state::no-drift",
+            Self::Measured => "state::measured",
             Self::Fault(_) => "measure::fault",
         }
     }
@@ -195,6 +201,9 @@ pub fn thermal_state(
 ) -> Result<RobotState, StateError> {
     if let Some(fault) = plausible::find_in_joints(touches, robot) {
         return Err(StateError::Fault(Box::new(fault)));
+    }
+    if touches.touches.iter().any(|touch| touch.measured_m.is_some()) {
+        return Err(StateError::Measured);
     }
     let law = arm.law;
     let first = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
