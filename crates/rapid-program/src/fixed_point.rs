@@ -11,7 +11,7 @@ use super::value::Value;
 use super::writes::Writes;
 use super::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
-use rapid_syntax::tree::{RoutineKind, Scope};
+use rapid_syntax::tree::{FileItem, RoutineKind, Scope};
 
 /// A target, its tool and its work object, as the program has them.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,10 +104,12 @@ impl Program {
     }
 }
 
-/// The file of a module, and which of the file's modules it is.
+/// The file of a module, and its position among the file's items: comments before it are items too.
 fn module_at(index: &Index<'_>, ctx: Ctx) -> (FileId, usize) {
-    let before = index.modules.numbered().take_while(|(id, _)| *id < ctx.module);
-    (ctx.file, before.filter(|(_, module)| module.file == ctx.file).count())
+    let name = index.modules.get(ctx.module).map(|module| module.tree.name);
+    let is_this = |item: &FileItem| matches!(item, FileItem::Module(module) if Some(module.name) == name);
+    let items = &index.file(ctx.file).tree.items;
+    (ctx.file, items.iter().position(is_this).unwrap_or(items.len()))
 }
 
 fn read<T>(value: &Value, convert: fn(&Value) -> Result<T, ConversionError>) -> Result<T, String> {

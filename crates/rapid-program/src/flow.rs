@@ -99,8 +99,10 @@ pub(super) enum Blocker {
     Displacement,
     /// Offsets of external axes: EOffsOn, EOffsSet.
     ExternalOffset,
-    /// The soft servo or force control: SoftAct, CSSAct, FCAct.
+    /// The soft servo: SoftAct, CSSAct.
     SoftServo,
+    /// Force control: FCAct, FCPress1LStart.
+    ForceControl,
     /// Axis 4 is locked: SingArea\LockAxis4.
     LockedAxis,
     /// Motion together with others: SyncMoveOn.
@@ -128,10 +130,11 @@ pub(super) fn placed_axis(index: &Index<'_>, axis: u8, (at, known): (Span, bool)
 }
 
 /// All blockers, in the order in which a state has them.
-pub(super) const BLOCKERS: [Blocker; 13] = [
+pub(super) const BLOCKERS: [Blocker; 14] = [
     Blocker::Displacement,
     Blocker::ExternalOffset,
     Blocker::SoftServo,
+    Blocker::ForceControl,
     Blocker::LockedAxis,
     Blocker::MultiMove,
     Blocker::CirclePointOrientation,

@@ -89,7 +89,7 @@ impl ReadAsData {
         Self(found)
     }
 
-    /// The datum that a motion's target is made of and that is read elsewhere too.
+    /// The datum that a motion's target is made of and that is read elsewhere too; of several the one whose reading weighs most.
     pub(super) fn of_target(
         &self,
         index: &Index<'_>,
@@ -99,10 +99,13 @@ impl ReadAsData {
         if self.0.is_empty() {
             return None;
         }
-        let mut found = None;
+        let mut found: Option<(DatumId, &Reading)> = None;
         names_in(index, ctx, target, &mut |datum| {
-            let reading = self.0.get(&datum).map(|reading| (datum, reading));
-            found = reading.or(found);
+            if let Some(reading) = self.0.get(&datum)
+                && found.is_none_or(|(_, known)| reading.outweighs(known))
+            {
+                found = Some((datum, reading));
+            }
         });
         found
     }

@@ -80,7 +80,7 @@ fn written_arguments(name: &str) -> &'static [usize] {
 fn hands_back(name: &str) -> bool {
     const FAMILIES: [&str; 10] = [
         "cam",
-        "egm",
+        "egmgetid",
         "get",
         "read",
         "rmqget",

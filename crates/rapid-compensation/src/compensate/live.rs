@@ -10,7 +10,7 @@ use super::plan::{Form, PlannedMotion};
 use super::warm_joints::JOINT_CHANGE_DEG;
 use crate::schedule::TimeFunctions;
 use rapid_program::Program;
-use rapid_program::motion::{Motion, SkipReason, Target, TargetValue};
+use rapid_program::motion::{Motion, SkipReason, Target, TargetValue, WobjArgument};
 use robot_model::units::rad_from_deg;
 
 /// What a program must hold whose corrections are scaled by `functions`.
@@ -45,6 +45,16 @@ pub(super) fn run_time(
     })
 }
 
+/// Whether tool or work object come from a function: they are named in the question and in the motion, and it might answer otherwise, or count
+/// on, when it is asked a second time.
+fn asks_a_function(motion: &Motion) -> bool {
+    let wobj = match &motion.setup.wobj_argument {
+        Some(WobjArgument::Given(text) | WobjArgument::IfPresent(text)) => Some(text),
+        None => None,
+    };
+    motion.setup.tool_argument.iter().chain(wobj).any(|text| text.contains(&b'('))
+}
+
 /// The form of a known motion where `live` is asked for: one whose written configuration is not the one that is reached takes
 /// `ramp`, and so does one for which the controller or the model lacks something, or under another load than the tool's own.
 pub(super) fn form_of_known(
@@ -60,6 +70,7 @@ pub(super) fn form_of_known(
     });
     let own_load = !conditions::is_beyond_own_load(motion, model);
     let fits = agrees
+        && !asks_a_function(motion)
         && stationary_tool(motion).is_none()
         && own_load
         && of_controller(program, motion).is_none()

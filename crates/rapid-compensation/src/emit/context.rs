@@ -67,7 +67,7 @@ impl<'e> EmitContext<'e> {
                 format!("{name} is LOCAL to its module, and {whose} cannot see it: declare it without LOCAL");
             return Err(EmitError::CannotTouch(why));
         }
-        let text = core_text((program, plan), options, law, (&totals, changes))?;
+        let text = core_text((program, plan), options, (law, core), (&totals, changes))?;
         let unnamed = Names::default();
         let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
         let names = Names::new(program, [lines.as_str(), "tcCore"].into_iter());
@@ -92,14 +92,15 @@ impl<'e> EmitContext<'e> {
 fn core_text<'e>(
     (program, plan): (&'e Program, &'e Plan),
     options: &'e EmitOptions,
-    law: &'e Law,
+    (law, core): (&'e Law, Core),
     (totals, changes): (&Totals, &Changes),
 ) -> Result<CoreText<'e>, EmitError> {
     let path = |id: &FileId| program.file(*id).path.to_ascii_lowercase();
     let s4c = changes.keys().any(|(id, _)| path(id).ends_with(".prg"));
     let asked = totals.by_form[Form::Live as usize] > 0;
     let teach = !s4c && options.form.corrects_run_time();
-    let tests = || live::test_targets(program, plan).take(if options.self_test { SELF_TESTS } else { 0 });
+    let tests =
+        || live::test_targets(program, plan, core).take(if options.self_test { SELF_TESTS } else { 0 });
     let live = match plan.live.as_deref().filter(|_| asked || teach).map(live_model) {
         Some(Ok(live)) => Some((live, tests().collect())),
         Some(Err(names)) if asked => return Err(EmitError::PlanMismatch(names.join(", "))),

@@ -101,13 +101,15 @@ pub fn compensated_at(file: &SourceFile) -> Option<u32> {
         FileItem::Module(module) => Some(module),
         _ => None,
     });
-    modules
-        .flat_map(|module| &module.items)
-        .take_while(|item| !matches!(item, ModuleItem::Routine(_)))
-        .find_map(|item| match item {
-            ModuleItem::Comment(range) if header::begins(file.text(*range)) => Some(file.line(*range)),
-            _ => None,
-        })
+    // Each module has its comment block before its own routines.
+    let before_routines = |module: &'_ rapid_syntax::tree::Module| {
+        let at = module.items.iter().position(|item| matches!(item, ModuleItem::Routine(_)));
+        at.unwrap_or(module.items.len())
+    };
+    modules.flat_map(|module| &module.items[..before_routines(module)]).find_map(|item| match item {
+        ModuleItem::Comment(range) if header::begins(file.text(*range)) => Some(file.line(*range)),
+        _ => None,
+    })
 }
 
 /// A changed file, proved to give its original back.

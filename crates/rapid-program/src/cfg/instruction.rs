@@ -59,8 +59,9 @@ impl<'a> CfgBuilder<'_, 'a> {
             }
             "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, None),
             "softact" | "cssact" => FlowStep::Blocker(Blocker::SoftServo, active("the soft servo is active")),
-            "fcact" => FlowStep::Blocker(Blocker::SoftServo, active("force control is active")),
-            "softdeact" | "cssdeact" | "fcdeact" => FlowStep::Blocker(Blocker::SoftServo, None),
+            "softdeact" | "cssdeact" => FlowStep::Blocker(Blocker::SoftServo, None),
+            "fcact" => FlowStep::Blocker(Blocker::ForceControl, active("force control is active")),
+            "fcdeact" => FlowStep::Blocker(Blocker::ForceControl, None),
             "singarea" if locks => {
                 FlowStep::Blocker(Blocker::LockedAxis, active("axis 4 is locked, whatever a target needs"))
             }
@@ -86,16 +87,19 @@ impl<'a> CfgBuilder<'_, 'a> {
         out.push(Node::Step(step));
     }
 
-    /// What a motion with force control leaves in force: the first one switches it on, the last one off.
+    /// What a motion leaves in force of force control, which the first one of such motions switches on and the last one off, and of the soft servo,
+    /// which one ends.
     pub(super) fn force_control(&self, motion: MotionId, at: Span, out: &mut Vec<Node<'a>>) {
-        let held = match self.sites.motions.get(motion.index()).map(|site| site.form.name) {
+        let step = match self.sites.motions.get(motion.index()).map(|site| site.form.name) {
             Some("FCPress1LStart") => {
-                Some(self.why(at, "force control is active (FCPress1LStart)".to_owned()))
+                let why = self.why(at, "force control is active (FCPress1LStart)".to_owned());
+                FlowStep::Blocker(Blocker::ForceControl, Some(why))
             }
-            Some("FCPressEnd") => None,
+            Some("FCPressEnd") => FlowStep::Blocker(Blocker::ForceControl, None),
+            Some("CSSDeactMoveL") => FlowStep::Blocker(Blocker::SoftServo, None),
             _ => return,
         };
-        out.push(Node::Step(FlowStep::Blocker(Blocker::SoftServo, held)));
+        out.push(Node::Step(step));
     }
 
     /// `CirPathMode`: an option that only run time tells is taken to be given.
@@ -222,9 +226,10 @@ impl<'a> CfgBuilder<'_, 'a> {
                     FlowStep::Blocker(Blocker::Displacement, named())
                 }
                 "eoffson" | "eoffsset" | "eoffsoff" => FlowStep::Blocker(Blocker::ExternalOffset, named()),
-                "softact" | "softdeact" | "cssact" | "fcact" | "fcpress1lstart" => {
+                "softact" | "softdeact" | "cssact" | "cssdeact" => {
                     FlowStep::Blocker(Blocker::SoftServo, named())
                 }
+                "fcact" | "fcdeact" | "fcpress1lstart" => FlowStep::Blocker(Blocker::ForceControl, named()),
                 "singarea" => FlowStep::Blocker(Blocker::LockedAxis, named()),
                 "syncmoveon" | "syncmoveoff" => FlowStep::Blocker(Blocker::MultiMove, named()),
                 "cirpathmode" => FlowStep::Blocker(Blocker::WristOnArcs, named()),

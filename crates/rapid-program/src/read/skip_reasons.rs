@@ -89,7 +89,7 @@ impl SkipReasons {
                 let code = match hold {
                     Blocker::Displacement => "keep::displacement",
                     Blocker::ExternalOffset => "keep::external-offset",
-                    Blocker::SoftServo => "keep::soft-servo",
+                    Blocker::SoftServo | Blocker::ForceControl => "keep::soft-servo",
                     Blocker::LockedAxis => "keep::locked-axis",
                     Blocker::MultiMove => "keep::multimove",
                     Blocker::CirclePointOrientation | Blocker::WristOnArcs => "keep::circle-orientation",
