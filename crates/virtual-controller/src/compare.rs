@@ -1,7 +1,6 @@
 //! What a run reached against what was intended: positions, orientations, paths.
 
 use super::arm::Move;
-use super::findings::larger;
 use super::path::{CartesianPath, PathKind};
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::counted;
@@ -62,6 +61,12 @@ pub struct PoseError {
     pub position_m: f64,
     /// Angle of the tool from how it was meant to be, radians.
     pub angle_rad: f64,
+}
+
+/// The larger of two errors; what is no number is as large as can be.
+#[must_use]
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 impl PoseError {

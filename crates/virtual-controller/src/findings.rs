@@ -1,6 +1,6 @@
 //! What a simulation found: pass by pass, the worst move, what the controller had to say. Computes no geometry.
 
-use super::compare::{Mismatch, PoseError};
+use super::compare::{Mismatch, PoseError, larger};
 use super::effort::EffortRange;
 use super::outcome::Message;
 use std::collections::BTreeMap;
@@ -23,12 +23,6 @@ impl ErrorStatistics {
         self.max_rad = larger(self.max_rad, error.angle_rad);
         self.rms_m += error.position_m * error.position_m;
     }
-}
-
-/// The larger of two errors; what is no number is as large as can be.
-#[must_use]
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 /// One pass of the program.

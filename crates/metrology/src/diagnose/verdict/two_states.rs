@@ -48,7 +48,7 @@ pub(super) struct TwoStates {
     pub distance: f64,
     /// ln evidence over noise alone, larger noise than stated among it, of all that could be in two states, nats.
     pub gain_nats: f64,
-    /// The same of noise that is larger along one of the motions, in the place of two states.
+    /// The same of noise that is larger along one axis of the base or the target, in the place of two states.
     pub scattered_nats: f64,
     /// The noise beside them, metres.
     pub sigma_m: f64,
@@ -136,7 +136,11 @@ pub(super) fn two_states(fitted: &FittedModel<'_>, residuals: &[Twist], used: f6
         tried.extend(SIZES.map(|k| {
             let half = state.smallest() * STEP.powi(k);
             let Weighed { gain_nats, fitted_half, sigma_m } = plain.weigh(&along, half, Spread::TwoStates);
-            let scattered_nats = plain.weigh(&along, half, Spread::Normal).gain_nats;
+            // What scatters along a joint's motion, or as under a load, is one that stands or hangs differently; along an axis it is noise.
+            let scattered_nats = match state {
+                State::Place(..) => plain.weigh(&along, half, Spread::Normal).gain_nats,
+                State::Side(_) | State::Load(_) | State::LoadOnBase => f64::NEG_INFINITY,
+            };
             TwoStates { state, distance: 2.0 * fitted_half, gain_nats, scattered_nats, sigma_m }
         }));
     }

@@ -199,12 +199,7 @@ pub fn thermal_state(
     arm: WarmingArm<'_>,
     options: &StateOptions,
 ) -> Result<RobotState, StateError> {
-    if let Some(fault) = plausible::find_in_joints(touches, robot) {
-        return Err(StateError::Fault(Box::new(fault)));
-    }
-    if touches.touches.iter().any(|touch| touch.measured_m.is_some()) {
-        return Err(StateError::Measured);
-    }
+    are_of_fixed_points(touches, robot)?;
     let law = arm.law;
     let first = ThermalFilter::new(law, options.tau_cool_min, [0.0, 0.0]).ok_or(StateError::NoLaw)?;
     let nominal = Chain::nominal(robot);
@@ -253,6 +248,17 @@ pub fn thermal_state(
         plan,
         warnings,
     })
+}
+
+/// Whether these are touches of fixed points by this robot.
+fn are_of_fixed_points(touches: &Touches, robot: &Robot) -> Result<(), StateError> {
+    if let Some(fault) = plausible::find_in_joints(touches, robot) {
+        return Err(StateError::Fault(Box::new(fault)));
+    }
+    match touches.touches.iter().any(|touch| touch.measured_m.is_some()) {
+        true => Err(StateError::Measured),
+        false => Ok(()),
+    }
 }
 
 /// What follows where the amount is held.
