@@ -4,9 +4,10 @@ use super::{MeasurementRow, median};
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
 use robot_model::units::min_from_days;
 
-/// Over midnight no more time passes than so many usual gaps between rows, or than this, minutes: what begins anew after longer is another session.
+/// Over midnight no more time passes than so many usual gaps between rows, and at least and at most so many minutes: what begins anew after longer
+/// is another session.
 const GAPS: f64 = 10.0;
-const LONGEST_MIN: f64 = 60.0;
+const LONGEST_MIN: [f64; 2] = [30.0, 120.0];
 /// Lines that are named.
 const LISTED: usize = 5;
 
@@ -21,7 +22,8 @@ pub(super) fn pass_midnight(rows: &mut [MeasurementRow]) -> Option<Diagnostic> {
     }
     let steps = || stamped.windows(2).map(|pair| (pair[1].0, pair[1].1 - pair[0].1));
     let mut forward: Vec<f64> = steps().map(|(_, step)| step).filter(|step| *step > 0.0).collect();
-    let longest_min = LONGEST_MIN.max(GAPS * median(&mut forward));
+    let [least_min, most_min] = LONGEST_MIN;
+    let longest_min = (GAPS * median(&mut forward)).clamp(least_min, most_min);
     let back: Vec<(usize, f64)> = steps().filter(|(_, step)| *step < 0.0).collect();
     if back.is_empty() || back.iter().any(|(_, step)| step + day_min > longest_min) {
         return None;
