@@ -333,7 +333,8 @@ impl RowCells<'_> {
         }
         Ok(MeasurementRow {
             line: self.line.number,
-            id: self.text("id").map(str::to_owned),
+            // A name that comes back as it was written, whatever word it is.
+            id: self.columns.has("id").then(|| self.as_written("id").to_owned()),
             pose_id: self.text("pose_id").map(str::to_owned),
             pose: 0,
             target,
