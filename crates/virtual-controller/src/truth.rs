@@ -59,7 +59,7 @@ impl TrueRobot {
     }
 
     /// Time constant of cooling, minutes: the model's own, where it says one, else as the robot warms, and of a scheduled table, which says
-    /// neither, [`SCHEDULED_MIN`].
+    /// neither, 46 minutes.
     #[must_use]
     pub fn tau_cool_min(&self) -> f64 {
         let own = self.model.as_ref().and_then(|model| model.tau_cool_min);
@@ -105,7 +105,7 @@ impl TrueRobot {
     /// A cold robot; `tau_cool_min` is how fast it cools, `None` = as fast as it warms.
     ///
     /// A scheduled table has no law of its own: its minute runs as it is and falls back as one lag with
-    /// `tau_cool_min`, or [`SCHEDULED_MIN`].
+    /// `tau_cool_min`, or 46 minutes.
     #[must_use]
     pub fn cold(&self, tau_cool_min: Option<f64>) -> Warmth {
         let law = match self.deformation.growth() {
