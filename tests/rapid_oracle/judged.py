@@ -44,7 +44,8 @@ def verdict(texts, motions, *options, entry="main", minute=0):
         if found["n"] != made or "the move is not made" not in complaints:
             return f"{found['n']} motions where {made} of {len(motions)} should be"
     off = found["corrected"]
-    if code or off["max_mm"] > TOLERANCE_MM or off["max_deg"] > TOLERANCE_MM:
+    # `simulate` fails where the arm does not make a move too, and both programs are short of the same ones here.
+    if (code and not found["unreached"]) or off["max_mm"] > TOLERANCE_MM or off["max_deg"] > TOLERANCE_MM:
         return f"off by {off['max_mm']} mm, {off['max_deg']} deg"
     return None
 
