@@ -7,7 +7,7 @@ use super::touch::TouchRequest;
 use crate::report::LocatedDiagnostic;
 use rapid_compensation::compensate::plan::{Plan, Totals};
 use rapid_compensation::compensate::{self, CompensateError, FormChoice, Options, TouchingArm};
-use rapid_compensation::emit::{Clock, EmitOptions, EmittedFile, MAX_AMOUNT, Touch, emit_each};
+use rapid_compensation::emit::{Clock, EmitOptions, EmittedFile, MAX_AMOUNT, NotWritten, Touch, emit_each};
 use rapid_program::motion::SkipReason;
 use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
@@ -175,9 +175,9 @@ impl Compensation {
                 return Err(Box::new(Refusal { program, plan: Some(plan), kept: Vec::new(), messages }));
             }
         };
-        if self.emit.self_test && !emission.tests_itself {
-            messages.push(LocatedDiagnostic::new(no_self_test(), &program.files));
-        }
+        let no_self_test = (self.emit.self_test && !emission.tests_itself).then(no_self_test);
+        let names = emission.not_written.iter().map(not_written);
+        messages.extend(names.chain(no_self_test).map(|found| LocatedDiagnostic::new(found, &program.files)));
         let totals = Totals::of(&program, &plan);
         let provenance = self.provenance(label);
         Ok(Compensated {
@@ -308,6 +308,8 @@ struct Emission {
     embedded: bool,
     /// A routine that tests the model at run time is in it.
     tests_itself: bool,
+    /// Names of the core that the program uses, and that are not in it.
+    not_written: Vec<NotWritten>,
 }
 
 impl Emission {
@@ -318,8 +320,9 @@ impl Emission {
         options: &EmitOptions,
         accept: &mut dyn FnMut(&Program, EmittedFile) -> Result<(), Diagnostic>,
     ) -> Result<Self, EmitFailure> {
-        let mut emission = Self { text_bytes: 0, embedded: true, tests_itself: false };
-        emit_each(program, plan, options, &mut |file| {
+        let mut emission =
+            Self { text_bytes: 0, embedded: true, tests_itself: false, not_written: Vec::new() };
+        emission.not_written = emit_each(program, plan, options, &mut |file| {
             emission.embedded &= file.source.is_some();
             emission.text_bytes += file.bytes.len();
             emission.tests_itself = emission.tests_itself
@@ -366,4 +369,14 @@ fn no_self_test() -> Diagnostic {
     let text = "--self-test: no tcSelfTest is written; it asks the model that corrects at run time about targets that are known";
     let help = "--form auto or --form live has that model; it needs one robtarget written out, with tool and work object by name";
     Diagnostic::warning("emit::no-self-test", text).help(help)
+}
+
+/// The program uses what the core has with another form or clock alone.
+fn not_written(found: &NotWritten) -> Diagnostic {
+    let name = found.name;
+    let text = format!(
+        "{name} is declared nowhere: with this form, clock and options nothing is written of that name"
+    );
+    let help = "no controller runs the module; take the form and clock with which the program was written, or leave the name out";
+    Diagnostic::warning("emit::not-written", text).at(found.at).help(help)
 }

@@ -116,3 +116,24 @@ fn a_touch_with_a_local_tool_is_seen_from_its_module_whatever_stands_before_it()
         assert_eq!(code, Some(0), "{before:?}: {message}");
     }
 }
+
+/// A program that shows the bucket, and goes over to a form that has none: the module would not load.
+#[test]
+fn names_that_another_form_writes_are_told() {
+    let bench = Bench::default();
+    let source = format!(
+        "MODULE m\n  PERS tooldata tAll:={TOOL};\n  CONST robtarget p1:={P1};\n  PROC main()\n    tcColdStart;\n    \
+         TPWrite \"tcTau \"\\Num:=tcBucket; ! tcDegrees\n    MoveL p1,v100,fine,tAll;\n  ENDPROC\nENDMODULE\n"
+    );
+    for (form, asked, told) in
+        [("schedule", "tcBucket", false), ("ramp", "tcBucket", true), ("schedule", "tcTouchSaid", true)]
+    {
+        let (code, message) =
+            compensated(&bench, &source.replace("tcBucket", asked), &["--form", form, "--force"]);
+        assert_eq!(code, Some(0), "{message}");
+        let all: Vec<&str> =
+            message.split("warning[").filter(|one| one.starts_with("emit::not-written")).collect();
+        let is_told = |one: &&str| one.contains(asked) && one.contains("m.mod:6:27");
+        assert!(all.len() == usize::from(told) && all.iter().all(is_told), "{form}, {asked}: {message}");
+    }
+}

@@ -11,6 +11,7 @@ use super::digest;
 use super::header;
 use super::hidden;
 use super::module;
+use super::not_written::{NotWritten, not_written};
 use super::options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Sensor};
 use super::restore::{gives_back, restore};
 use crate::compensate::plan::Plan;
@@ -37,7 +38,8 @@ pub fn emit(program: &Program, plan: &Plan, options: &EmitOptions) -> Result<Vec
 }
 
 /// The same, file by file: a large program's result need not be held at once. Whatever can be refused for the
-/// program as a whole is, before `accept` is called.
+/// program as a whole is, before `accept` is called. Returned are the names of the core that the program uses and
+/// that its core has not: no controller loads it.
 ///
 /// # Errors
 /// As [`emit`], and those of `accept`.
@@ -46,7 +48,7 @@ pub fn emit_each<E: From<EmitError>>(
     plan: &Plan,
     options: &EmitOptions,
     accept: &mut dyn FnMut(EmittedFile) -> Result<(), E>,
-) -> Result<(), E> {
+) -> Result<Vec<NotWritten>, E> {
     let already = program.files.iter().find_map(|f| Some((f, compensated_at(f)?)));
     if let Some((file, line)) = already {
         return Err(EmitError::AlreadyCompensated { path: file.path.clone().into(), line }.into());
@@ -58,7 +60,7 @@ pub fn emit_each<E: From<EmitError>>(
     }
     let changes = changes(program, plan)?;
     if changes.is_empty() {
-        return Ok(());
+        return Ok(Vec::new());
     }
     let core = core_place(plan, options, changes.len())?;
     let mut changed: Vec<FileId> = changes.keys().map(|(id, _)| *id).collect();
@@ -79,7 +81,7 @@ pub fn emit_each<E: From<EmitError>>(
     if core == Core::Separate {
         tasks.into_values().try_for_each(|beside| accept(core_file(&context, beside)))?;
     }
-    Ok(())
+    Ok(not_written(program, &context.names))
 }
 
 /// Where clock and functions go when so many modules are changed.

@@ -28,6 +28,7 @@ pub mod live;
 mod mode;
 mod module;
 mod names;
+mod not_written;
 mod options;
 mod originals;
 mod point;
@@ -44,6 +45,7 @@ pub use emission::{compensated_at, emit, emit_each};
 pub use header::{made_with, renamed};
 pub use identity::{Difference, Undeclared, WithoutAdded};
 pub use mode::HeldMode;
+pub use not_written::NotWritten;
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use record_text::{write_orient, write_pos};
 pub use restore::{

@@ -48,6 +48,8 @@ pub(super) struct Names {
     renamed: BTreeMap<String, String>,
     /// Those of [`PUBLIC`] that given files name and none of them declares.
     on_purpose: Vec<&'static str>,
+    /// Those of them that the core has not.
+    not_written: Vec<&'static str>,
     /// For each name that was wished for, in lower case, the number that is tried next: 1 is the name itself.
     next: BTreeMap<String, u32>,
 }
@@ -65,6 +67,8 @@ impl Names {
                 }
             });
         }
+        let is_written = |name: &&str| ours.contains(*name);
+        names.not_written = names.on_purpose.iter().copied().filter(|name| !is_written(name)).collect();
         let collide: Vec<String> =
             ours.iter().filter(|n| names.taken.contains(&n.to_ascii_lowercase())).cloned().collect();
         names.taken.extend(ours.iter().map(|n| n.to_ascii_lowercase()));
@@ -120,6 +124,11 @@ impl Names {
     #[must_use]
     pub(super) fn core<'a>(&'a self, name: &'a str) -> &'a str {
         self.renamed.get(name).map_or(name, String::as_str)
+    }
+
+    /// Those of [`PUBLIC`] that given files name, and that nobody declares.
+    pub(super) fn not_written(&self) -> impl Iterator<Item = &'static str> {
+        self.not_written.iter().copied()
     }
 
     /// Those of the core's names that are in use under another one.
