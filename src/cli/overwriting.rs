@@ -19,10 +19,9 @@ use std::path::{Path, PathBuf};
 pub fn check_result(path: &Path) -> Result<(), Diagnostic> {
     let Some(bytes) = bytes_of_file(path) else { return Ok(()) };
     if EarlierResult::of(&bytes) == Some(EarlierResult::Altered) {
-        let text = format!("{} was changed since it was written", path.display());
-        return Err(Diagnostic::error("output::changed", text).help(
-            "get what was touched up with `driftpost restore`, name another place with -o, or say --force",
-        ));
+        let help =
+            "get what was touched up with `driftpost restore`, name another place with -o, or say --force";
+        return Err(kept(path, "was changed since it was written", help));
     }
     Ok(())
 }
@@ -36,8 +35,8 @@ pub fn check_program(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
     if bytes == original || EarlierResult::of(&bytes).is_some() || !holds_module(path, bytes) {
         return Ok(());
     }
-    let text = format!("{} is a program, and no result of this one", path.display());
-    Err(Diagnostic::error("output::changed", text).help("name another place with -o, or say --force"))
+    let why = "is a program, and no result of this one";
+    Err(kept(path, why, "name another place with -o, or say --force"))
 }
 
 /// Refuses to overwrite a program that has none of the modules of the `original` that goes there.
@@ -50,8 +49,8 @@ pub fn check_original(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
     if there.is_empty() || there.iter().any(|name| original.contains(name)) {
         return Ok(());
     }
-    let text = format!("{} is another program, with module {}", path.display(), there.join(", "));
-    Err(Diagnostic::error("output::changed", text).help("name another place with -o"))
+    let why = format!("is another program, with module {}", there.join(", "));
+    Err(kept(path, &why, "name another place with -o"))
 }
 
 /// Refuses to overwrite a module that measures where a module of another name stands.
@@ -88,9 +87,8 @@ pub fn check_sheet(path: &Path) -> Result<(), Diagnostic> {
     if there.is_none() {
         return Ok(());
     }
-    let text =
-        format!("{} has been filled in since it was written, or is no sheet of a plan", path.display());
-    Err(Diagnostic::error("output::changed", text).help("name another place for the sheet, or say --force"))
+    let why = "has been filled in since it was written, or is no sheet of a plan";
+    Err(kept(path, why, "name another place for the sheet, or say --force"))
 }
 
 /// Refuses to overwrite anything but a page for a browser.

@@ -98,16 +98,17 @@ fn a_program_is_overwritten_by_nothing_else() {
     let cube = std::fs::read(CUBE).unwrap();
     let program = bench.file("Part.mod", &cube);
     let measured = "fixtures/docs/measured.csv";
+    let is_kept = |command: &[&str]| {
+        let output = driftpost(command);
+        let message = err(&output);
+        let is_refused = output.status.code() == Some(2) && message.contains("output::changed");
+        assert!(is_refused, "{command:?}: {message}");
+        assert_eq!(std::fs::read(&program).unwrap(), cube, "{command:?}");
+    };
     for (option, more) in
         [("--rapid-out", &["--tool", "0,0,80"][..]), ("--json", &[]), ("--csv", &[]), ("--clean-out", &[])]
     {
-        let output = driftpost(&[&["diagnose", measured, option, &program], more].concat());
-        let message = err(&output);
-        assert!(
-            output.status.code() == Some(2) && message.contains("output::changed"),
-            "{option}: {message}"
-        );
-        assert_eq!(std::fs::read(&program).unwrap(), cube, "{option}");
+        is_kept(&[&["diagnose", measured, option, &program], more].concat());
     }
     let result = bench.path("plan.json").display().to_string();
     assert!(driftpost(&["plan", "--n", "20", "--json", &result]).status.success());
@@ -115,13 +116,7 @@ fn a_program_is_overwritten_by_nothing_else() {
     let page = ["compensate", CUBE, "-o", &to, "--report", &program, "--diff", "none"];
     let diff = ["compensate", CUBE, "-o", &to, "--diff", &program];
     for command in [&["report", &*result, "-o", &*program][..], &page, &diff] {
-        let output = driftpost(command);
-        let message = err(&output);
-        assert!(
-            output.status.code() == Some(2) && message.contains("output::changed"),
-            "{command:?}: {message}"
-        );
-        assert_eq!(std::fs::read(&program).unwrap(), cube, "{command:?}");
+        is_kept(command);
     }
     // What was written there before is written anew.
     let json = bench.path("d.json").display().to_string();

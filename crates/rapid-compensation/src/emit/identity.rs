@@ -52,7 +52,7 @@ pub enum Undeclared {
         file: String,
         /// Line of the original.
         line: u32,
-        /// The target.
+        /// The target's name, or its text where it is written out.
         target: String,
         /// How many more there are.
         more: usize,
@@ -61,7 +61,7 @@ pub enum Undeclared {
     OtherOriginal {
         /// The file of the original.
         file: String,
-        /// The line.
+        /// The first line of the original that the module was not made of.
         line: u32,
     },
 }

@@ -146,7 +146,7 @@ impl Names {
         let mut out = String::with_capacity(text.len());
         let mut last = 0;
         words(text.as_bytes(), |word| {
-            let start = word.as_ptr() as usize - text.as_ptr() as usize;
+            let start = start_of(word, text.as_bytes());
             if let Some(free) = std::str::from_utf8(word).ok().and_then(|w| self.renamed.get(w)) {
                 out.push_str(&text[last..start]);
                 out.push_str(free);
@@ -234,6 +234,11 @@ pub(super) fn words<'t>(text: &'t [u8], mut each: impl FnMut(&'t [u8])) {
         }
         rest = after;
     }
+}
+
+/// Where a word of a text that [`words`] or [`code_parts`] gave begins in it, bytes.
+pub(super) fn start_of(word: &[u8], text: &[u8]) -> usize {
+    word.as_ptr() as usize - text.as_ptr() as usize
 }
 
 /// Calls `each` with every part of a text that is neither a comment nor in a string: names stand there alone.

@@ -1,6 +1,6 @@
 //! Names of the core that a program uses and that its core has not: another form or clock writes them.
 
-use super::names::{Names, code_parts, words};
+use super::names::{Names, code_parts, start_of, words};
 use rapid_program::Program;
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Span, TextRange};
@@ -27,7 +27,7 @@ fn used_at(file: &SourceFile, name: &'static str) -> Option<NotWritten> {
     code_parts(&file.bytes, |part| {
         words(part, |word| {
             if found.is_none() && word.eq_ignore_ascii_case(name.as_bytes()) {
-                let start = word.as_ptr() as usize - file.bytes.as_ptr() as usize;
+                let start = start_of(word, &file.bytes);
                 found = Some(TextRange::new(start as u32, (start + word.len()) as u32));
             }
         });

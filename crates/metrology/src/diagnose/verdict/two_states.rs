@@ -57,9 +57,9 @@ pub(super) struct TwoStates {
 /// How what moves is spread about its middle.
 #[derive(Clone, Copy, Debug)]
 enum Spread {
-    /// On two sides.
+    /// On either side at one distance, as what is loose and tips over.
     TwoStates,
-    /// Normally.
+    /// Most near the middle, as what moves by many causes.
     Normal,
 }
 

@@ -1,7 +1,7 @@
 //! What was added to a module and is named by hand in what is left when it is taken out.
 
 use crate::emit::header::Record;
-use crate::emit::names::{ASKED, PUBLIC, code_parts, words};
+use crate::emit::names::{ASKED, PUBLIC, code_parts, start_of, words};
 
 /// Names that were added, in lower case.
 #[derive(Default)]
@@ -65,7 +65,7 @@ impl AddedNames {
             if !may_be {
                 return;
             }
-            let (at, name) = (word.as_ptr() as usize - restored.as_ptr() as usize, word.to_ascii_lowercase());
+            let (at, name) = (start_of(word, restored), word.to_ascii_lowercase());
             let named = || (at as u32, String::from_utf8_lossy(word).into_owned());
             if ours.is_none() && self.ours.binary_search(&name).is_ok() {
                 ours = Some(named());
