@@ -3,8 +3,6 @@
 use super::program_files::ProgramFiles;
 use crate::report::fit as report;
 use measurements::{Fault, FaultKind, Touches};
-use metrology::diagnose::warmup::{self, FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
-use metrology::diagnose::warmup::{TimedReading, TipCheck, check_tip, moving_points, pauses};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::tabulate::{TabulateError, tabulate};
 use rapid_compensation::compensate::targets::NamedPose;
@@ -14,6 +12,8 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use robot_model::units::{m_from_mm, rad_from_deg};
+use warm_up::{FitError, FitOptions, TargetForecast, WarmUp, WorkTarget};
+use warm_up::{TimedReading, TipCheck, check_tip, moving_points, pauses};
 
 /// Fits the settled deformation of a robot to touches of fixed points while it warms.
 ///
@@ -47,7 +47,7 @@ impl Fit {
     /// # Errors
     /// Touches that say too little, or that no placement of the points explains.
     pub fn run(&self, touches: &Touches) -> Result<Fitted, FitError> {
-        let mut warm_up = warmup::fit(touches, &self.robot, &self.options)
+        let mut warm_up = warm_up::fit(touches, &self.robot, &self.options)
             .map_err(|error| self.wrong_tip(touches, &error).unwrap_or(error))?;
         let moving = moving_points(touches, &self.robot, &self.options, &warm_up);
         let tip = check_tip(touches, &self.robot, self.options.tool_m, &warm_up.stops);
@@ -106,7 +106,7 @@ impl Fitted {
 
     fn at_targets(self, targets: &[WorkTarget]) -> Self {
         let others = neighbours(&self.robot, targets);
-        let there = || warmup::forecast_at_targets(&self.warm_up, &self.robot, targets, &others);
+        let there = || warm_up::forecast_at_targets(&self.warm_up, &self.robot, targets, &others);
         let forecast = (!targets.is_empty()).then(there);
         Self { forecast, ..self }
     }

@@ -85,7 +85,6 @@ pub use link_info::LinkInfo;
 pub use link_push::{HomeFile, PushFailure, PushReport};
 #[cfg(feature = "link")]
 pub use loading::{Loading, LoadingError, link_message};
-pub use metrology::diagnose::warmup::{FitError, StateError};
 pub use metrology::diagnose::{CompareError, ValidateError};
 pub use model_check::{ModelCheck, ModelChecked};
 #[cfg(feature = "link")]
@@ -106,6 +105,7 @@ pub use synthesis::{
 };
 pub use tabulation::{Tabulated, Tabulation};
 pub use touch::TouchRequest;
+pub use warm_up::{FitError, StateError};
 
 // What jobs share with the command line, and nobody else asks for.
 #[cfg(feature = "cli")]

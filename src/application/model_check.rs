@@ -6,12 +6,12 @@ use measurements::{
     Channels, Fault, FaultKind, MeasurementRow, Measurements, OneStand, check_rows, find_pose_names,
     from_sound_file,
 };
-use metrology::diagnose::warmup::{Standstill, TimedReading, pauses};
 use metrology::diagnose::{RefitScope, ValidateError, Validation, validate, warming};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
 use std::borrow::Cow;
+use warm_up::{Standstill, TimedReading, pauses};
 
 /// Checks an identified model against measurements that took no part in its fit.
 #[derive(Clone, Debug)]
@@ -135,7 +135,7 @@ fn readings(measurements: &Measurements) -> Vec<TimedReading> {
     let rows = measurements.rows.iter().filter(|row| row.reading.involves_arm());
     let reading = |row: &MeasurementRow| Some((row.t_min?, row.reading.fixed_point().unwrap_or(row.pose)));
     let mut all: Vec<TimedReading> = rows.filter_map(reading).collect();
-    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sorting::by(&mut all, |a, b| a.0.total_cmp(&b.0));
     all
 }
 

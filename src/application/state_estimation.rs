@@ -2,9 +2,6 @@
 
 use crate::report::state as report;
 use measurements::Touches;
-use metrology::diagnose::warmup::{
-    RobotState, Standstill, StateError, StateOptions, WarmingArm, thermal_state,
-};
 use nalgebra::Vector3;
 use robot_model::deform::identified::{Identified, ThermalState};
 use robot_model::deform::{Deformation, DeformedArm, GrowthLaw};
@@ -12,6 +9,7 @@ use robot_model::kinematics::FrameOffsets;
 use robot_model::robot::Robot;
 use robot_model::units::m_from_mm;
 use std::sync::Arc;
+use warm_up::{RobotState, Standstill, StateError, StateOptions, WarmingArm, thermal_state};
 
 /// Estimates a robot's thermal state from touches of fixed points.
 #[derive(Clone, Debug)]

@@ -126,7 +126,7 @@ impl Destination {
         let written: Vec<PathBuf> = self.modules.iter().map(|path| files::identity(path)).collect();
         let entries = fs::read_dir(folder).ok()?;
         let mut others: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
-        others.sort();
+        sorting::ascending(&mut others);
         let has_clock = |path: &PathBuf| {
             let is_module = path.is_file() && !written.contains(&files::identity(path));
             is_module && fs::read(path).is_ok_and(|bytes| EarlierResult::has_clock(&bytes))

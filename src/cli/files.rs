@@ -137,7 +137,7 @@ fn similar_neighbour(path: &Path) -> Option<PathBuf> {
         .ok()?
         .filter_map(|entry| Some(entry.ok()?.file_name().to_string_lossy().into_owned()))
         .collect();
-    names.sort();
+    sorting::ascending(&mut names);
     let near = super::suggest::nearest(&wanted, names.iter().map(String::as_str))?;
     Some(path.with_file_name(near))
 }

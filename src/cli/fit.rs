@@ -10,12 +10,12 @@ use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{Fit, Fitted};
-use metrology::diagnose::warmup::FitOptions;
 use nalgebra::Vector3;
 use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;
 use std::path::PathBuf;
+use warm_up::FitOptions;
 
 /// Command line of `driftpost fit`.
 #[derive(Debug, clap::Args)]

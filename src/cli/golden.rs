@@ -83,7 +83,7 @@ fn cases_of(dir: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
         .filter_map(|entry| Some(entry.ok()?.path()))
         .filter(|path| CASE.iter().any(|part| path.join(part).exists()))
         .collect();
-    cases.sort();
+    sorting::ascending(&mut cases);
     if let Some(case) = cases.iter().find(|case| !case.join("source").is_dir()) {
         let text = format!("the case {} has no folder source/", case.display());
         return Err(
@@ -225,7 +225,7 @@ fn write_all(folder: &Path, old: &Files, new: &Files) -> Result<(), Diagnostic> 
 /// The files that one of both does not have, or has otherwise, in order of name.
 fn different_files(expected: &Files, actual: &Files) -> Vec<String> {
     let mut places: Vec<String> = expected.keys().chain(actual.keys()).cloned().collect();
-    places.sort();
+    sorting::ascending(&mut places);
     places.dedup();
     places.retain(|place| expected.get(place) != actual.get(place));
     places

@@ -199,7 +199,7 @@ pub fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Optio
     let written: Vec<PathBuf> = outputs.iter().map(|path| files::identity(path)).collect();
     let beside = fs::read_dir(folder_of(core)).ok()?;
     let mut others: Vec<PathBuf> = beside.filter_map(|entry| Some(entry.ok()?.path())).collect();
-    others.sort();
+    sorting::ascending(&mut others);
     let other = others.into_iter().find(|path| {
         path.is_file()
             && !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PENDING))

@@ -137,7 +137,7 @@ impl Pending {
 /// # Errors
 /// `output::unwritable`, which says what was written until then.
 pub fn place_all(mut files: Vec<Pending>, withdrawn: &[PathBuf]) -> Result<(), Diagnostic> {
-    files.sort_by_key(|file| !file.is_through());
+    sorting::by_key(&mut files, |file| !file.is_through());
     files.iter().filter(|file| !file.is_through()).try_for_each(Pending::sync)?;
     // A pipe may wait for its reader for ever; until a file is in its place an interruption leaves nothing.
     let mut uninterrupted = None;

@@ -162,11 +162,11 @@ fn options(args: &Args) -> Result<PlanOptions, Diagnostic> {
         number("payloads-kg", *kg, 0.0)?;
     }
     let mut payloads_kg = args.payloads_kg.clone();
-    payloads_kg.sort_by(f64::total_cmp);
+    sorting::numbers(&mut payloads_kg);
     payloads_kg.dedup();
     let mut sweep: Vec<Axis> =
         args.sweep.iter().filter_map(|number| Axis::numbered(*number as usize)).collect();
-    sweep.sort_unstable();
+    sorting::ascending(&mut sweep);
     sweep.dedup();
     Ok(PlanOptions {
         tool_m: tool(&args.tool)?,

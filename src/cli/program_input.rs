@@ -155,7 +155,7 @@ impl ProgramInput {
             walk(folder, &mut found)?;
         }
         found.retain(|path| !self.encoded.contains(path));
-        found.sort();
+        sorting::ascending(&mut found);
         found.dedup();
         let modules = found.into_iter().filter(|path| has_extension(path, &MODULES));
         modules.map(|path| Ok((slashed(&path), files::read(&path, "module")?))).collect()
@@ -281,7 +281,7 @@ fn is_no_result(path: &Path) -> Result<bool, Diagnostic> {
 fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
     let entries = fs::read_dir(folder).map_err(|cause| files::cannot_read(folder, "folder", &cause))?;
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
-    paths.sort();
+    sorting::ascending(&mut paths);
     for path in paths {
         if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.')) {
             continue; // hidden: .git, .driftpost

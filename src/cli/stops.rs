@@ -1,7 +1,7 @@
 //! `--stop`: when a robot stood while it was touched or measured.
 
-use metrology::diagnose::warmup::Standstill;
 use rapid_syntax::diagnostic::Diagnostic;
+use warm_up::Standstill;
 
 /// The option that names stops.
 #[derive(Clone, Debug, clap::Args)]

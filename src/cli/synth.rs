@@ -6,9 +6,9 @@ use super::{Console, Outcome, files, model, suggest};
 use driftpost::application::{ChosenEffects, SetKind, Synthesis, SynthesisError, TouchSynthesis};
 use exam::effect_spec;
 use exam::poses::Spread;
-use metrology::diagnose::warmup::Standstill;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::{Path, PathBuf};
+use warm_up::Standstill;
 
 /// Command line of `driftpost synth`.
 #[derive(Debug, clap::Args)]

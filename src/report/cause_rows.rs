@@ -19,7 +19,7 @@ pub fn rows(causes: &[Cause], named: bool, gap_mm: Option<f64>) -> Vec<String> {
     // They come the likeliest first, and sorting keeps that order among alternatives.
     rows.extend(others.iter().map(|cause| (largest(cause.slot), in_words(cause, causes, gap_mm))));
     if named {
-        rows.sort_by(|a, b| b.0.total_cmp(&a.0));
+        sorting::by(&mut rows, |a, b| b.0.total_cmp(&a.0));
     }
     rows.into_iter().map(|(_, row)| row).collect()
 }

@@ -90,7 +90,7 @@ fn mostly_explained(d: &Findings) -> Option<String> {
     // What others take back is no part of the gap.
     let is_taken_back = |cause: &Cause| cause.seen_mm() > gap_mm;
     let in_gap_mm = |cause: &Cause| if is_taken_back(cause) { cause.of_gap_mm() } else { cause.seen_mm() };
-    likely.sort_by(|a, b| in_gap_mm(b).total_cmp(&in_gap_mm(a)));
+    sorting::by(&mut likely, |a, b| in_gap_mm(b).total_cmp(&in_gap_mm(a)));
     let leading: Vec<String> = likely
         .iter()
         .take(3)

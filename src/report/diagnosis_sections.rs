@@ -50,7 +50,7 @@ pub(super) fn false_rows(page: &mut String, d: &Findings) {
     let mut rows: Vec<&FalseRow> = d.false_rows.iter().collect();
     // A row that disagrees with its repeats has no distance from the model: it comes first.
     let off = |row: &FalseRow| row.off_mm.unwrap_or(f64::INFINITY);
-    rows.sort_by(|a, b| off(b).total_cmp(&off(a)).then(a.line.cmp(&b.line)));
+    sorting::by(&mut rows, |a, b| off(b).total_cmp(&off(a)).then(a.line.cmp(&b.line)));
     for row in rows.iter().take(MOST_FALSE) {
         let name = row.id.as_ref().map_or_else(String::new, |id| format!(" (id {id})"));
         let off = match (row.off_mm, row.times_middle) {

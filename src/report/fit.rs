@@ -1,14 +1,14 @@
 //! A fitted warm-up for people, as table and as JSON.
 
 use super::{counted, notes};
-use metrology::diagnose::warmup::TipCheck;
-use metrology::diagnose::warmup::{PARAMETERS, TargetForecast, WarmUp};
 use nalgebra::Vector3;
 use robot_model::deform::Deformation;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use warm_up::TipCheck;
+use warm_up::{PARAMETERS, TargetForecast, WarmUp};
 
 const NAMES: [&str; 6] = ["dx", "dy", "dz", "rx", "ry", "rz"];
 /// A parameter of which the touches tell less than this stands at its prior.

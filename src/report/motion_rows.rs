@@ -44,7 +44,7 @@ impl MotionRows {
         let is_cut = !all && shown.len() > SHORT;
         if is_cut {
             // of equal ones the earlier comes first
-            shown.sort_by(|(_, a), (_, b)| b.max_correction_m.total_cmp(&a.max_correction_m));
+            sorting::by(&mut shown, |(_, a), (_, b)| b.max_correction_m.total_cmp(&a.max_correction_m));
             shown.truncate(WORST);
         }
         let rows = shown.iter().map(|(motion, planned)| cells(program, motion, planned)).collect();

@@ -121,7 +121,7 @@ fn expected(out: &mut dyn Write, parameters: &[Parameter]) -> io::Result<()> {
     }
     for effect in effects {
         let mut own: Vec<&Parameter> = parameters.iter().filter(|p| p.of.effect == effect).collect();
-        own.sort_by(|a, b| (a.seen_from / a.usual).total_cmp(&(b.seen_from / b.usual)));
+        sorting::by(&mut own, |a, b| (a.seen_from / a.usual).total_cmp(&(b.seen_from / b.usual)));
         let (Some(best), Some(worst)) = (own.first(), own.last()) else { continue };
         let from = |p: &Parameter| match joints(&p.of) {
             joints if joints.is_empty() => format!("{:.1e}", p.seen_from),

@@ -113,7 +113,7 @@ fn in_workspace(rows: &[&RowResidual], robot: &str) -> String {
     let mut picture = Picture::new(1080.0, 1060.0, &format!("{robot}: residuals in the workspace"));
     legend(&mut picture, 60.0, 58.0);
     let mut lengths: Vec<f64> = rows.iter().map(|r| length(&r.before_mm)).collect();
-    lengths.sort_by(f64::total_cmp);
+    sorting::numbers(&mut lengths);
     let middle = lengths[lengths.len() / 2].max(1e-6);
     let spans: Vec<[f64; 2]> = (0..3).map(|k| range(rows.iter().map(|r| r.point_mm[k]))).collect();
     let span = spans.iter().map(|s| s[1] - s[0]).fold(0.0, f64::max);

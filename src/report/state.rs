@@ -1,11 +1,11 @@
 //! The thermal state of a robot for people and as JSON.
 
 use super::{counted, notes};
-use metrology::diagnose::warmup::{AmountBound, RobotState};
 use robot_model::deform::thermal_filter::TouchOutcome;
 use robot_model::units::mm_from_m;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use warm_up::{AmountBound, RobotState};
 
 /// Two decimals are enough beyond this.
 fn word(outcome: Option<TouchOutcome>) -> &'static str {

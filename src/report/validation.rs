@@ -1,10 +1,10 @@
 //! What a model leaves of measurements that it has not seen, for people and as JSON.
 
 use super::counted;
-use metrology::diagnose::warmup::Standstill;
 use metrology::diagnose::{PoseSubset, Validation};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
+use warm_up::Standstill;
 
 /// Distances for people, mm.
 #[must_use]

@@ -4,19 +4,26 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use syn::visit::{self, Visit};
 
 /// Members of the workspace with those of them that each may use; the root package may use all.
-const CRATES: [(&str, &[&str]); 11] = [
+const CRATES: [(&str, &[&str]); 14] = [
     ("parallel", &[]),
-    ("rapid-syntax", &[]),
-    ("robot-model", &["rapid-syntax"]),
-    ("rapid-program", &["rapid-syntax", "robot-model"]),
-    ("rapid-compensation", &["parallel", "rapid-syntax", "robot-model", "rapid-program"]),
-    ("virtual-controller", &["rapid-syntax", "robot-model"]),
-    ("measurements", &["rapid-syntax", "robot-model"]),
-    ("metrology", &["parallel", "rapid-syntax", "robot-model", "measurements"]),
-    ("exam", &["robot-model"]),
+    ("sorting", &[]),
+    ("rapid-syntax", &["sorting"]),
+    ("robot-model", &["sorting", "rapid-syntax"]),
+    ("rapid-program", &["sorting", "rapid-syntax", "robot-model"]),
+    ("rapid-compensation", &["parallel", "sorting", "rapid-syntax", "robot-model", "rapid-program"]),
+    ("virtual-controller", &["sorting", "rapid-syntax", "robot-model"]),
+    ("measurements", &["sorting", "rapid-syntax", "robot-model"]),
+    ("inference", &["parallel", "sorting", "robot-model", "measurements"]),
+    ("warm-up", &["parallel", "sorting", "rapid-syntax", "robot-model", "measurements", "inference"]),
+    (
+        "metrology",
+        &["parallel", "sorting", "rapid-syntax", "robot-model", "measurements", "inference", "warm-up"],
+    ),
+    ("exam", &["sorting", "robot-model"]),
     ("rws-double", &["robot-model"]),
     // The double for its tests alone.
     ("robot-link", &["rws-double"]),
@@ -66,10 +73,25 @@ struct Module {
     imports: BTreeMap<String, Vec<String>>,
 }
 
+impl Module {
+    /// Its text without comments and tests.
+    fn code(&self) -> String {
+        let text = fs::read_to_string(&self.file).unwrap();
+        let product = text.split("#[cfg(test)]").next().unwrap_or("");
+        product.lines().map(|line| line.split("//").next().unwrap_or("")).collect::<Vec<_>>().join("\n")
+    }
+}
+
 /// All modules of the workspace by their path.
 struct Modules(BTreeMap<Vec<String>, Module>);
 
 impl Modules {
+    /// Read once for all tests.
+    fn all() -> &'static Self {
+        static ALL: LazyLock<Modules> = LazyLock::new(Modules::read);
+        &ALL
+    }
+
     fn read() -> Self {
         let mut modules = BTreeMap::new();
         for name in crate_names() {
@@ -269,7 +291,7 @@ fn one_member_alone_depends_on_what_shares_work_among_cores() {
     let manifests = folders.chain([root().to_owned()]).map(|folder| folder.join("Cargo.toml"));
     let asks = |path: &PathBuf| {
         let manifest: toml::Table = fs::read_to_string(path).unwrap().parse().unwrap();
-        manifest["dependencies"].get("rayon").is_some()
+        manifest.get("dependencies").is_some_and(|all| all.get("rayon").is_some())
     };
     let asking: Vec<PathBuf> = manifests.filter(asks).collect();
     assert_eq!(asking, [root().join("crates/parallel/Cargo.toml")]);
@@ -316,7 +338,7 @@ fn the_library_has_one_front_door() {
 
 #[test]
 fn a_module_uses_only_what_stands_to_its_left() {
-    let modules = Modules::read();
+    let modules = Modules::all();
     let mut wrong = Vec::new();
     let mut checked = 0;
     for (path, used) in modules.edges() {
@@ -345,7 +367,7 @@ fn a_module_uses_only_what_stands_to_its_left() {
 
 #[test]
 fn every_module_of_a_crate_stands_in_the_order() {
-    let modules = Modules::read();
+    let modules = Modules::all();
     for (name, order) in MODULES {
         let declared: BTreeSet<&str> = modules
             .0
@@ -402,7 +424,7 @@ fn circles(modules: &Modules) -> Vec<String> {
 
 #[test]
 fn files_of_a_folder_do_not_use_each_other_in_a_circle() {
-    let found = circles(&Modules::read());
+    let found = circles(Modules::all());
     assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
@@ -456,16 +478,25 @@ const WORDS: [&str; 17] = [
 #[test]
 fn conversion_factors_stand_in_units_alone() {
     let mut wrong = Vec::new();
-    for (path, module) in Modules::read().0 {
+    for (path, module) in &Modules::all().0 {
         if path.ends_with(&["units".to_owned()]) {
             continue;
         }
-        let text = fs::read_to_string(&module.file).unwrap();
-        let product = text.split("#[cfg(test)]").next().unwrap_or("");
-        let code: Vec<&str> = product.lines().map(|line| line.split("//").next().unwrap_or("")).collect();
-        for word in WORDS.iter().filter(|word| code.iter().any(|line| line.contains(**word))) {
+        let code = module.code();
+        for word in WORDS.iter().filter(|word| code.contains(**word)) {
             wrong.push(format!("{} holds `{word}`: use robot_model::units", module.file.display()));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The standard library's sorting is compiled anew for each kind of item and each comparison: see `crates/sorting`.
+#[test]
+fn one_member_alone_sorts() {
+    let sorts = |module: &&Module| {
+        let code = module.code();
+        [".sort(", ".sort_by", ".sort_unstable", ".sort_by_cached_key"].iter().any(|call| code.contains(call))
+    };
+    let sorting: Vec<&PathBuf> = Modules::all().0.values().filter(sorts).map(|module| &module.file).collect();
+    assert_eq!(sorting, [&root().join("crates/sorting/src/lib.rs")]);
 }

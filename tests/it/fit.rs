@@ -10,7 +10,6 @@ use assert_cmd::Command;
 use exam::rng::Rng;
 use exam::touch::{TouchRecipe, touches};
 use measurements::Touches;
-use metrology::diagnose::warmup::{FitError, FitOptions, Standstill, WorkTarget, fit, forecast_at_targets};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::tabulate::tabulate;
 use rapid_compensation::compensate::targets;
@@ -18,6 +17,7 @@ use rayon::prelude::*;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
+use warm_up::{FitError, FitOptions, Standstill, WorkTarget, fit, forecast_at_targets};
 
 /// The 45 targets of the reference paper's cube.
 fn cube(robot: &Robot) -> Vec<WorkTarget> {
@@ -111,22 +111,6 @@ fn recipe(sigma_mm: f64, table: [[f64; 6]; 7]) -> TouchRecipe {
         within_m: [[0.4, -0.3, 0.25], [0.7, 0.3, 0.55]],
         tool_m: [0.0, 0.0, 0.1],
     }
-}
-
-/// A file copied four times over says no more than once, and is no reason to be surer.
-#[test]
-fn touches_that_are_copied_count_once() {
-    let robot = Robot::built_in("irb140").unwrap();
-    let recipe = recipe(0.02, Deformation::paper().settled().0);
-    let csv = touches(&robot, &recipe, &mut Rng::new(12, 0)).unwrap();
-    let (head, rows) = csv.split_once('\n').unwrap();
-    let read =
-        |times: usize| Touches::from_csv(format!("{head}\n{}", rows.repeat(times)).as_bytes()).unwrap();
-    let (once, copied) = (read(1), read(4));
-    assert_eq!(copied.touches, once.touches);
-    let codes: Vec<&str> = copied.warnings.iter().map(|warning| warning.code).collect();
-    assert!(codes.contains(&"measure::duplicates"), "{codes:?}");
-    assert!(!once.warnings.iter().any(|warning| warning.code == "measure::duplicates"));
 }
 
 /// Those that take seconds: `cargo test --test it -- --ignored long::`.
@@ -468,5 +452,22 @@ mod long {
         assert_eq!(later.tau_cool_min, once.tau_cool_min);
         assert_eq!(later.stops, once.stops);
         assert_eq!(found(&[[500.0, 600.0]]).tau_cool_min, None);
+    }
+
+    /// A file copied four times over says no more than once, and is no reason to be surer.
+    #[test]
+    #[ignore = "long"]
+    fn touches_that_are_copied_count_once() {
+        let robot = Robot::built_in("irb140").unwrap();
+        let recipe = recipe(0.02, Deformation::paper().settled().0);
+        let csv = touches(&robot, &recipe, &mut Rng::new(12, 0)).unwrap();
+        let (head, rows) = csv.split_once('\n').unwrap();
+        let read =
+            |times: usize| Touches::from_csv(format!("{head}\n{}", rows.repeat(times)).as_bytes()).unwrap();
+        let (once, copied) = (read(1), read(4));
+        assert_eq!(copied.touches, once.touches);
+        let codes: Vec<&str> = copied.warnings.iter().map(|warning| warning.code).collect();
+        assert!(codes.contains(&"measure::duplicates"), "{codes:?}");
+        assert!(!once.warnings.iter().any(|warning| warning.code == "measure::duplicates"));
     }
 }

@@ -8,8 +8,8 @@ use exam::harmonics::Harmonics;
 use exam::poses::CommandedRow;
 use exam::recipe::Recipe;
 use exam::rng::Rng;
+use inference::signature::{PlannedMeasurement, signatures};
 use measurements::Measurements;
-use metrology::diagnose::signature::{PlannedMeasurement, signatures};
 use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
 use metrology::plan::{
     MeasurementPlan, MeasurementStep, PlanOptions, Space, Sweeps, plan, plan_from, rapid, template_csv,

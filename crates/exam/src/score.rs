@@ -48,7 +48,7 @@ impl Grader<'_> {
     fn shrink_quantile(&self, criterion: &Criterion, level: f64) -> Measure {
         let mut shares: Vec<f64> =
             self.named_right().filter_map(|set| shrink_share(&set.truth, &set.answer)).collect();
-        shares.sort_by(f64::total_cmp);
+        sorting::numbers(&mut shares);
         let value = shares.get((level * shares.len().saturating_sub(1) as f64).round() as usize).copied();
         criterion.measure(value, None, shares.len())
     }

@@ -309,7 +309,7 @@ impl RowCheck {
             return;
         }
         let mut sorted = stamped.clone();
-        sorted.sort_by(|a, b| a.1.total_cmp(&b.1));
+        sorting::by(&mut sorted, |a, b| a.1.total_cmp(&b.1));
         let shuffled = format!(
             "t_min runs back at {} of {} rows: the rows are not in order of time",
             back.len(),

@@ -117,7 +117,7 @@ fn by_time(
     for (k, line) in joints.lines.iter().enumerate() {
         times.extend(time(joints, line)?.map(|t_min| (t_min, k)));
     }
-    times.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    sorting::by(&mut times, |a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     arm.iter()
         .map(|line| {
             let Some(at_min) = time(points, line)? else { return Ok(None) };

@@ -313,7 +313,7 @@ fn in_order_of_time(measurements: &Measurements, used: &[usize]) -> Vec<usize> {
     let t_min = |row: usize| measurements.rows.get(row).and_then(|row| row.clock_min()).unwrap_or_default();
     let of_arm = |&row: &usize| measurements.rows.get(row).is_some_and(|row| row.reading.involves_arm());
     let mut used: Vec<usize> = used.iter().copied().filter(of_arm).collect();
-    used.sort_by(|a, b| t_min(*a).total_cmp(&t_min(*b)));
+    sorting::by(&mut used, |a, b| t_min(*a).total_cmp(&t_min(*b)));
     used
 }
 
@@ -337,7 +337,7 @@ fn far_cycles(measurements: &Measurements, used: &[usize]) -> Option<Diagnostic>
         is_far.map(|((line, _), off_m)| (*line, off_m)).collect::<Vec<(u64, f64)>>()
     });
     let mut far: Vec<(u64, f64)> = far.collect();
-    far.sort_by_key(|(line, _)| *line);
+    sorting::by_key(&mut far, |(line, _)| *line);
     let (_, furthest_m) = far.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1))?;
     let lines: Vec<u64> = far.iter().map(|(line, _)| *line).collect();
     let shown = format!("{} {}", plural(lines.len(), "line"), first_few(&lines, LISTED));
@@ -374,7 +374,7 @@ fn pose_by_pose(
         .iter()
         .filter_map(|((pose, ..), rows)| pose_performance(measurements, chain, registration, *pose, rows))
         .collect();
-    all.sort_by_key(|p| p.line);
+    sorting::by_key(&mut all, |p| p.line);
     all
 }
 

@@ -49,7 +49,7 @@ impl Touches {
         found.leave_out_copies();
         let stamped = |touch: &Touch| StampedRow { line: touch.line, point: touch.point, t_min: touch.t_min };
         let mut stamped: Vec<StampedRow> = found.touches.iter().map(stamped).collect();
-        stamped.sort_by_key(|row| row.line);
+        sorting::by_key(&mut stamped, |row| row.line);
         found.warnings.extend(touch_times::check(&stamped)?);
         Ok(found)
     }
@@ -133,7 +133,7 @@ fn kinds(columns: &ColumnIndex) -> Joints<JointKind> {
 /// Names at their indices.
 fn in_order(names: impl IntoIterator<Item = (String, usize)>) -> Vec<String> {
     let mut by_index: Vec<(usize, String)> = names.into_iter().map(|(name, index)| (index, name)).collect();
-    by_index.sort_unstable();
+    sorting::ascending(&mut by_index);
     by_index.into_iter().map(|(_, name)| name).collect()
 }
 
@@ -158,7 +158,7 @@ fn touches(table: &Table) -> Result<Touches, MeasureError> {
         let q_rad = row.q_rad.array().ok_or_else(|| missing_column("q6_deg", &table.header))?;
         touches.push(Touch { line: row.line, point: fixed_point, t_min, q_rad, measured_m: None });
     }
-    touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
+    sorting::by(&mut touches, |a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
     Ok(Touches { touches, points: measurements.fixed_points, warnings: measurements.warnings })
 }
 

@@ -42,13 +42,13 @@ pub(super) fn false_repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> V
         }
     }
     // The middle value itself often lies at distance 0 in one coordinate: the 75 % quantile is steadier.
-    pool.sort_by(f64::total_cmp);
+    sorting::numbers(&mut pool);
     let Some(&scale) = pool.get(pool.len() * 3 / 4) else { return Vec::new() };
     // 75 % of a 3-D normal distance lie within 2.03 sigma.
     let limit = FALSE_REPEAT * scale / 2.03 * 3.0_f64.sqrt();
     let mut false_rows: Vec<usize> =
         distances.into_iter().filter(|(_, d)| scale > 0.0 && *d > limit).map(|(i, _)| i).collect();
-    false_rows.sort_unstable();
+    sorting::ascending(&mut false_rows);
     false_rows
 }
 
@@ -66,7 +66,7 @@ pub(super) fn apart_where_contradictory(
     let span_min: Vec<f64> = groups.iter().map(|group| span_min(rows, group)).collect();
     let variance = |&g: &usize| scatter[g].squares_m2 / scatter[g].freedom as f64;
     let mut repeated: Vec<usize> = (0..groups.len()).filter(|&g| scatter[g].freedom > 0).collect();
-    repeated.sort_by(|a, b| variance(a).total_cmp(&variance(b)));
+    sorting::by(&mut repeated, |a, b| variance(a).total_cmp(&variance(b)));
     let (mut agree, mut split): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     for (rank, &g) in repeated.iter().enumerate() {
         // Noise that is slow lets readings differ the more the longer between them.
@@ -92,7 +92,7 @@ pub(super) fn apart_where_contradictory(
         false => vec![group],
     });
     let mut parts: Vec<Vec<usize>> = parts.collect();
-    parts.sort_by_key(|group| group.first().copied());
+    sorting::by_key(&mut parts, |group| group.first().copied());
     parts
 }
 
@@ -160,7 +160,7 @@ pub(super) fn coordinates_m(row: &MeasurementRow) -> Vector3<f64> {
 
 /// Middle value; 0 of nothing.
 pub fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
+    sorting::numbers(values);
     match values.len() {
         0 => 0.0,
         n if n % 2 == 1 => values[n / 2],

@@ -24,7 +24,7 @@ impl Rounds {
     /// mean, and nothing changed meanwhile.
     pub(super) fn of(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Self> {
         let mut used: Vec<usize> = groups.iter().flatten().copied().collect();
-        used.sort_unstable();
+        sorting::ascending(&mut used);
         if used.iter().filter_map(|&row| rows.get(row)).any(|row| row.t_min.is_some()) {
             return None;
         }
@@ -40,7 +40,7 @@ impl Rounds {
     /// Each group's rows of each round, in the order of their first rows.
     pub(super) fn apart(&self, groups: &[Vec<usize>]) -> Vec<Vec<usize>> {
         let mut apart: Vec<Vec<usize>> = groups.iter().flat_map(|group| self.parts(group)).collect();
-        apart.sort_by_key(|group| group.first().copied());
+        sorting::by_key(&mut apart, |group| group.first().copied());
         apart
     }
 
@@ -70,7 +70,7 @@ fn has_changed(rows: &[MeasurementRow], groups: &[Vec<usize>], parts: &[Vec<Vec<
             deviations.extend(off.map(|off| (first, pose, off)));
         }
     }
-    deviations.sort_by_key(|(first, ..)| *first);
+    sorting::by_key(&mut deviations, |(first, ..)| *first);
     let neighbours = deviations.windows(2).filter(|pair| pair[0].1 != pair[1].1);
     let cosines: Vec<f64> = neighbours.map(|pair| pair[0].2.dot(&pair[1].2)).collect();
     // The cosine of two directions by chance has the mean 0 and the variance 1 / dimensions.

@@ -101,7 +101,7 @@ fn sorted_by_repeat(rows: &[MeasurementRow], sessions: &[Session], kinds: &[Join
     for (number, session) in sessions.iter().enumerate() {
         order.extend(session.rows.clone().filter_map(|row| Some((rows[row].t_min?, number, row))));
     }
-    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
+    sorting::by(&mut order, |a, b| a.0.total_cmp(&b.0).then(a.2.cmp(&b.2)));
     let repeats = order.windows(2).filter(|pair| {
         let [(before_min, first, before), (at_min, second, at)] = [pair[0], pair[1]];
         second > first && at_min > before_min && !rows[before].is_apart_from(&rows[at], kinds)

@@ -50,7 +50,7 @@ impl Touches {
                 measured_m: Some(position_m),
             });
         }
-        touches.sort_by(|a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
+        sorting::by(&mut touches, |a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
         let points = (0..=last).map(|k| format!("pose {}", k + 1)).collect();
         let warnings = measurements.warnings.iter().cloned().chain(without_nests(&nests)).collect();
         Some(Self { touches, points, warnings })
@@ -75,7 +75,7 @@ impl Touches {
             }
         }
         self.touches = distinct;
-        copies.sort_unstable();
+        sorting::ascending(&mut copies);
         self.warnings.extend(copied_rows(&copies));
     }
 }

@@ -127,7 +127,7 @@ fn longest_in_order(rows: &[StampedRow]) -> Vec<bool> {
 /// A pause that outlasts everything else by far: a robot that stood over the weekend, or a minute with a digit too many.
 fn beyond_proportion(rows: &[StampedRow]) -> Option<Diagnostic> {
     let mut in_time = rows.to_vec();
-    in_time.sort_by(|a, b| a.t_min.total_cmp(&b.t_min));
+    sorting::by(&mut in_time, |a, b| a.t_min.total_cmp(&b.t_min));
     let span_min = in_time.last()?.t_min - in_time.first()?.t_min;
     let pair =
         in_time.windows(2).max_by(|a, b| (a[1].t_min - a[0].t_min).total_cmp(&(b[1].t_min - b[0].t_min)))?;

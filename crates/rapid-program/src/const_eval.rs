@@ -115,7 +115,7 @@ impl<'a> ConstEvaluator<'a> {
                 .help("its value is used; a controller does not find it unless LOCAL is taken away")
         };
         let mut elsewhere: Vec<_> = self.elsewhere.iter().collect();
-        elsewhere.sort_unstable();
+        sorting::ascending(&mut elsewhere);
         elsewhere.into_iter().map(warning).collect()
     }
 

@@ -32,7 +32,7 @@ impl FilePairs {
         found.by(|file| module(before.0, file), |file| module(after.0, file));
         found.by(|_| Some(String::new()), |_| Some(String::new()));
         let Pairing { left: [only_before, only_after], mut pairs } = found;
-        pairs.sort_unstable();
+        sorting::ascending(&mut pairs);
         Self {
             pairs,
             only_before: only_before.into_iter().collect(),

@@ -181,7 +181,7 @@ impl AfterTraps {
     /// Takes in where others leave it.
     pub(super) fn add(&mut self, other: Self) {
         self.motions.extend(other.motions);
-        self.motions.sort_unstable();
+        sorting::ascending(&mut self.motions);
         self.motions.dedup();
         self.anywhere |= other.anywhere;
     }

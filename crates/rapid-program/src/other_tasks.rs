@@ -26,7 +26,7 @@ pub(super) fn shared(index: &Index<'_>) -> Vec<Vec<DatumId>> {
     let shared = index.data.numbered().filter(|(_, datum)| is_shared(datum));
     let mut by_name: Vec<_> =
         shared.map(|(id, datum)| ((datum.name, index.plain_type(datum.type_name)), id)).collect();
-    by_name.sort_unstable();
+    sorting::ascending(&mut by_name);
     let several = |ids: &Vec<DatumId>| {
         let first = ids.first().and_then(|&id| task(index, &index.data[id]));
         ids.iter().any(|&id| task(index, &index.data[id]) != first)

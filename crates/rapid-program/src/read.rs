@@ -91,7 +91,7 @@ impl Program {
         diagnostics
             .extend(not_given.iter().map(|(name, at)| not_among_the_files(&index, name, *at, &settable)));
         diagnostics.retain(|found| found.span.is_none_or(|at| is_of_task(&index.file(at.file).path, task)));
-        diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+        sorting::by(&mut diagnostics, |a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         files.iter_mut().for_each(SourceFile::keep_declarations);
         Self {
             files,

@@ -13,7 +13,7 @@ pub(super) fn warning(index: &Index<'_>, sites: &MotionSites<'_>) -> Option<Diag
     let mut found: Vec<(Span, &'static str)> = tracks
         .map(|site| (Span { file: site.ctx(index).file, range: site.stmt.range }, site.form.name))
         .collect();
-    found.sort_by_key(|(at, _)| *at);
+    sorting::by_key(&mut found, |(at, _)| *at);
     let (at, name) = found.first()?;
     let more = match found.len() {
         1 => String::new(),

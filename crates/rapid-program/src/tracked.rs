@@ -91,7 +91,7 @@ impl TrackedData {
             data.push(datum);
             new.extend(sources.sources_of(datum));
         }
-        data.sort_unstable();
+        sorting::ascending(&mut data);
         out.data = data.into();
         for (slot, &datum) in out.data.numbered() {
             out.slot_of[datum] = Some(slot);

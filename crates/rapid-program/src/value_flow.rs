@@ -16,7 +16,7 @@ pub(super) struct ValueFlows(Vec<ValueFlow>);
 impl ValueFlows {
     /// From flows in any order.
     pub(super) fn new(mut flows: Vec<ValueFlow>) -> Self {
-        flows.sort_unstable();
+        sorting::ascending(&mut flows);
         flows.dedup();
         Self(flows)
     }

@@ -33,7 +33,7 @@ pub fn apply<T: Deref<Target = [u8]>>(source: &[u8], edits: &[Edit<T>]) -> Resul
     let mut out = Vec::with_capacity(source.len() + grown);
     let mut order: Vec<Edit<&[u8]>> =
         edits.iter().map(|Edit { range, text }| Edit { range: *range, text: &**text }).collect();
-    order.sort_by_key(|edit| (edit.range.start, edit.range.end)); // stable: insertions at one place keep their order
+    sorting::by_key(&mut order, |edit| (edit.range.start, edit.range.end)); // stable: insertions at one place keep their order
     each_piece(source, order, |piece| {
         out.extend_from_slice(piece);
         true

@@ -7,7 +7,7 @@ pub(crate) fn programs() -> Vec<Vec<u8>> {
     let mut paths = Vec::new();
     programs_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures"), &mut paths);
     assert!(paths.len() > 50, "{}", paths.len());
-    paths.sort();
+    sorting::ascending(&mut paths);
     paths.iter().map(|path| std::fs::read(path).unwrap()).collect()
 }
 

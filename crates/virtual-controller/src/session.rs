@@ -253,7 +253,7 @@ impl Session {
         self.call_if_there(&cold_start, &[])?;
         let mut now_min = 0.0;
         let mut order = minutes_min.to_vec();
-        order.sort_by(f64::total_cmp);
+        sorting::numbers(&mut order);
         for t_min in order {
             self.show_temperature(t_min)?;
             while now_min < t_min {

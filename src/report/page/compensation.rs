@@ -116,7 +116,7 @@ impl CompensationPage<'_> {
         let mut shown: BTreeSet<MotionId> = others.take(MOST_NOT_CORRECTED).collect();
         let mut corrected: Vec<MotionId> = ids().filter(is_corrected).collect();
         let size = |id: &MotionId| planned(id).max_correction_m;
-        corrected.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
+        sorting::by(&mut corrected, |a, b| size(b).total_cmp(&size(a)).then(a.cmp(b)));
         shown.extend(corrected.into_iter().take(MOST_MOTIONS - shown.len()));
         Some(shown)
     }

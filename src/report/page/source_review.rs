@@ -127,7 +127,7 @@ impl SourceReview {
             let old = shown(lines.of(source, number.saturating_sub(1)));
             self.files[at].rows.push(Row(number, empty, old, None, empty));
         }
-        self.files[at].rows.sort_by_key(|row| row.0);
+        sorting::by_key(&mut self.files[at].rows, |row| row.0);
         self.files[at].rows.dedup_by_key(|row| row.0);
     }
 
@@ -156,7 +156,7 @@ impl Serialize for SourceReview {
         }
         let mut shared: Vec<(&str, usize)> =
             self.shared.iter().map(|(text, &at)| (text.as_str(), at)).collect();
-        shared.sort_by_key(|(_, at)| *at);
+        sorting::by_key(&mut shared, |(_, at)| *at);
         let shared = shared.into_iter().map(|(text, _)| text).collect();
         Whole { shared, files: &self.files }.serialize(serializer)
     }

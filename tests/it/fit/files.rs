@@ -41,51 +41,6 @@ fn nests_among_the_poses_are_left_out_and_said_to_be() {
     assert!(both.1.contains(&alone.1), "{}{}", alone.1, both.1);
 }
 
-/// What was edited by hand, and what is somebody else's, stays; the table that was written is read again.
-#[test]
-fn no_output_takes_the_place_of_what_it_did_not_write() {
-    let folder = tempfile::tempdir().unwrap();
-    let at = |name: &str| folder.path().join(name).display().to_string();
-    std::fs::write(at("poses.csv"), written(&seen(&day(), 7, |_, at_m, _| at_m))).unwrap();
-    let fit = |more: &[&str]| driftpost(&[&["fit", &at("poses.csv"), "--tool", "30,-20,100"], more].concat());
-    for (option, name) in
-        [("--table-out", "drift.csv"), ("--model-out", "drift.toml"), ("--report", "page.html")]
-    {
-        let file = at(name);
-        for _ in 0..2 {
-            let (code, answer) = fit(&[option, &file]);
-            assert_eq!(code, Some(0), "{option}: {answer}");
-        }
-        let other = "MODULE Somebody\nENDMODULE\n";
-        let mut kept = vec![other.to_owned()];
-        if name == "drift.csv" {
-            let table = ["--deformation", &file, "--orient-deg", "0,90,0", "--minutes", "60"];
-            let (code, answer) =
-                driftpost(&[&["tabulate", "fixtures/paper/targets45.csv"], &table[..]].concat());
-            assert_eq!(code, Some(0), "{answer}");
-        }
-        let written = std::fs::read_to_string(&file).unwrap();
-        match name {
-            // A number typed in a table, and any line of a model.
-            "drift.csv" => kept.push(format!("{},0.02\n", written.trim_end().rsplit_once(',').unwrap().0)),
-            "drift.toml" => kept.push(written.replacen("0.0", "0.1", 1)),
-            _ => {}
-        }
-        for text in kept {
-            std::fs::write(&file, &text).unwrap();
-            let (code, answer) = fit(&[option, &file]);
-            assert!(code == Some(2) && answer.contains("output::changed"), "{option}: {answer}");
-            assert_eq!(std::fs::read_to_string(&file).unwrap(), text, "{option}");
-        }
-        if name != "page.html" {
-            assert_eq!(fit(&[option, &file, "--force"]).0, Some(0), "{option}");
-        }
-    }
-    std::fs::write(at("measured.csv"), "id,x_mm\n1,2\n").unwrap();
-    let (code, answer) = driftpost(&["plan", "--n", "20", "--csv", &at("measured.csv")]);
-    assert!(code == Some(2) && answer.contains("output::changed"), "{answer}");
-}
-
 /// A model of a warm-up, on the touches that it was fitted to and on those behind the stop: as warm as the robot was then.
 #[test]
 fn a_model_is_put_to_the_test_with_the_stops_that_it_was_fitted_with() {
@@ -125,4 +80,58 @@ fn a_model_is_put_to_the_test_with_the_stops_that_it_was_fitted_with() {
     assert!(late.contains("model::pause") && late.contains("the first row is at minute 170"), "{late}");
     let (code, left_mm, _, answer) = rms_mm(&["later.csv", "--stop", "120:165"]);
     assert!(code == Some(0) && left_mm < 0.02 && !answer.contains("model::pause"), "{left_mm} {answer}");
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// What was edited by hand, and what is somebody else's, stays; the table that was written is read again.
+    #[test]
+    #[ignore = "long"]
+    fn no_output_takes_the_place_of_what_it_did_not_write() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name).display().to_string();
+        std::fs::write(at("poses.csv"), written(&seen(&day(), 7, |_, at_m, _| at_m))).unwrap();
+        let fit =
+            |more: &[&str]| driftpost(&[&["fit", &at("poses.csv"), "--tool", "30,-20,100"], more].concat());
+        for (option, name) in
+            [("--table-out", "drift.csv"), ("--model-out", "drift.toml"), ("--report", "page.html")]
+        {
+            let file = at(name);
+            for _ in 0..2 {
+                let (code, answer) = fit(&[option, &file]);
+                assert_eq!(code, Some(0), "{option}: {answer}");
+            }
+            let other = "MODULE Somebody\nENDMODULE\n";
+            let mut kept = vec![other.to_owned()];
+            if name == "drift.csv" {
+                let table = ["--deformation", &file, "--orient-deg", "0,90,0", "--minutes", "60"];
+                let (code, answer) =
+                    driftpost(&[&["tabulate", "fixtures/paper/targets45.csv"], &table[..]].concat());
+                assert_eq!(code, Some(0), "{answer}");
+            }
+            let written = std::fs::read_to_string(&file).unwrap();
+            match name {
+                // A number typed in a table, and any line of a model.
+                "drift.csv" => {
+                    kept.push(format!("{},0.02\n", written.trim_end().rsplit_once(',').unwrap().0));
+                }
+                "drift.toml" => kept.push(written.replacen("0.0", "0.1", 1)),
+                _ => {}
+            }
+            for text in kept {
+                std::fs::write(&file, &text).unwrap();
+                let (code, answer) = fit(&[option, &file]);
+                assert!(code == Some(2) && answer.contains("output::changed"), "{option}: {answer}");
+                assert_eq!(std::fs::read_to_string(&file).unwrap(), text, "{option}");
+            }
+            if name != "page.html" {
+                assert_eq!(fit(&[option, &file, "--force"]).0, Some(0), "{option}");
+            }
+        }
+        std::fs::write(at("measured.csv"), "id,x_mm\n1,2\n").unwrap();
+        let (code, answer) = driftpost(&["plan", "--n", "20", "--csv", &at("measured.csv")]);
+        assert!(code == Some(2) && answer.contains("output::changed"), "{answer}");
+    }
 }

@@ -4,11 +4,11 @@
 use driftpost::application::{Fit, Fitted};
 use exam::rng::Rng;
 use measurements::{Touch, Touches};
-use metrology::diagnose::warmup::{FitError, MovedBody};
 use nalgebra::{Isometry3, Point3, Vector3};
 use robot_model::deform::{Deformation, GrowthLaw, Warmth};
 use robot_model::kinematics::Chain;
 use robot_model::robot::Robot;
+use warm_up::{FitError, MovedBody};
 
 const SIGMA_M: f64 = 1e-5;
 const TOOL_M: [f64; 3] = [0.03, -0.02, 0.1];
@@ -82,41 +82,6 @@ fn tau_is_true(found: &Fitted) {
     assert!((found.warm_up.sigma_m / SIGMA_M - 1.0).abs() < 0.1, "{}", found.warm_up.sigma_m);
 }
 
-/// A tracker that is moved over lunch, or while the robot works, counts from two stands: law, time constant and noise are those of the arm.
-#[test]
-fn an_instrument_that_was_moved_is_named_with_its_moment_and_is_no_drift() {
-    let still = fitted(&seen(&day(), 1, |_, at_m, _| at_m)).unwrap();
-    assert!(codes(&still).is_empty() && still.warm_up.moved.is_empty(), "{:?}", still.warnings());
-    tau_is_true(&still);
-    for (by_mm, turn_rad, after_min, between_min) in [
-        (0.1, 0.0, 150.0, [120.0, 170.0]),
-        (0.3, 1e-4, 150.0, [120.0, 170.0]),
-        (2.0, 1e-3, 150.0, [120.0, 170.0]),
-        (0.5, 0.0, 102.0, [100.0, 105.0]),
-    ] {
-        let put = Isometry3::new(Vector3::new(by_mm * 1e-3, 0.0, 0.0), Vector3::z() * turn_rad);
-        let found =
-            fitted(&seen(&day(), 1, |t_min, at_m, _| if t_min > after_min { put * at_m } else { at_m }))
-                .unwrap();
-        let moved = &found.warm_up.moved;
-        assert!(moved.len() == 1 && moved[0].between_min == between_min, "{by_mm} {moved:?}");
-        assert!(
-            moved[0].body == MovedBody::Points && (moved[0].turn_rad - turn_rad).abs() < 5e-5,
-            "{moved:?}"
-        );
-        if turn_rad == 0.0 {
-            assert!((moved[0].shift_m * 1e3 / by_mm - 1.0).abs() < 0.2, "{moved:?}");
-        }
-        assert_eq!(codes(&found), ["measure::instrument-moved"], "{:?}", found.warnings());
-        tau_is_true(&found);
-        // Within the noise of 13 readings over that of 25, and what the second place costs.
-        for (with, without) in found.warm_up.points.iter().zip(&still.warm_up.points) {
-            let off_m = (with.settled_m - without.settled_m).norm();
-            assert!(off_m < 4.0 * SIGMA_M, "{by_mm} {off_m}");
-        }
-    }
-}
-
 /// Moved while the robot worked, and again over lunch: each has its own moment.
 #[test]
 fn an_instrument_that_was_moved_twice_has_three_stands() {
@@ -129,18 +94,6 @@ fn an_instrument_that_was_moved_twice_has_three_stands() {
     moments.sort_by(|a, b| a[0].total_cmp(&b[0]));
     assert_eq!(moments, [[70.0, 75.0], [120.0, 170.0]]);
     assert_eq!(codes(&found), ["measure::instrument-moved"; 2]);
-    tau_is_true(&found);
-}
-
-/// Further than any arm errs: as other commands take it back, line and size in the message.
-#[test]
-fn an_instrument_that_was_set_up_anew_is_registered_anew() {
-    let put = Isometry3::new(Vector3::new(0.3, -0.1, 0.02), Vector3::z() * 0.3);
-    let found =
-        fitted(&seen(&day(), 2, |t_min, at_m, _| if t_min > 150.0 { put * at_m } else { at_m })).unwrap();
-    assert_eq!(codes(&found), ["measure::instrument-moved"]);
-    // 25 rounds of 8 rows, from line 2 on.
-    assert!(found.warnings()[0].message.contains("from line 202 on"), "{:?}", found.warnings());
     tau_is_true(&found);
 }
 
@@ -178,11 +131,66 @@ fn a_drift_that_shows_across_one_pause_alone_is_said_to_do_so() {
     );
 }
 
-/// An instrument that creeps by 20 micrometres a minute: 4.6 mm over the file, which no arm drifts.
-#[test]
-fn what_no_arm_drifts_is_refused() {
-    let creeps = seen(&day(), 5, |t_min, at_m, _| at_m + Vector3::y() * (2e-5 * t_min));
-    let refused = fitted(&creeps).unwrap_err();
-    assert_eq!(refused.code(), "fit::absurd", "{refused}");
-    assert!(refused.to_string().contains("mm"), "{refused}");
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// A tracker that is moved over lunch, or while the robot works, counts from two stands: law, time constant and noise are those of the arm.
+    #[test]
+    #[ignore = "long"]
+    fn an_instrument_that_was_moved_is_named_with_its_moment_and_is_no_drift() {
+        let still = fitted(&seen(&day(), 1, |_, at_m, _| at_m)).unwrap();
+        assert!(codes(&still).is_empty() && still.warm_up.moved.is_empty(), "{:?}", still.warnings());
+        tau_is_true(&still);
+        for (by_mm, turn_rad, after_min, between_min) in [
+            (0.1, 0.0, 150.0, [120.0, 170.0]),
+            (0.3, 1e-4, 150.0, [120.0, 170.0]),
+            (2.0, 1e-3, 150.0, [120.0, 170.0]),
+            (0.5, 0.0, 102.0, [100.0, 105.0]),
+        ] {
+            let put = Isometry3::new(Vector3::new(by_mm * 1e-3, 0.0, 0.0), Vector3::z() * turn_rad);
+            let found =
+                fitted(&seen(&day(), 1, |t_min, at_m, _| if t_min > after_min { put * at_m } else { at_m }))
+                    .unwrap();
+            let moved = &found.warm_up.moved;
+            assert!(moved.len() == 1 && moved[0].between_min == between_min, "{by_mm} {moved:?}");
+            assert!(
+                moved[0].body == MovedBody::Points && (moved[0].turn_rad - turn_rad).abs() < 5e-5,
+                "{moved:?}"
+            );
+            if turn_rad == 0.0 {
+                assert!((moved[0].shift_m * 1e3 / by_mm - 1.0).abs() < 0.2, "{moved:?}");
+            }
+            assert_eq!(codes(&found), ["measure::instrument-moved"], "{:?}", found.warnings());
+            tau_is_true(&found);
+            // Within the noise of 13 readings over that of 25, and what the second place costs.
+            for (with, without) in found.warm_up.points.iter().zip(&still.warm_up.points) {
+                let off_m = (with.settled_m - without.settled_m).norm();
+                assert!(off_m < 4.0 * SIGMA_M, "{by_mm} {off_m}");
+            }
+        }
+    }
+
+    /// An instrument that creeps by 20 micrometres a minute: 4.6 mm over the file, which no arm drifts.
+    #[test]
+    #[ignore = "long"]
+    fn what_no_arm_drifts_is_refused() {
+        let creeps = seen(&day(), 5, |t_min, at_m, _| at_m + Vector3::y() * (2e-5 * t_min));
+        let refused = fitted(&creeps).unwrap_err();
+        assert_eq!(refused.code(), "fit::absurd", "{refused}");
+        assert!(refused.to_string().contains("mm"), "{refused}");
+    }
+
+    /// Further than any arm errs: as other commands take it back, line and size in the message.
+    #[test]
+    #[ignore = "long"]
+    fn an_instrument_that_was_set_up_anew_is_registered_anew() {
+        let put = Isometry3::new(Vector3::new(0.3, -0.1, 0.02), Vector3::z() * 0.3);
+        let found =
+            fitted(&seen(&day(), 2, |t_min, at_m, _| if t_min > 150.0 { put * at_m } else { at_m })).unwrap();
+        assert_eq!(codes(&found), ["measure::instrument-moved"]);
+        // 25 rounds of 8 rows, from line 2 on.
+        assert!(found.warnings()[0].message.contains("from line 202 on"), "{:?}", found.warnings());
+        tau_is_true(&found);
+    }
 }

@@ -5,12 +5,12 @@ use driftpost::application::{Fit, Fitted};
 use exam::rng::Rng;
 use exam::touch::touches;
 use measurements::{Touch, Touches};
-use metrology::diagnose::warmup::FitOptions;
 use nalgebra::{Matrix3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
 use robot_model::kinematics::{Chain, FrameOffsets};
 use robot_model::robot::Robot;
+use warm_up::FitOptions;
 
 pub(super) fn robot() -> Robot {
     Robot::built_in("irb140").unwrap()
@@ -44,53 +44,6 @@ fn creeping(touches: &Touches, creeps: impl Fn(&str) -> bool, deg_per_min: f64) 
         touch.q_rad[0] += (deg_per_min * touch.t_min).to_radians();
     });
     moved
-}
-
-#[test]
-fn one_point_that_creeps_is_named_with_the_time_constant_of_the_others() {
-    for seed in [3, 12, 20] {
-        let touches = sound(seed);
-        let found = fitted(&touches, 100.0);
-        assert_eq!(of_code(&found, "fit::moving-point"), Vec::<&Diagnostic>::new(), "seed {seed}");
-        let creeps = fitted(&creeping(&touches, |point| point == "P2", 1e-4), 100.0);
-        let named = of_code(&creeps, "fit::moving-point");
-        let [one] = named[..] else { panic!("seed {seed}: {:?}", creeps.warnings()) };
-        assert!(one.message.starts_with("point P2 moves otherwise than the other 4 points"), "{one:?}");
-        let minutes: Vec<f64> = one
-            .message
-            .split(" is ")
-            .skip(1)
-            .flat_map(|part| part.split(' '))
-            .filter_map(|word| word.parse().ok())
-            .collect();
-        // How far off, the time constant without it and with it: 46 minutes were drawn.
-        let [_, rest_min] = minutes[..2] else { panic!("{one:?}") };
-        let with_min = creeps.warm_up.growth.tau_min().unwrap();
-        assert!((rest_min - 46.0).abs() < 0.5 * (with_min - 46.0).abs(), "{one:?}");
-    }
-}
-
-#[test]
-fn what_one_or_two_points_cannot_tell_is_named() {
-    let touches = sound(3);
-    let only = |points: &[&str]| {
-        let mut few = creeping(&touches, |point| point == "P2", 2.5e-4);
-        few.touches.retain(|touch| points.contains(&touches.points[touch.point].as_str()));
-        few
-    };
-    let alone = fitted(&only(&["P2"]), 100.0);
-    let named = of_code(&alone, "fit::few-points");
-    assert!(
-        named[0].message.contains("(P2)") && named[0].message.contains("creeps cannot be told"),
-        "{named:?}"
-    );
-    let two = fitted(&only(&["P2", "P3"]), 100.0);
-    let named = of_code(&two, "fit::moving-point");
-    assert!(named[0].message.contains("P2 and P3 do not move together"), "{named:?}");
-    assert!(of_code(&two, "fit::few-points").is_empty());
-    let still = sound(3).touches.into_iter().filter(|touch| touch.point < 2).collect();
-    let still = fitted(&Touches { touches: still, ..touches }, 100.0);
-    assert!(of_code(&still, "fit::few-points")[0].message.starts_with("two of the points alone"));
 }
 
 /// Joints at which the tip of the arm `chain` is at `goal_m`, joints 4 to 6 where they are: Newton's method on the other three.
@@ -182,4 +135,58 @@ fn touches_in_other_orientations_tell_the_tip_and_others_do_not() {
     assert_eq!(found.tip.unwrap().directions, 0);
     assert!(found.text().contains("(--tool) is not checked"), "{}", found.text());
     assert_eq!(found.json()["tip"]["directions"], 0);
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn one_point_that_creeps_is_named_with_the_time_constant_of_the_others() {
+        for seed in [3, 12, 20] {
+            let touches = sound(seed);
+            let found = fitted(&touches, 100.0);
+            assert_eq!(of_code(&found, "fit::moving-point"), Vec::<&Diagnostic>::new(), "seed {seed}");
+            let creeps = fitted(&creeping(&touches, |point| point == "P2", 1e-4), 100.0);
+            let named = of_code(&creeps, "fit::moving-point");
+            let [one] = named[..] else { panic!("seed {seed}: {:?}", creeps.warnings()) };
+            assert!(one.message.starts_with("point P2 moves otherwise than the other 4 points"), "{one:?}");
+            let minutes: Vec<f64> = one
+                .message
+                .split(" is ")
+                .skip(1)
+                .flat_map(|part| part.split(' '))
+                .filter_map(|word| word.parse().ok())
+                .collect();
+            // How far off, the time constant without it and with it: 46 minutes were drawn.
+            let [_, rest_min] = minutes[..2] else { panic!("{one:?}") };
+            let with_min = creeps.warm_up.growth.tau_min().unwrap();
+            assert!((rest_min - 46.0).abs() < 0.5 * (with_min - 46.0).abs(), "{one:?}");
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn what_one_or_two_points_cannot_tell_is_named() {
+        let touches = sound(3);
+        let only = |points: &[&str]| {
+            let mut few = creeping(&touches, |point| point == "P2", 2.5e-4);
+            few.touches.retain(|touch| points.contains(&touches.points[touch.point].as_str()));
+            few
+        };
+        let alone = fitted(&only(&["P2"]), 100.0);
+        let named = of_code(&alone, "fit::few-points");
+        assert!(
+            named[0].message.contains("(P2)") && named[0].message.contains("creeps cannot be told"),
+            "{named:?}"
+        );
+        let two = fitted(&only(&["P2", "P3"]), 100.0);
+        let named = of_code(&two, "fit::moving-point");
+        assert!(named[0].message.contains("P2 and P3 do not move together"), "{named:?}");
+        assert!(of_code(&two, "fit::few-points").is_empty());
+        let still = sound(3).touches.into_iter().filter(|touch| touch.point < 2).collect();
+        let still = fitted(&Touches { touches: still, ..touches }, 100.0);
+        assert!(of_code(&still, "fit::few-points")[0].message.starts_with("two of the points alone"));
+    }
 }

@@ -41,7 +41,7 @@ pub(super) fn sorted_by_name(
 /// So many rows, numbered from `first`, in the order of the letters of their numbers.
 fn by_letters(count: usize, first: usize) -> Vec<usize> {
     let mut rows: Vec<usize> = (0..count).collect();
-    rows.sort_by_key(|row| (row + first).to_string());
+    sorting::by_key(&mut rows, |row| (row + first).to_string());
     rows
 }
 

@@ -85,7 +85,7 @@ fn of_points() -> Vec<Change> {
         all.push(Change::new(FaultKind::SwappedAxes, axis, description, move |s| on_axis(s, k, -1.0)));
         let other = (k + 1) % POINT.len();
         let mut both = [axis, POINT[other]];
-        both.sort_unstable();
+        sorting::ascending(&mut both);
         let description = format!("the columns {} and {} are swapped", both[0], both[1]);
         all.push(Change::new(FaultKind::SwappedAxes, both.join(", "), description, move |s| {
             if let Some(position_m) = s.reading.position_mut() {

@@ -109,7 +109,7 @@ pub fn find_in_stamps(stamps: &[(f64, u64)]) -> Option<Fault> {
     let step = |k: usize| stamps[k].0 - stamps[k - 1].0;
     let usual = |steps: std::ops::Range<usize>| {
         let mut steps: Vec<f64> = steps.map(step).filter(|step| *step > 0.0).collect();
-        steps.sort_by(f64::total_cmp);
+        sorting::numbers(&mut steps);
         steps.get(steps.len() / 2).copied()
     };
     let n = stamps.len();
@@ -165,7 +165,7 @@ fn temperatures(rows: &[&MeasurementRow]) -> Option<Fault> {
             let wrong = |row: &&&MeasurementRow| {
                 row.joint_temperature_c.is_some_and(|all| {
                     let mut others: Vec<f64> = (0..joints).filter(|k| *k != j).map(|k| all[k]).collect();
-                    others.sort_by(f64::total_cmp);
+                    sorting::numbers(&mut others);
                     let middle = others[others.len() / 2];
                     (all[j] - middle).abs() > APART_K && (celsius(all[j]) - middle).abs() < NEAR_K
                 })

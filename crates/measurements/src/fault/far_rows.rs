@@ -129,7 +129,7 @@ pub(super) struct FarRows<'a> {
 impl<'a> FarRows<'a> {
     pub(super) fn of(robot: &'a SerialArm, rows: &'a [PosedRow], part: &'a Part) -> Self {
         let mut sorted = part.off_m.clone();
-        sorted.sort_by(f64::total_cmp);
+        sorting::numbers(&mut sorted);
         // The middle of the nearer ones: most rows may be false.
         let middle_m = sorted.get(part.near / 2).copied().unwrap_or(0.0);
         let limit_m = FAR_M.max(FAR_TIMES * middle_m);

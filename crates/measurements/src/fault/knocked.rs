@@ -186,7 +186,7 @@ impl Steps {
             each.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(m2, i)| (m2, i, t))
         };
         let mut best: Vec<(f64, usize, usize)> = (0..self.targets).filter_map(best_of).collect();
-        best.sort_by(|a, b| b.0.total_cmp(&a.0));
+        sorting::by(&mut best, |a, b| b.0.total_cmp(&a.0));
         let (taken_m2, i, t) = *best.first()?;
         let turned_m2 = places().map(|i| self.at[i].1).fold(0.0, f64::max);
         // Of two it is the distance between them that has changed.

@@ -137,7 +137,7 @@ impl Fault {
         mut lines: Vec<u64>,
         describe: impl Fn(usize, &str) -> String,
     ) -> Self {
-        lines.sort_unstable();
+        sorting::ascending(&mut lines);
         let reason = describe(lines.len(), &in_words(&lines));
         Self { kind, column: Some(column.to_owned()), lines, reason }
     }

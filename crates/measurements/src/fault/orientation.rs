@@ -73,7 +73,7 @@ fn turn_is_known(stations: &[Station]) -> bool {
         .map(|p| (p - middle_m) * (p - middle_m).transpose())
         .sum::<nalgebra::Matrix3<f64>>()
         .symmetric_eigenvalues();
-    spread_m2.as_mut_slice().sort_by(f64::total_cmp);
+    sorting::numbers(spread_m2.as_mut_slice());
     n > 0.0 && (spread_m2[1] / n).max(0.0).sqrt() > SPREAD_M
 }
 
@@ -175,7 +175,7 @@ struct Sensor {
 impl Sensor {
     fn new(flange_from_sensor: UnitQuaternion<f64>, off_rad: Vec<f64>) -> Self {
         let mut near_rad: Vec<f64> = off_rad.iter().copied().filter(|off_rad| *off_rad < NEAR_RAD).collect();
-        near_rad.sort_by(f64::total_cmp);
+        sorting::numbers(&mut near_rad);
         let (near, middle_rad) =
             (near_rad.len(), near_rad.get(near_rad.len() / 2).copied().unwrap_or(NEAR_RAD));
         Self { flange_from_sensor, off_rad, near, middle_rad }
@@ -249,7 +249,7 @@ impl Oriented {
             .reduce(|best, next| if next.0.beats(&best.0) { next } else { best })
             .filter(|(sensor, _)| sensor.near as f64 >= MOST * self.rows.len() as f64);
         let mut off_rad = as_read.off_rad.clone();
-        off_rad.sort_by(f64::total_cmp);
+        sorting::numbers(&mut off_rad);
         let scatters = off_rad.get(off_rad.len() / 2).is_some_and(|middle_rad| *middle_rad < SCATTER_RAD);
         if found.is_none() && scatters {
             return None;

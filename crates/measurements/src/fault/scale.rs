@@ -110,7 +110,7 @@ fn excess(stations: &[Station], poses: &[Isometry3<f64>], fit: &Registration) ->
         })
         .collect();
     // A few false rows must not decide: those that say most are left out.
-    shares.sort_by(|a, b| (a[0].abs()).total_cmp(&b[0].abs()));
+    sorting::by(&mut shares, |a, b| (a[0].abs()).total_cmp(&b[0].abs()));
     shares.truncate(shares.len() - shares.len() / 10);
     let sum = |k: usize| shares.iter().map(|share| share[k]).sum::<f64>();
     (sum(1) > 0.0).then(|| sum(0) / sum(1))

@@ -15,7 +15,7 @@ const FEW_STATIONS: usize = 30;
 /// What most of the distances stay under, metres: their median, or their 80 % quantile over 2.5 where that is more. Of 3-D normal noise the
 /// quantile is 1.4 medians, so that it counts only where a fifth of the rows and more is far off.
 pub(super) fn most_m(off_m: &mut [f64]) -> f64 {
-    off_m.sort_by(f64::total_cmp);
+    sorting::numbers(off_m);
     let at = |share: f64| off_m.get((share * off_m.len() as f64) as usize).copied().unwrap_or(0.0);
     at(0.5).max(at(0.8) / 2.5)
 }

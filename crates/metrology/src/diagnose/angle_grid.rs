@@ -172,11 +172,11 @@ fn step_of_counts(mut angles_deg: Vec<f64>, own_deg: f64) -> Option<f64> {
     // What stands on a step of its own beside the decimals is no rounding of another.
     let written_deg = last_decimal_deg(&angles_deg).filter(|decimal| own_deg < MOST_DECIMALS * decimal)?;
     let [finest_deg, coarsest_deg] = STEPS_DEG;
-    angles_deg.sort_by(f64::total_cmp);
+    sorting::numbers(&mut angles_deg);
     angles_deg.dedup_by(|a, b| (*a - *b).abs() < SAME_DEG);
     let first_deg = *angles_deg.first()?;
     let mut apart_deg: Vec<f64> = angles_deg.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    apart_deg.sort_by(f64::total_cmp);
+    sorting::numbers(&mut apart_deg);
     let nearest_deg = *apart_deg.first()?;
     apart_deg.extend(angles_deg.iter().map(|angle_deg| angle_deg - first_deg).filter(|apart| *apart > 0.0));
     let tried = (1..=MOST_COUNTS).map(|counts| (counts, nearest_deg / f64::from(counts)));

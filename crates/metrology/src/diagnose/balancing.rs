@@ -1,8 +1,8 @@
 //! A balancing spring or cylinder, which heavy arms have at joint 2: where it pulls other than the controller takes it for, joint 2 gives by
 //! a torque that goes with its angle alone, which over a part of a turn is an eccentric gear's shape or a gain's.
 
-use super::cause::Cause;
 use super::outcome::Warning;
+use inference::cause::Cause;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 

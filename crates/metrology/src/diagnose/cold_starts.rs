@@ -35,7 +35,7 @@ impl ColdStarts {
             return None;
         }
         let mut order: Vec<(f64, &Station)> = all.iter().filter_map(|s| Some((s.t_min?, s))).collect();
-        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sorting::by(&mut order, |a, b| a.0.total_cmp(&b.0));
         let is_long = |pair: &[(f64, &Station)]| pair[1].0 - pair[0].0 >= LONG_MIN;
         // A clock that begins hours late may be that of the day.
         let first = order.first().filter(|(t_min, _)| *t_min >= LONG_MIN).map(|_| 0);

@@ -1,12 +1,12 @@
 //! From which size on an effect would have been seen in these data, and which effects would have to be larger than they ever are.
 
-use super::design::Products;
-use super::effects::Candidate;
-use super::evidence::NuisanceModel;
 use super::model::FittedModel;
 use super::outcome::{Detectable, Untestable};
-use super::search::{ALARM_NATS, cause_columns};
 use super::visible::INVISIBLE;
+use inference::design::Products;
+use inference::effects::Candidate;
+use inference::evidence::NuisanceModel;
+use inference::search::{ALARM_NATS, cause_columns};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
@@ -123,7 +123,7 @@ fn untestable(far: &[(Detectable, &str)], shown: &[Asked]) -> Vec<Untestable> {
         let is_shown_elsewhere = shown.iter().any(|(kind, _)| kind == effect);
         let mut joints: Vec<Axis> =
             alike().filter_map(|from| from.joint).filter(|_| is_shown_elsewhere).collect();
-        joints.sort_unstable();
+        sorting::ascending(&mut joints);
         joints.dedup();
         let reason = format!("these poses would show it from {least:.1e} {unit} on only; usual is {usual}");
         entries.push(Untestable { effect: *effect, joints, reason, lacks_channel: false });

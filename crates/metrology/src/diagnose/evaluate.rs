@@ -3,7 +3,6 @@
 //! Puts the answers of the other modules together; knows nothing of how the file was read and checked.
 
 use super::balancing::balancing;
-use super::dataset::Twist;
 use super::detection_limit::DetectionLimits;
 use super::false_row::false_rows;
 use super::finer_taus::with_finer_taus;
@@ -11,9 +10,6 @@ use super::heldout;
 use super::identification::{Identification, misses_stated};
 use super::iterated_search::{SearchProblem, best_model};
 use super::joint_turns::{are_curved, joint_turns};
-use super::linear_fit::solve;
-use super::linearise::{Linearised, linearise};
-use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::next_measurements::next_measurements;
@@ -25,11 +21,15 @@ use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::stated_noise::understated_noise;
 use super::step_fault::impossible_step;
-use super::time_course::TimeCourse;
 use super::tool_apart::tool_elsewhere;
 use super::verdict::{Judgement, judge, worse_elsewhere};
 use super::visible::visible;
 use super::zeros::zeros;
+use inference::dataset::Twist;
+use inference::linear_fit::solve;
+use inference::linearise::{Linearised, linearise};
+use inference::marginal::NoisePrior;
+use inference::time_course::TimeCourse;
 use measurements::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Identified;
@@ -170,7 +170,7 @@ fn name_untestable(diagnosis: &mut Findings, hidden: Vec<Untestable>, fitted: &F
     // An effect that other joints show is not one that these data cannot show.
     let of_whole_arm = too_small.iter().filter(|entry| entry.joints.is_empty());
     diagnosis.untestable = hidden.iter().chain(of_whole_arm).map(|entry| entry.effect).collect();
-    diagnosis.untestable.sort_by_key(|kind| kind.name());
+    sorting::by_key(&mut diagnosis.untestable, |kind| kind.name());
     diagnosis.untestable.dedup();
     diagnosis.untestable_detail = hidden.into_iter().chain(too_small).collect();
 }
@@ -310,6 +310,6 @@ fn residuals(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) -> Vec<RowRe
             });
         }
     }
-    all.sort_by_key(|r| r.line);
+    sorting::by_key(&mut all, |r| r.line);
     all
 }

@@ -3,16 +3,16 @@
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
 use super::cold_starts::ColdStarts;
-use super::effects::effect;
 use super::evaluate::{Evaluation, Prepared, evaluate};
-use super::linearise::linearise;
-use super::marginal::NoisePrior;
 use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use super::repeats_one_way::one_way;
 use super::stated_noise::{contradicted_noise, overstated_noise};
-use super::time_course::TimeCourse;
+use inference::effects::effect;
+use inference::linearise::linearise;
+use inference::marginal::NoisePrior;
+use inference::time_course::TimeCourse;
 use measurements::{
     Fault, Measurements, OneStand, RegisterError, RowCheck, StandError, Stations, check_rows,
     find_pose_names, from_one_stand, gather, turned,

@@ -3,12 +3,12 @@
 //! Of the distance that the model leaves, one direction is tried after the other; what leaves a tenth or less of it is
 //! said, as a likeness and not as a finding: chance alone does as much once in twenty rows.
 
-use super::dataset::{ObservationKind, Twist};
-use super::linearise::{Linearised, shift_m, turn_rad};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::outcome::FalseRow;
-use super::robust_weights::upper_median;
+use inference::dataset::{ObservationKind, Twist};
+use inference::linearise::{Linearised, shift_m, turn_rad};
+use inference::robust_weights::upper_median;
 use measurements::{Reading, Stations};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
@@ -50,7 +50,7 @@ pub(super) fn false_rows(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) 
             looks_like,
         });
     }
-    all.sort_by_key(|row| row.line);
+    sorting::by_key(&mut all, |row| row.line);
     all
 }
 

@@ -3,8 +3,8 @@
 //! With the grid alone the settled size of a drift is that of the nearest time constant, 15 % off between two of them, and a constant beside it
 //! takes what the law leaves.
 
-use super::effects::{Candidate, CauseKey};
 use super::model::FittedModel;
+use inference::effects::{Candidate, CauseKey};
 use robot_model::deform::GrowthLaw;
 use robot_model::deform::identified::Growth;
 
@@ -54,7 +54,7 @@ impl FinerTaus {
         let key = cause.cause_key();
         let of_cause = candidates.iter().filter(|candidate| candidate.cause_key() == key);
         let mut coarse_min: Vec<f64> = of_cause.filter_map(tau_min).collect();
-        coarse_min.sort_by(f64::total_cmp);
+        sorting::numbers(&mut coarse_min);
         coarse_min.dedup();
         let at = coarse_min.iter().position(|tau_min| *tau_min == chosen_min)?;
         let below = at.checked_sub(1).map(|k| coarse_min[k] / chosen_min);

@@ -1,7 +1,7 @@
 //! The lines of each joint's gear that a model holds, with their size at the tool.
 
-use super::cause::Cause;
 use super::outcome::RowResidual;
+use inference::cause::Cause;
 use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Estimate, Identified, Term};
@@ -48,7 +48,7 @@ pub fn gear_spectra(
             let of_joint = model.terms.iter().filter(|term| term.joint == Some(Axis::at(j)));
             let mut lines: Vec<GearLine> =
                 of_joint.flat_map(|term| lines_of(term, is_named(term, causes))).collect();
-            lines.sort_by_key(|line| line.n);
+            sorting::by_key(&mut lines, |line| line.n);
             (!lines.is_empty()).then(|| GearSpectrum {
                 joint: Axis::at(j),
                 lever_m: lever_m(robot, j, rows),

@@ -1,11 +1,12 @@
 //! How far the gap shrinks: poses held out, causes selected and fitted anew without them (those of all poses are offered as well), and an interval.
 
-use super::dataset::{Dataset, Observation};
-use super::linear_fit::solve;
-use super::linearise::shift_m;
 use super::model::FittedModel;
 use super::outcome::{ErrorReduction, HeldOutBlock};
-use super::search::{ALARM_NATS, ChosenCause, Library};
+use inference::dataset::{Dataset, Observation};
+use inference::linear_fit::solve;
+use inference::linearise::shift_m;
+use inference::search::{ALARM_NATS, ChosenCause, Library};
+use inference::split_mix::SplitMix64;
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -51,7 +52,7 @@ pub(super) fn folds(dataset: &Dataset) -> Folds {
     if dataset.time_min.is_some() {
         let mut order: Vec<usize> = (0..n).collect();
         let at = |i: usize| dataset.observations[i].clock();
-        order.sort_by(|&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
+        sorting::by(&mut order, |&a, &b| at(a).total_cmp(&at(b)).then(a.cmp(&b)));
         for &i in &order[n - block..] {
             late[i] = true;
         }
@@ -62,7 +63,7 @@ pub(super) fn folds(dataset: &Dataset) -> Folds {
     let corner = (0..n).fold(0, |best, i| if far(i) > far(best) { i } else { best });
     let mut order: Vec<usize> = (0..n).collect();
     let from = |i: usize| (dataset.observations[i].point_m - dataset.observations[corner].point_m).norm();
-    order.sort_by(|&a, &b| from(a).total_cmp(&from(b)).then(a.cmp(&b)));
+    sorting::by(&mut order, |&a, &b| from(a).total_cmp(&from(b)).then(a.cmp(&b)));
     for &i in &order[..block] {
         inside[i] = true;
     }
@@ -101,7 +102,7 @@ struct HeldOutSquares {
 pub(super) fn shrink(fitted: &mut FittedModel<'_>, folds: &Folds) -> ErrorReduction {
     let mut all: Vec<HeldOutSquares> =
         folds.folds.iter().flat_map(|fold| held_out(fitted, folds, fold)).collect();
-    all.sort_by_key(|squares| squares.station);
+    sorting::by_key(&mut all, |squares| squares.station);
     let Some(whole) = block(&all) else { return ErrorReduction::default() };
     let ratio = if whole.before_rms_mm > 0.0 { whole.after_rms_mm / whole.before_rms_mm } else { 1.0 };
     let time_block = folds.time.as_ref().and_then(|groups| block(&held_out(fitted, folds, groups)));
@@ -254,48 +255,13 @@ fn interval(stations: &[HeldOutSquares], pose_of: impl Fn(usize) -> usize, ratio
             if total[0] > 0.0 { (total[1] / total[0]).sqrt() } else { 1.0 }
         })
         .collect();
-    ratios.sort_by(f64::total_cmp);
+    sorting::numbers(&mut ratios);
     let at = |share: f64| ratios[((share * RESAMPLES as f64) as usize).min(RESAMPLES - 1)];
     if ratio <= 0.0 {
         return [0.0, at(0.95)];
     }
     let wider = INTERVAL_INFLATION * (1.0 + REGISTERED / sums.len() as f64);
     [0.05, 0.95].map(|share| ratio * (at(share) / ratio).powf(wider))
-}
-
-/// SplitMix64 (Steele, Lea and Flood 2014): the same numbers on every machine.
-pub(super) struct SplitMix64(u64);
-
-impl SplitMix64 {
-    /// The generator that starts at `seed`.
-    #[must_use]
-    pub(super) fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// From 0 to `n` - 1.
-    pub(super) fn below(&mut self, n: usize) -> usize {
-        (self.next() % n.max(1) as u64) as usize
-    }
-
-    /// From 0 to 1.
-    pub(super) fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Normal, of standard deviation 1 (Box and Muller 1958).
-    #[cfg(test)]
-    pub(super) fn normal(&mut self) -> f64 {
-        (-2.0 * self.unit().max(1e-12).ln()).sqrt() * (std::f64::consts::TAU * self.unit()).cos()
-    }
 }
 
 #[cfg(test)]

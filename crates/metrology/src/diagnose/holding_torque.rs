@@ -1,10 +1,10 @@
 //! The torque above which gravity, not the last motion, decides on which side of its play a joint lies: between the rows' torques, where all
 //! rows fit best.
 
-use super::dataset::{Dataset, Observation, scaled};
-use super::effects::{Candidate, GravityHold};
-use super::linearise::shift_m;
 use super::model::FittedModel;
+use inference::dataset::{Dataset, Observation, scaled};
+use inference::effects::{Candidate, GravityHold};
+use inference::linearise::shift_m;
 use std::borrow::Cow;
 
 /// Sums of squares that differ by less than this share are the same.
@@ -80,7 +80,7 @@ fn held_rows(
 
 /// The torque above which play is best held, N.m: in the middle of those between which no row says anything; `None` of a row or none.
 fn holding_torque_n_m(mut rows: Vec<HeldRow>) -> Option<f64> {
-    rows.sort_by(|a, b| a.torque_n_m.total_cmp(&b.torque_n_m));
+    sorting::by(&mut rows, |a, b| a.torque_n_m.total_cmp(&b.torque_n_m));
     // What all rows leave where the first k of them are free.
     let mut left_m2: f64 = rows.iter().map(|row| row.held_m2).sum();
     let mut sums = Vec::new();

@@ -1,18 +1,18 @@
 //! The model that is made of what was found: what of it cannot be in one, what stands there then, and why there is none.
 
-use super::effects::Candidate;
-use super::gear_lines::{AliasedLine, aliased_line, is_of_gear};
 use super::heldout::{self, Folds};
 use super::identify::{drifts_by_rows, identify, is_by_rows};
 use super::iterated_search::{SearchProblem, best_model};
-use super::linearise::rms_m;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds};
 use super::options::DiagnosisOptions;
 use super::outcome::{HeldOutBlock, Verdict, Warning};
-use super::spectrum;
 use super::verdict::{Judgement, describe_candidate};
+use inference::effects::Candidate;
+use inference::gear_lines::{AliasedLine, aliased_line, is_of_gear};
+use inference::linearise::rms_m;
+use inference::spectrum;
 use robot_model::deform::identified::Identified;
 use robot_model::units::m_from_mm;
 

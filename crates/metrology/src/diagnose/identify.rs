@@ -3,20 +3,20 @@
 //! The search works on first-order signatures; here the same parameters, with the same size priors, are fitted again to the
 //! residuals of the exact arm (Gauss-Newton, the signatures as Jacobian).
 
-use super::dataset::{Dataset, Twist};
-use super::effects::{Candidate, EffectVariant, Motion};
 use super::holding_torque::with_holding_torques;
-use super::linearise::{Linearised, rms_m};
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::no_model::{NoModel, holds, is_usual};
-use super::normal_equations::{JointLines, ModelColumns};
 use super::options::DiagnosisOptions;
 use super::payload_centre::PayloadCentre;
-use super::search::ChosenCause;
-use super::spectrum;
 use super::terms::terms;
-use super::time_course::TimeCourse;
+use inference::dataset::{Dataset, Twist};
+use inference::effects::{Candidate, EffectVariant, Motion};
+use inference::linearise::{Linearised, rms_m};
+use inference::normal_equations::{JointLines, ModelColumns};
+use inference::search::ChosenCause;
+use inference::spectrum;
+use inference::time_course::TimeCourse;
 use measurements::{RegisterError, Registration, Station, Stations, register};
 use nalgebra::{DVector, Isometry3, Vector3};
 use robot_model::deform::EffectKind;
@@ -465,7 +465,7 @@ fn measured_range(rows: usize, stations: &Stations, joints: usize) -> MeasuredRa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::evenly_spread;
 
     /// A link that bends under a payload whose centre no parameter tells; without a payload, or without sag, there is none to tell.
     #[test]

@@ -2,19 +2,19 @@
 //!
 //! Knows the search as one call, and nothing of verdicts.
 
-use super::dataset::{Dataset, Twist};
-use super::design::{Design, SharedError, VisitScatter, Whitening};
-use super::effects::Candidate;
-use super::evidence::NuisanceModel;
-use super::linear_fit::solve;
-use super::linearise::{Linearised, shift_m, turn_rad};
-use super::marginal::NoisePrior;
 use super::model::{FittedModel, Model, Workspace};
 use super::outlier_history::OutlierHistory;
-use super::robust_weights::{FALSE_SIGMAS, RobustWeights, upper_median};
-use super::search::{ALARM_NATS, ChosenCause, Library, NearTop, cause_columns};
-use super::slow_noise::{self, SlowNoise};
-use super::time_course::TimeCourse;
+use inference::dataset::{Dataset, Twist};
+use inference::design::{Design, SharedError, VisitScatter, Whitening};
+use inference::effects::Candidate;
+use inference::evidence::NuisanceModel;
+use inference::linear_fit::solve;
+use inference::linearise::{Linearised, shift_m, turn_rad};
+use inference::marginal::NoisePrior;
+use inference::robust_weights::{FALSE_SIGMAS, RobustWeights, upper_median};
+use inference::search::{ALARM_NATS, ChosenCause, Library, NearTop, cause_columns};
+use inference::slow_noise::{self, SlowNoise};
+use inference::time_course::TimeCourse;
 use std::collections::BTreeMap;
 
 const ROUNDS: usize = 4;
@@ -339,7 +339,7 @@ fn steps_of_few(fitted: &FittedModel<'_>) -> Vec<CarriedStation> {
         let without = design.residuals(&fit.coefficients);
         let gain = |i: usize| (squares(&without, i) - squares(&model.residuals, i)) / (2.0 * noise_m.powi(2));
         let mut gains: Vec<(usize, f64)> = (0..without.len()).map(|i| (i, gain(i))).collect();
-        gains.sort_by(|a, b| b.1.total_cmp(&a.1));
+        sorting::by(&mut gains, |a, b| b.1.total_cmp(&a.1));
         let (few, rest) = gains.split_at(FEW.min(gains.len()));
         let [few_nats, rest_nats] = [few, rest].map(|part| part.iter().map(|(_, gain)| gain).sum::<f64>());
         if few_nats < ALARM_NATS || rest_nats >= ALARM_NATS {

@@ -1,9 +1,9 @@
 //! How far the causes found turn each joint, and whether so far that the arm is no longer linear in them.
 
-use super::dataset::Dataset;
-use super::effects::Motion;
-use super::linearise::shift_m;
 use super::model::FittedModel;
+use inference::dataset::Dataset;
+use inference::effects::Motion;
+use inference::linearise::shift_m;
 use robot_model::robot::Joints;
 
 /// Terms of second order that move a point by more than this share of the noise are seen over many rows.

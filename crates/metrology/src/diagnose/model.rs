@@ -1,13 +1,13 @@
 //! The best model with what it was fitted to: what a diagnosis judges; knows nothing of how it was found.
 
-use super::dataset::{Dataset, Twist};
-use super::design::{Design, SlowColumns};
-use super::evidence::{EvidencePeak, NuisanceModel};
-use super::linear_fit::{LinearFit, solve};
-use super::linearise::Linearised;
-use super::marginal::NoisePrior;
-use super::search::{ChosenCause, Library, NULL_PRIOR};
-use super::slow_noise::SlowNoise;
+use inference::dataset::{Dataset, Twist};
+use inference::design::{Design, SlowColumns};
+use inference::evidence::{EvidencePeak, NuisanceModel};
+use inference::linear_fit::{LinearFit, solve};
+use inference::linearise::Linearised;
+use inference::marginal::NoisePrior;
+use inference::search::{ChosenCause, Library, NULL_PRIOR};
+use inference::slow_noise::SlowNoise;
 use std::collections::BTreeMap;
 
 /// The best model, constant once it is built.

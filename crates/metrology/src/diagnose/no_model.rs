@@ -1,13 +1,13 @@
 //! What is no model: terms of sizes that cannot be, and an arm that does not stand where it was measured.
 
-use super::dataset::{Dataset, Twist, scaled};
-use super::effects::{Candidate, CauseKey};
 use super::heldout::{floor_m, independent_floor_m};
-use super::linearise::shift_m;
 use super::model::FittedModel;
-use super::normal_equations::ModelColumns;
-use super::search::ChosenCause;
 use super::verdict::{describe_candidate, reported};
+use inference::dataset::{Dataset, Twist, scaled};
+use inference::effects::{Candidate, CauseKey};
+use inference::linearise::shift_m;
+use inference::normal_equations::ModelColumns;
+use inference::search::ChosenCause;
 use measurements::RegisterError;
 use nalgebra::DVector;
 use robot_model::deform::identified::{Estimate, Identified, Term};

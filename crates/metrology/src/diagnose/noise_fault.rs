@@ -1,11 +1,12 @@
 //! Scatter that no instrument has whose noise was stated or repeated, and that nothing recorded explains: a fault of the file.
 
-use super::linearise::{Linearised, shift_m};
+use super::Verdict;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::rounding::{self, FaultPrior};
 use super::verdict::Judgement;
-use super::{Verdict, dataset::Twist};
+use inference::dataset::Twist;
+use inference::linearise::{Linearised, shift_m};
 use measurements::{Fault, FaultKind};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::{counted, is_or_are};

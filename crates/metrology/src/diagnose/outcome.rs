@@ -1,9 +1,9 @@
 //! What a diagnosis says, in the units of its files: mm, degrees, minutes. The JSON contract.
 
-use super::cause::Cause;
-use super::missing_channel::MissingChannel;
-use super::size_unit::SizeUnit;
-use super::time_course::TimeCourse;
+use inference::cause::Cause;
+use inference::missing_channel::MissingChannel;
+use inference::size_unit::SizeUnit;
+use inference::time_course::TimeCourse;
 use measurements::{Fault, FaultKind};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::EffectKind;

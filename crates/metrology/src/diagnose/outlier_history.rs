@@ -1,6 +1,6 @@
 //! Stations that are set aside as false from round to round, so that none goes to and fro; knows nothing of why one is false.
 
-use super::robust_weights::RobustWeights;
+use inference::robust_weights::RobustWeights;
 
 /// Which stations have wavered. A reading that draws the model towards it looks less false with the model that it has drawn, and a
 /// search that ends in such a round ends with it: what came back and was set aside once more stays aside.

@@ -3,9 +3,9 @@
 //! To first order each cause has three columns of its own for it, its give times the offset. The exact arm has one offset, so that
 //! these columns are products of two parameters there.
 
-use super::dataset::Dataset;
-use super::effects::{Candidate, EffectVariant};
-use super::normal_equations::{ModelColumns, NormalEquations, Solution};
+use inference::dataset::Dataset;
+use inference::effects::{Candidate, EffectVariant};
+use inference::normal_equations::{ModelColumns, NormalEquations, Solution};
 use nalgebra::{DVector, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::Loads;
@@ -237,8 +237,8 @@ impl PayloadCentre {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::evenly_spread;
-    use crate::diagnose::effects::testable_effects;
+    use crate::diagnose::evenly_spread;
+    use inference::effects::testable_effects;
 
     /// A spring, a base, and a mass whose second joint gives twice as much; four columns before them, two behind.
     fn three() -> (PayloadCentre, DVector<f64>) {

@@ -1,9 +1,9 @@
 //! Play that stands ahead of its joint's last motion. Play lags: the side that the file gives may be the one that the joint came from.
 
-use super::cause::Cause;
 use super::model::FittedModel;
 use super::outcome::Warning;
 use super::verdict::CERTAIN;
+use inference::cause::Cause;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 

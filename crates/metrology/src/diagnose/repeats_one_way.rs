@@ -6,9 +6,9 @@
 //! them, and where the noise stated is what is left across the joint's way, a part of that is enough. So it is that rows near each other in the
 //! file lie off their poses' means alike.
 
-use super::linearise::Linearised;
-use super::marginal::NoisePrior;
 use super::outcome::Warning;
+use inference::linearise::Linearised;
+use inference::marginal::NoisePrior;
 use measurements::{Measurements, Repeats, Station, Stations, alone, median};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::robot::Axis;
@@ -141,7 +141,7 @@ fn alike(repeated: &[Repeated<'_>]) -> Option<Repeats> {
         let share = one.freedom() / (one.freedom() + 1.0);
         off.extend(one.of.rows.iter().zip(&one.off_m).map(|(&row, off)| (row, one.station, *off, share)));
     }
-    off.sort_by_key(|(row, ..)| *row);
+    sorting::by_key(&mut off, |(row, ..)| *row);
     let neighbours: Vec<_> = off.windows(2).filter(|pair| pair[0].1 != pair[1].1).collect();
     let cosine = |pair: &&[(usize, usize, Vector3<f64>, f64)]| {
         Some(pair[0].2.try_normalize(0.0)?.dot(&pair[1].2.try_normalize(0.0)?))
@@ -189,7 +189,7 @@ impl OneWay {
     #[must_use]
     pub(super) fn apart(&self, measurements: &Measurements, stations: &Stations) -> Stations {
         let mut rows: Vec<usize> = stations.stations.iter().flat_map(|s| s.rows.iter().copied()).collect();
-        rows.sort_unstable();
+        sorting::ascending(&mut rows);
         let pose_of: BTreeMap<usize, usize> =
             stations.stations.iter().flat_map(|s| s.rows.iter().map(|&row| (row, s.pose))).collect();
         let mut apart = alone(measurements, &rows);

@@ -2,8 +2,8 @@
 //! for each value that comes again and again.
 
 use super::angle_grid::AngleGrid;
-use super::dataset::{Dataset, Observation};
-use super::design::side_by_side;
+use inference::dataset::{Dataset, Observation};
+use inference::design::side_by_side;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use robot_model::units::rad_from_deg;
 use std::collections::BTreeMap;

@@ -1,13 +1,13 @@
 //! Joints written with too few decimals: their rounding error seen in the scatter.
 
 use super::angle_grid::AngleGrid;
-use super::dataset::Twist;
-use super::design::Design;
-use super::evidence::NuisanceModel;
-use super::linear_fit::solve;
 use super::measured_robot::MeasuredRobot;
 use super::model::FittedModel;
 use super::rounded_scatter::RoundedScatter;
+use inference::dataset::Twist;
+use inference::design::Design;
+use inference::evidence::NuisanceModel;
+use inference::linear_fit::solve;
 use measurements::{Fault, FaultKind};
 use nalgebra::{DMatrix, DVector, Vector3};
 use rapid_syntax::diagnostic::is_or_are;

@@ -1,10 +1,10 @@
 //! Noise that was stated beside what repeats, base and tool, or the best model say of it.
 
-use super::marginal::NoisePrior;
 use super::model::FittedModel;
 use super::options::DiagnosisOptions;
 use super::outcome::{Verdict, Warning};
 use super::verdict::Judgement;
+use inference::marginal::NoisePrior;
 use measurements::{MIDDLE_OF_3D, Reading, Registration, Stations};
 use robot_model::units::mm_from_m;
 

@@ -1,9 +1,9 @@
 //! Steps that no base, target or joint of an arm takes: the rows behind them, or before, are not of this measurement.
 
-use super::cause::Cause;
 use super::measured_robot::MeasuredRobot;
-use super::size_unit::SizeUnit;
 use super::verdict::LIKELIER_THAN_NOT;
+use inference::cause::Cause;
+use inference::size_unit::SizeUnit;
 use measurements::{Fault, FaultKind};
 use robot_model::deform::EffectKind;
 use robot_model::units::deg_from_rad;

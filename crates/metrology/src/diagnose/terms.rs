@@ -1,11 +1,11 @@
 //! What was solved for, as the terms of a model: from scaled columns to the file's values.
 
-use super::dataset::Dataset;
-use super::design::Design;
-use super::effects::{Candidate, EffectVariant, along_link, held_above_n_m, soft, usual_compliance};
-use super::normal_equations::{JointLines, LINE_RAD, ModelColumns};
 use super::payload_centre::centre_at;
-use super::search::ChosenCause;
+use inference::dataset::Dataset;
+use inference::design::Design;
+use inference::effects::{Candidate, EffectVariant, along_link, held_above_n_m, soft, usual_compliance};
+use inference::normal_equations::{JointLines, LINE_RAD, ModelColumns};
+use inference::search::ChosenCause;
 use nalgebra::DVector;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Estimate, PayloadScaling, TILT_SHIFT, Term, compliance_of_link};
@@ -49,7 +49,7 @@ pub(super) fn terms(
         }
         spectra.push(spectrum);
     }
-    lines.sort_by_key(|(rank, _)| *rank);
+    sorting::by_key(&mut lines, |(rank, _)| *rank);
     for (rank, values) in lines {
         terms.extend(term(columns.dataset, &candidates[named[rank].candidate], values));
     }
@@ -197,9 +197,9 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::{Observation, Twist};
-    use crate::diagnose::effects::testable_effects;
     use crate::diagnose::identify::{PredictedStations, predicted};
+    use inference::dataset::{Observation, Twist};
+    use inference::effects::testable_effects;
     use measurements::{Channels, Reading, Registration, Station};
     use nalgebra::{Isometry3, UnitQuaternion, Vector3};
     use robot_model::deform::identified::Identified;

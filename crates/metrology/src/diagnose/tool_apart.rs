@@ -1,8 +1,8 @@
 //! A tool that is elsewhere than it was given, over poses that hardly tell it from an arm that is off.
 
-use super::linearise::Linearised;
 use super::options::DiagnosisOptions;
 use super::outcome::Warning;
+use inference::linearise::Linearised;
 use measurements::tool_apart;
 use robot_model::units::mm_from_m;
 

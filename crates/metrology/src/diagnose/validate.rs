@@ -1,7 +1,6 @@
 //! A model against measurements that it has not seen.
 
 use super::identify::{PredictedStations, predicted};
-use super::warmup::{Standstill, warm_minutes};
 use measurements::{
     FreeParameters, Measurements, RegisterError, Registration, Station, describe_false_repeats, gather,
     register, register_with,
@@ -15,6 +14,7 @@ use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::{mm_from_m, rad_from_deg};
 use serde::Serialize;
 use std::sync::Arc;
+use warm_up::{Standstill, warm_minutes};
 
 /// What of the registration is fitted again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -164,7 +164,7 @@ pub fn validate(
         rows.push(place);
     }
     let mut worst: Vec<(u64, f64)> = rows.iter().map(|d| (d.line, mm_from_m(d.model_m))).collect();
-    worst.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    sorting::by(&mut worst, |a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     worst.truncate(10);
     Ok(Validation {
         all: part(rows.iter()),

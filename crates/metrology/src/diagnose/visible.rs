@@ -1,12 +1,12 @@
 //! Which causes base and target, which are unknown, leave anything of.
 
-use super::dataset::{Dataset, Twist};
-use super::design::{Design, Products, Whitening};
-use super::effects::{Candidate, UntestableEffect, testable_effects};
-use super::evidence::NuisanceModel;
-use super::linearise::Linearised;
-use super::marginal::NoisePrior;
 use super::outcome::Untestable;
+use inference::dataset::{Dataset, Twist};
+use inference::design::{Design, Products, Whitening};
+use inference::effects::{Candidate, UntestableEffect, testable_effects};
+use inference::evidence::NuisanceModel;
+use inference::linearise::Linearised;
+use inference::marginal::NoisePrior;
 use robot_model::deform::EffectKind;
 use std::collections::BTreeMap;
 
@@ -135,7 +135,7 @@ fn share_weights(candidates: &mut [Candidate]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::evenly_spread;
 
     /// What a part of the rows shows is no less than a part of what all of them show, so whatever is plain there is seen by all.
     #[test]

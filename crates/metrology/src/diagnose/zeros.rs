@@ -3,11 +3,11 @@
 //! Geometry wide enough to hold them leaves the evidence little to tell offsets by, and they are then not named as causes.
 //! They are still the first thing to look at, and the cheapest to mend.
 
-use super::linear_fit::solve;
-use super::linearise::shift_m;
 use super::model::{FittedModel, Workspace};
 use super::outcome::{JointZero, JointZeros};
-use super::search::ChosenCause;
+use inference::linear_fit::solve;
+use inference::linearise::shift_m;
+use inference::search::ChosenCause;
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
 

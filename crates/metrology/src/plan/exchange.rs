@@ -2,7 +2,7 @@
 //! are hardest to tell apart stand further apart.
 
 use super::information::{Information, Reduced, Regression};
-use crate::diagnose::signature::Signatures;
+use inference::signature::Signatures;
 
 /// Effects are compared at this rms over the noise's, averaged over all possible poses.
 const RHO: f64 = 0.5;
@@ -129,7 +129,7 @@ pub(super) fn choose(signatures: &Signatures, count: usize, sigma_m: f64, rounds
             let left: Vec<usize> = (0..rows.len()).filter(|i| !chosen.contains(i)).collect();
             let mut gains: Vec<(f64, usize)> =
                 parallel::map(left.len(), &|at| (steering.saved(rows[left[at]], width), left[at]));
-            gains.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+            sorting::by(&mut gains, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
             let best = gains
                 .iter()
                 .take(TRIED)
@@ -204,7 +204,7 @@ impl Compared {
     /// The pairs that cost most.
     fn steering(&self, reduced: &Reduced<'_>) -> Vec<SteeringPair> {
         let mut pairs = self.pairs(reduced);
-        pairs.sort_by(|a, b| {
+        sorting::by(&mut pairs, |a, b| {
             b.price().total_cmp(&a.price()).then((a.effect, a.alternative).cmp(&(b.effect, b.alternative)))
         });
         pairs.truncate(STEERING);

@@ -1,7 +1,7 @@
 //! What measurements say about each effect beside an alternative: squared signal over noise that base, tool, the arm's tolerances
 //! and the alternative leave (Pukelsheim 2006, Optimal Design of Experiments, ch. 3: Schur complements of the information).
 
-use crate::diagnose::signature::{Signature, Signatures};
+use inference::signature::{Signature, Signatures};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Separations below this do not tell two effects of usual size apart.

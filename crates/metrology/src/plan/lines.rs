@@ -3,7 +3,7 @@
 
 use super::information::{APART, NAMED_NATS};
 use crate::diagnose::SizeUnit;
-use crate::diagnose::signature::Signatures;
+use inference::signature::Signatures;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, Joints};
@@ -88,9 +88,9 @@ fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<GearLines> {
             confounded.push((separation / alone[a], [period(a), period(b)]));
         }
     }
-    confounded.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+    sorting::by(&mut confounded, |x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
     let mut sorted = alone.clone();
-    sorted.sort_by(f64::total_cmp);
+    sorting::numbers(&mut sorted);
     let middle = sorted.get(count / 2).copied().filter(|m| *m > 1e-6)?;
     let seen = alone.iter().filter(|a| **a >= APART).count();
     let sigma = USUAL_RAD / middle.sqrt();

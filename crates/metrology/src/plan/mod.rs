@@ -19,8 +19,8 @@ pub use outlook::{Confounded, EffectName, Outlook, Parameter};
 pub use rapid::rapid;
 pub use sheet::{poses_csv, template_csv};
 
-use crate::diagnose::signature::{PlannedMeasurement, signatures};
 use exchange::Choice;
+use inference::signature::{PlannedMeasurement, signatures};
 use nalgebra::Vector3;
 use pool::Pose;
 use rand::{RngExt, SeedableRng};

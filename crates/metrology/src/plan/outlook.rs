@@ -3,7 +3,7 @@
 use super::information::{APART, Information, NAMED_NATS, Reduced};
 use super::lines::GearLines;
 use crate::diagnose::SizeUnit;
-use crate::diagnose::signature::{Signature, Signatures};
+use inference::signature::{Signature, Signatures};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
@@ -99,7 +99,7 @@ pub(super) fn outlook(signatures: &Signatures, sigma_m: f64) -> Outlook {
     }
     let hardest =
         |x: &Confounded, y: &Confounded| y.r2.total_cmp(&x.r2).then(x.separation.total_cmp(&y.separation));
-    out.confounded.sort_by(|x, y| x.contained.cmp(&y.contained).then(hardest(x, y)));
+    sorting::by(&mut out.confounded, |x, y| x.contained.cmp(&y.contained).then(hardest(x, y)));
     out
 }
 

@@ -1,7 +1,7 @@
 //! Poses that the robot may take: inside its ranges, off singularities, above the floor, clear of its own foot.
 
 use super::options::{PlanError, PlanOptions, Restriction};
-use crate::diagnose::signature::PlannedMeasurement;
+use inference::signature::PlannedMeasurement;
 use nalgebra::{Matrix6xX, Vector3};
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;

@@ -24,7 +24,7 @@ pub(super) fn sweeps(
     for &joint in &sweeps.joints {
         let mut order: Vec<(f64, usize)> =
             pool.iter().enumerate().map(|(i, pose)| (lever_m(pose, joint.index()), i)).collect();
-        order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        sorting::by(&mut order, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let sweep = order.into_iter().find_map(|(_, i)| around(robot, &chain, options, &pool[i], joint));
         all.extend(sweep.ok_or(PlanError::NoSweep { joint })?);
     }

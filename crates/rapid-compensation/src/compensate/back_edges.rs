@@ -64,7 +64,7 @@ pub(super) fn back_edges(program: &Program) -> Vec<Edge> {
             }
         }
     }
-    back.sort_unstable();
+    sorting::ascending(&mut back);
     back.dedup();
     back
 }

@@ -78,7 +78,7 @@ pub(super) fn long_gaps(
             silent[id.index()] = Some(Silence { since_s: since_s + own_s, begun });
         }
     }
-    found.sort_unstable();
+    sorting::ascending(&mut found);
     found.dedup();
     found
 }

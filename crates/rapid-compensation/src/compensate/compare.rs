@@ -47,9 +47,9 @@ impl Comparison {
         self.motions.extend(other.motions);
         self.only_before.extend(other.only_before);
         self.only_after.extend(other.only_after);
-        self.motions.sort_by_key(|m| m.before);
-        self.only_before.sort_unstable();
-        self.only_after.sort_unstable();
+        sorting::by_key(&mut self.motions, |m| m.before);
+        sorting::ascending(&mut self.only_before);
+        sorting::ascending(&mut self.only_after);
     }
 
     /// Adds which targets a model is asked for: `restored` compares the two programs without what was added to them, `plain`, in
@@ -186,9 +186,9 @@ pub fn compare(
     }
     others.retain(|key, _| !is_of_touch(after, key));
     out.only_after.extend(others.into_values().flatten());
-    out.motions.sort_by_key(|m| m.before);
-    out.only_before.sort_unstable();
-    out.only_after.sort_unstable();
+    sorting::by_key(&mut out.motions, |m| m.before);
+    sorting::ascending(&mut out.only_before);
+    sorting::ascending(&mut out.only_after);
     Ok(out)
 }
 

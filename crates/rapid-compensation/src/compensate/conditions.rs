@@ -140,7 +140,7 @@ fn warn_of_mounting(model: &Model<'_>, messages: &mut Messages) {
     let Some(identified) = &model.identified else { return };
     let mut names: Vec<&str> =
         identified.terms.iter().filter(|t| t.kind.is_of_mounting()).map(|t| t.kind.name()).collect();
-    names.sort_unstable();
+    sorting::ascending(&mut names);
     names.dedup();
     if names.is_empty() {
         return;

@@ -109,7 +109,7 @@ impl WarmJoints {
                 }
             }
         }
-        wanted.sort_by_key(|(at, _)| *at);
+        sorting::by_key(&mut wanted, |(at, _)| *at);
         wanted.dedup_by_key(|(at, _)| *at);
         let mut q_rad = Vec::with_capacity(wanted.len());
         for some in wanted.chunk_by(|(a, _), (b, _)| a.bucket == b.bucket) {

@@ -219,7 +219,7 @@ impl JointsHint {
                 joints_at.push(((file, row.line), row.joints));
             }
         }
-        joints_at.sort_by_key(|(line, _)| *line);
+        sorting::by_key(&mut joints_at, |(line, _)| *line);
         let mut hints = Hints::new();
         for joints in joints_at.chunk_by(|(line, _), (next, _)| line == next) {
             let (file, line) = joints[0].0;
@@ -250,7 +250,7 @@ impl JointsHint {
 /// The motions of a program, file by file and line by line.
 fn in_text_order(program: &Program) -> impl Iterator<Item = (MotionId, &Motion)> {
     let mut motions: Vec<(MotionId, &Motion)> = program.numbered_motions().collect();
-    motions.sort_by_key(|(id, motion)| (motion.file, motion.line, *id));
+    sorting::by_key(&mut motions, |(id, motion)| (motion.file, motion.line, *id));
     motions.into_iter()
 }
 

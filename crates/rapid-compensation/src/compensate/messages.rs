@@ -229,7 +229,7 @@ impl Messages {
                 first
             })
             .collect();
-        all.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+        sorting::by(&mut all, |a, b| (a.span, a.code).cmp(&(b.span, b.code)));
         all
     }
 }

@@ -52,7 +52,7 @@ impl<'a> Model<'a> {
         let mut knots_min = deformation.knots();
         knots_min.extend(identified.iter().flat_map(|model| model.knots_min()));
         knots_min.retain(|t_min| *t_min > 0.0);
-        knots_min.sort_by(f64::total_cmp);
+        sorting::numbers(&mut knots_min);
         knots_min.dedup();
         Ok(Self {
             identified,

@@ -82,7 +82,7 @@ pub(super) fn deviations(
     for (leg, CorrectedLeg { in_buckets: own, .. }) in legs.iter().enumerate() {
         in_buckets.extend(own.iter().map(|&(bucket, ends)| LegInBucket { bucket, leg, ends }));
     }
-    in_buckets.sort_by_key(|one| one.bucket);
+    sorting::by_key(&mut in_buckets, |one| one.bucket);
     let corrected = motion_paths(in_buckets.iter().map(|one| Some((&legs[one.leg].leg, one.ends?))), model);
     let far = |asked: &[AskedSample]| {
         let sample = |&AskedSample { at, share }: &AskedSample| {
@@ -104,7 +104,7 @@ pub(super) fn deviations(
     }
     let both = |&(_, at): &(PathDeviation, usize)| [0.25, 0.75].map(|share| AskedSample { at, share });
     let mut quarters: Vec<AskedSample> = worst.iter().flatten().flat_map(both).collect();
-    quarters.sort_by_key(|sample| sample.at);
+    sorting::by_key(&mut quarters, |sample| sample.at);
     let mut deviations: Vec<PathDeviation> =
         worst.into_iter().map(|worst| worst.map_or(PathDeviation::Unknown, |(far, _)| far)).collect();
     for (far, sample) in far(&quarters).into_iter().zip(&quarters) {

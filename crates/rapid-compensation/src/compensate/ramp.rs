@@ -168,7 +168,7 @@ impl Ramp {
 fn moments_of(found: &Timeline) -> impl Iterator<Item = Moment> {
     let between = found.at_min.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
     let mut all: Vec<f64> = found.at_min.iter().copied().chain(between).collect();
-    all.sort_by(f64::total_cmp);
+    sorting::numbers(&mut all);
     all.into_iter().map(Moment::Minute)
 }
 

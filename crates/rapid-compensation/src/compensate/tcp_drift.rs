@@ -130,7 +130,7 @@ fn nodes(model: &Model<'_>, deformation: &Deformation, t_min: &[f64]) -> (Vec<Mo
     // closer together at first, where a warm-up is fastest
     let mut at: Vec<f64> = (0..NODES).map(|i| end_min * (i as f64 / (NODES - 1) as f64).powf(1.5)).collect();
     at.extend(model.knots_min.iter().copied().filter(|t| *t < end_min));
-    at.sort_by(f64::total_cmp);
+    sorting::numbers(&mut at);
     at.dedup();
     let hat = |k: usize, t: f64| {
         let rise = k.checked_sub(1).map_or(1.0, |before| (t - at[before]) / (at[k] - at[before]));

@@ -45,7 +45,7 @@ pub fn leave_out_unreached(program: &mut Program, robot: &Robot) {
         }
         motion.targets[k].leave_out(&unreached);
     }
-    program.diagnostics.sort_by(|a, b| (a.span, a.code).cmp(&(b.span, b.code)));
+    sorting::by(&mut program.diagnostics, |a, b| (a.span, a.code).cmp(&(b.span, b.code)));
 }
 
 /// The positions of the elements that a target may be and the arm does not reach.

@@ -235,7 +235,7 @@ fn free(program: &Program, file: FileId) -> Vec<TextRange> {
         own.chain(motion.targets.iter().filter_map(|target| target.literal(motion.file)))
     });
     let mut free: Vec<TextRange> = targets.filter(|span| span.file == file).map(|span| span.range).collect();
-    free.sort_unstable_by_key(|range| (range.start, range.end));
+    sorting::by_key(&mut free, |range| (range.start, range.end));
     free.dedup();
     free
 }

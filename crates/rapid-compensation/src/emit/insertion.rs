@@ -210,7 +210,7 @@ pub(super) fn statements(routine: &Routine) -> Vec<&Stmt> {
             _ => {}
         }
     }
-    found.sort_unstable_by_key(|s| (s.range.start, std::cmp::Reverse(s.range.end)));
+    sorting::by_key(&mut found, |s| (s.range.start, std::cmp::Reverse(s.range.end)));
     found
 }
 

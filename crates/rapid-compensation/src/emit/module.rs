@@ -69,7 +69,7 @@ pub(super) fn write(
     record.checksums = written.map_err(cannot)?.1?;
     text.exchange(header, &block(&record));
     edits.extend(added_routines(&routines, &style, file, end));
-    edits.sort_by_key(|e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
+    sorting::by_key(&mut edits, |e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
     edits.iter().try_for_each(|edit| text.replace(edit.range, &edit.text).map(drop)).map_err(cannot)
 }
 

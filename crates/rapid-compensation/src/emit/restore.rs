@@ -80,7 +80,7 @@ pub fn restore_beside(bytes: &[u8], core: &[Vec<u8>]) -> Result<Restored, Restor
             what: format!("{name} is still named there when all is taken out"),
         })?;
         altered.extend(named.into_iter().map(|(at, name)| Altered::Named { name, line: line(at) }));
-        altered.sort_by_key(Altered::line);
+        sorting::by_key(&mut altered, Altered::line);
     }
     Ok(Restored { bytes: restored, source_name, touched, altered, exact })
 }
@@ -153,8 +153,8 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         source = Some((record.source_sha256, record.source_name));
     }
     let (source_sha256, source_name) = source.ok_or(RestoreError::NotEmitted)?;
-    edits.sort();
-    altered.sort_by_key(Altered::line);
+    edits.put_in_order();
+    sorting::by_key(&mut altered, Altered::line);
     Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
 }
 

@@ -179,7 +179,7 @@ pub fn choose(drift: &dyn Drift, request: &Request) -> Result<Chosen, ScheduleEr
         if request.width == Width::Tolerance {
             let before = active.len();
             active.extend(further_off(drift, &schedule, held, working_m));
-            active.sort_unstable();
+            sorting::ascending(&mut active);
             active.dedup();
             if active.len() > before {
                 if round == MAX_ROUNDS {
@@ -276,7 +276,7 @@ fn most_drifting(drift: &dyn Drift, request: &Request) -> Result<Vec<usize>, Sch
         return Err(ScheduleError::TooManyBuckets);
     }
     let mut active: Vec<usize> = found.into_iter().map(|(target, _)| target).collect();
-    active.sort_unstable();
+    sorting::ascending(&mut active);
     active.dedup();
     Ok(active)
 }

@@ -51,7 +51,7 @@ impl Curve {
         let mut curve = Self { t_min: Vec::new(), d_m: Vec::new(), targets: 0 };
         let mut coarse: Vec<f64> = (0..=32).map(|k| horizon_min * f64::from(k) / 32.0).collect();
         coarse.extend(knots_min.iter().copied().filter(|&t| t > 0.0 && t < horizon_min));
-        coarse.sort_by(f64::total_cmp);
+        sorting::numbers(&mut coarse);
         coarse.dedup();
         let mut left: Option<(f64, Vec<[f64; 3]>)> = None;
         for t in coarse {

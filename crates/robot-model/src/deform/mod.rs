@@ -173,7 +173,7 @@ impl Deformation {
     pub fn knots(&self) -> Vec<f64> {
         let Tabulation::Scheduled { knots, .. } = &self.0 else { return Vec::new() };
         let mut all: Vec<f64> = knots.iter().flatten().map(|knot| knot.at).collect();
-        all.sort_by(f64::total_cmp);
+        sorting::numbers(&mut all);
         all.dedup();
         all
     }

@@ -439,7 +439,7 @@ fn worst_changes(
             by_m: change.norm(),
         })
         .collect();
-    worst.sort_by(|a, b| b.by_m.total_cmp(&a.by_m).then(a.lines[0].cmp(&b.lines[0])));
+    sorting::by(&mut worst, |a, b| b.by_m.total_cmp(&a.by_m).then(a.lines[0].cmp(&b.lines[0])));
     worst.truncate(LISTED);
     worst
 }

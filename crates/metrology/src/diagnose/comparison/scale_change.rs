@@ -4,8 +4,8 @@
 
 use super::base_shift::moved_by;
 use super::nest_scale::NestScale;
-use crate::diagnose::cause::Cause;
 use crate::diagnose::outcome::{Findings, Verdict};
+use inference::cause::Cause;
 use measurements::median;
 use nalgebra::{DVector, Isometry3, Vector3};
 use robot_model::deform::EffectKind;
@@ -172,7 +172,7 @@ impl ScaleChange {
                 ..cause
             }
         }));
-        causes.sort_by(|a, b| b.posterior.total_cmp(&a.posterior));
+        sorting::by(&mut causes, |a, b| b.posterior.total_cmp(&a.posterior));
         diagnosis.verdict = if causes.len() == 1 { Verdict::Explained } else { Verdict::Ambiguous };
         diagnosis.causes = causes;
         diagnosis

@@ -126,7 +126,7 @@ fn nearest<'a>(row: &MeasurementRow, file: &'a Measurements) -> Option<&'a Measu
 
 fn joints_differ(apart_rad: &[f64]) -> Option<String> {
     let mut sorted = apart_rad.to_vec();
-    sorted.sort_by(f64::total_cmp);
+    sorting::numbers(&mut sorted);
     let middle_rad = *sorted.get(sorted.len() / 2)?;
     let by = format!("{:.3} deg", deg_from_rad(middle_rad));
     Some(if middle_rad < MEANT_RAD {

@@ -8,13 +8,13 @@ mod rival_model;
 mod separation;
 mod wording;
 
-use super::dataset::Dataset;
-use super::effects::Candidate;
-use super::gear_lines::are_aliases;
 use super::model::FittedModel;
 use super::options::DiagnosisOptions;
 use super::outcome::{NextMeasurement, NextStep, Verdict};
 use super::verdict::{Judgement, OpenSlot, describe_candidate};
+use inference::dataset::Dataset;
+use inference::effects::Candidate;
+use inference::gear_lines::are_aliases;
 use pool::{Setup, When, pool};
 use question::{DECIDES, HOPELESS, MOST_ALTERNATIVES, Planned, Question};
 use robot_model::robot::{Axis, SerialArm};
@@ -49,7 +49,7 @@ pub(super) fn next_measurements(
     let ambiguous = judgement.verdict == Verdict::Ambiguous;
     let mut slots: Vec<&OpenSlot> =
         judgement.open.iter().filter(|slot| !slot.alternatives.is_empty()).collect();
-    slots.sort_by(|a, b| b.uncertainty().total_cmp(&a.uncertainty()));
+    sorting::by(&mut slots, |a, b| b.uncertainty().total_cmp(&a.uncertainty()));
     let open = slots.iter().filter(|slot| ambiguous && slot.uncertainty() > OPEN_NATS).count();
     if let Some(slot) = slots.iter().find(|slot| ambiguous && open == 0 && slot.or_balancing) {
         return NextMeasurements { measurements: Vec::new(), step: look_at_balancing(fitted, slot) };

@@ -1,10 +1,10 @@
 //! Poses that could be measured next: in reach, off the floor, with either payload and direction, now or on a new warm-up.
 
-use crate::diagnose::dataset::{Dataset, Observation, ObservationKind};
-use crate::diagnose::heldout::SplitMix64;
-use crate::diagnose::linearise::Linearised;
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::NextMeasurement;
+use inference::dataset::{Dataset, Observation, ObservationKind};
+use inference::linearise::Linearised;
+use inference::split_mix::SplitMix64;
 use measurements::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;

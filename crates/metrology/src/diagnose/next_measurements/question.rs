@@ -3,13 +3,13 @@
 use super::pool::{NESTS, PoolPose, Setup, When};
 use super::rival_model::{Coefficient, FittedColumn, RivalModel};
 use super::separation::{Pair, Separation, ShapeDoubt};
-use crate::diagnose::dataset::{Observation, Twist, scaled};
-use crate::diagnose::design::{Design, registration};
-use crate::diagnose::effects::Candidate;
 use crate::diagnose::model::{FittedModel, Model, Workspace};
 use crate::diagnose::outcome::NextMeasurement;
-use crate::diagnose::time_course::TimeCourse;
 use crate::diagnose::verdict::{OpenSlot, SHAPE_KNOWN_TO, shapes_in_doubt};
+use inference::dataset::{Observation, Twist, scaled};
+use inference::design::{Design, registration};
+use inference::effects::Candidate;
+use inference::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 
 /// L that is asked for: nine of ten times the odds come out at more than 30 to 1 from L / 2 - 1.3 sqrt L = ln 30 on, L = 21; half as
@@ -302,7 +302,7 @@ impl Question {
         }
         // On a new warm-up the minutes count.
         let clock = |i: &usize| pool[*i].observations[0].clock();
-        taken.sort_by(|a, b| clock(a).total_cmp(&clock(b)));
+        sorting::by(&mut taken, |a, b| clock(a).total_cmp(&clock(b)));
         Some(Planned {
             poses: taken.into_iter().map(|i| pool[i].next.clone()).collect(),
             setup,

@@ -1,6 +1,6 @@
 //! One explanation of rows: the columns that it is fitted with, and how surely the fit foretells rows not yet measured.
 
-use crate::diagnose::design::dot;
+use inference::design::dot;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// A column of the normal matrix with its coefficient.

@@ -1,8 +1,8 @@
 //! What was found at the poses measured, held against poses that were held out: what does not carry to them is no cause.
 
 use super::judgement::Judgement;
-use crate::diagnose::cause::Cause;
 use crate::diagnose::outcome::{ErrorReduction, Verdict};
+use inference::cause::Cause;
 
 /// Less than this share of the gap, in squares, is what a weak effect takes: whether it carries drowns in the noise.
 const MUCH: f64 = 0.5;

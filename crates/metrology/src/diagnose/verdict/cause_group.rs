@@ -1,11 +1,11 @@
 //! What stands in one slot of the model, cause by cause: all variants of one effect in one joint together.
 
-use crate::diagnose::effects::CauseKey;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::gear_lines::{AngleSpectra, is_one_bend};
-use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::search::{
+use inference::effects::CauseKey;
+use inference::evidence::NuisanceModel;
+use inference::gear_lines::{AngleSpectra, is_one_bend};
+use inference::marginal::log_sum;
+use inference::search::{
     ChosenCause, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis, cause_columns,
 };
 use robot_model::deform::EffectKind;
@@ -129,9 +129,9 @@ pub(super) fn cause_groups(workspace: &Workspace<'_>, ranking: &HypothesisRankin
     let mut cause_groups: Vec<CauseGroup> = found.into_iter().map(|(_, g)| g).collect();
     for CauseGroup { probability, lines, .. } in &mut cause_groups {
         lines.iter_mut().for_each(|line| line.share /= probability.max(f64::MIN_POSITIVE));
-        lines.sort_by(|a, b| b.share.total_cmp(&a.share));
+        sorting::by(lines, |a, b| b.share.total_cmp(&a.share));
     }
-    cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    sorting::by(&mut cause_groups, |a, b| b.probability.total_cmp(&a.probability));
     cause_groups
 }
 
@@ -205,7 +205,7 @@ pub(super) fn line_among_many(
     line.lines.extend(
         weights.into_iter().map(|(candidate, weight)| LineShare { candidate, share: (weight - total).exp() }),
     );
-    line.lines.sort_by(|a, b| b.share.total_cmp(&a.share));
+    sorting::by(&mut line.lines, |a, b| b.share.total_cmp(&a.share));
     line
 }
 
@@ -246,7 +246,7 @@ pub(super) fn doubt_shapes(workspace: &Workspace<'_>, cause_groups: &mut [CauseG
     for (group, probability) in cause_groups.iter_mut().zip(probabilities) {
         group.probability = probability;
     }
-    cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    sorting::by(cause_groups, |a, b| b.probability.total_cmp(&a.probability));
 }
 
 /// Whether both give under load, and one of them in a shape that is known to [`SHAPE_KNOWN_TO`] only.

@@ -3,7 +3,7 @@
 //! Noise whose neighbours are alike has more of all that is slow, but no line in its spectrum: a line is held against the
 //! spectrum round it (Thomson 1982, Spectrum estimation and harmonic analysis, sec. XIII), and what is white or merely slow has none.
 
-use crate::diagnose::dataset::{Dataset, Twist};
+use inference::dataset::{Dataset, Twist};
 use measurements::variance_ratio;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
@@ -82,7 +82,7 @@ fn power(progress: &[f64], kept: &[usize], residuals: &[Twist], half_cycles: u32
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::dataset::evenly_spread;
+    use crate::diagnose::evenly_spread;
 
     /// Numbers of about unit variance without a pattern.
     fn noise(k: usize) -> f64 {

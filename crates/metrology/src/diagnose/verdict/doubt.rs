@@ -1,9 +1,9 @@
 //! What has the same shape as the likeliest cause of a place by the nature of arms and files, whatever was measured.
 
 use crate::diagnose::balancing::has_its_shape;
-use crate::diagnose::cause::Cause;
-use crate::diagnose::effects::one_beam_with;
 use crate::diagnose::model::FittedModel;
+use inference::cause::Cause;
+use inference::effects::one_beam_with;
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 use robot_model::robot::Axis;

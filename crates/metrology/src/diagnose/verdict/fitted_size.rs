@@ -1,7 +1,7 @@
 //! The size of a cause in a linear fit.
 
-use crate::diagnose::effects::Candidate;
-use crate::diagnose::linear_fit::LinearFit;
+use inference::effects::Candidate;
+use inference::linear_fit::LinearFit;
 
 /// The size in the cause's unit, with its standard deviation, of the `columns` that `candidate` has in a fit.
 #[must_use]

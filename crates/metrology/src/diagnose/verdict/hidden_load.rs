@@ -3,17 +3,17 @@
 use super::judgement::Decision;
 use super::structure::{causes_log_odds, over_time};
 use super::wording::hidden_load_reason;
-use crate::diagnose::cause::Cause;
-use crate::diagnose::dataset::{Dataset, scaled};
-use crate::diagnose::effects::give_per_kg;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::gp_features::compress;
-use crate::diagnose::marginal::log_sum;
-use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::Location;
-use crate::diagnose::search::{ChosenCause, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
-use crate::diagnose::time_course::TimeCourse;
+use inference::cause::Cause;
+use inference::dataset::{Dataset, scaled};
+use inference::effects::give_per_kg;
+use inference::evidence::NuisanceModel;
+use inference::gp_features::compress;
+use inference::marginal::log_sum;
+use inference::missing_channel::MissingChannel;
+use inference::search::{ChosenCause, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
+use inference::time_course::TimeCourse;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
 
@@ -106,7 +106,7 @@ fn in_place_of(fitted: &FittedModel<'_>, chosen: &[ChosenCause], slots: Vec<usiz
         .iter()
         .filter_map(|&slot| library.candidates[chosen[slot].candidate].variant.t0_min())
         .collect();
-    moments.sort_by(f64::total_cmp);
+    sorting::numbers(&mut moments);
     moments.dedup();
     let others: Vec<ChosenCause> =
         (0..chosen.len()).filter(|slot| !slots.contains(slot)).map(|slot| chosen[slot].clone()).collect();

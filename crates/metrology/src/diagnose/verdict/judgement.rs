@@ -2,9 +2,9 @@
 
 use super::cause_group::OpenSlot;
 use super::noise::ReducedChiSquare;
-use crate::diagnose::cause::Cause;
-use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::outcome::{Location, Verdict};
+use inference::cause::Cause;
+use inference::missing_channel::MissingChannel;
 
 /// A candidate's probability is one among the library's effects; where the verdict is that none of them explains the data, it
 /// is halved: even odds at best that the verdict is wrong and the candidate right.

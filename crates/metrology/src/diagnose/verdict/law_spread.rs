@@ -2,11 +2,11 @@
 //! its own.
 
 use super::fitted_size::size_of;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::linear_fit::solve;
-use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::search::{ChosenCause, cause_columns};
+use inference::evidence::NuisanceModel;
+use inference::linear_fit::solve;
+use inference::marginal::log_sum;
+use inference::search::{ChosenCause, cause_columns};
 
 /// Laws that are less likely do not count.
 const NEGLIGIBLE: f64 = 0.003;

@@ -1,6 +1,6 @@
 //! Causes as they are listed: each once, the likeliest first, their slots numbered without gaps; knows nothing of evidence.
 
-use crate::diagnose::cause::Cause;
+use inference::cause::Cause;
 use robot_model::deform::EffectKind;
 
 /// What is less likely than this is not listed.
@@ -18,7 +18,7 @@ pub(super) fn listed(mut causes: Vec<Cause>) -> Vec<Cause> {
     causes.retain(|c| c.posterior > WORTH_SAYING);
     share_scale_with_links(&mut causes);
     let thousandths = |p: f64| (1000.0 * p).round();
-    causes.sort_by(|a, b| {
+    sorting::by(&mut causes, |a, b| {
         let size = |c: &Cause| c.rms_mm.unwrap_or(0.0);
         thousandths(b.posterior).total_cmp(&thousandths(a.posterior)).then(size(b).total_cmp(&size(a)))
     });

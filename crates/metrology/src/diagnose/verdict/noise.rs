@@ -1,16 +1,16 @@
 //! Scatter that the model does not know, and noise that is only slow.
 
 use super::wording::missing_channels;
-use crate::diagnose::dataset::Dataset;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::linear_fit::solve;
-use crate::diagnose::linearise::{rms_m, shift_m};
-use crate::diagnose::marginal::{KnownNoise, NoisePrior};
 use crate::diagnose::model::FittedModel;
-use crate::diagnose::scatter::{self, JointScatter, Residuals};
-use crate::diagnose::search::{ChosenCause, cause_columns};
-use crate::diagnose::smoothness::smooth_over_rough_nats;
+use inference::dataset::Dataset;
+use inference::evidence::NuisanceModel;
+use inference::gp_alternative::GpAlternative;
+use inference::linear_fit::solve;
+use inference::linearise::{rms_m, shift_m};
+use inference::marginal::{KnownNoise, NoisePrior};
+use inference::scatter::{self, JointScatter, Residuals};
+use inference::search::{ChosenCause, cause_columns};
+use inference::smoothness::smooth_over_rough_nats;
 use measurements::variance_ratio;
 
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
@@ -266,7 +266,7 @@ fn comes_on_top(fast: f64, total: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{AllowedNoise, comes_on_top};
-    use crate::diagnose::marginal::NoisePrior;
+    use inference::marginal::NoisePrior;
     use std::f64::consts::PI;
 
     /// Readings at one time scatter by 3, 5 are stated: 4 are slow, and the mean of nine keeps 16 + 9 / 9 of 25.

@@ -1,13 +1,13 @@
 //! A gear line's own harmonics: its double frequency is part of the gear and no second cause, and without a large third it has no corners.
 
-use crate::diagnose::design::Design;
-use crate::diagnose::effects::{OVERTONE_WEIGHT, line, line_with_overtone};
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::linear_fit::{LinearFit, solve};
-use crate::diagnose::linearise::Linearised;
-use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Model};
-use crate::diagnose::search::{ChosenCause, NULL_PRIOR};
+use inference::design::Design;
+use inference::effects::{OVERTONE_WEIGHT, line, line_with_overtone};
+use inference::evidence::NuisanceModel;
+use inference::linear_fit::{LinearFit, solve};
+use inference::linearise::Linearised;
+use inference::marginal::log_sum;
+use inference::search::{ChosenCause, NULL_PRIOR};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 

@@ -3,16 +3,16 @@
 use super::cause_group::CauseGroup;
 use super::fitted_size::size_of;
 use super::law_spread::law_spread;
-use crate::diagnose::cause::Cause;
-use crate::diagnose::dataset::Twist;
-use crate::diagnose::design::Design;
-use crate::diagnose::effects::Candidate;
-use crate::diagnose::linear_fit::{LinearFit, solve};
-use crate::diagnose::linearise::{Linearised, rms_m, shift_m};
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::search::ChosenCause;
-use crate::diagnose::size_unit::SizeUnit;
-use crate::diagnose::time_course::TimeCourse;
+use inference::cause::Cause;
+use inference::dataset::Twist;
+use inference::design::Design;
+use inference::effects::Candidate;
+use inference::linear_fit::{LinearFit, solve};
+use inference::linearise::{Linearised, rms_m, shift_m};
+use inference::search::ChosenCause;
+use inference::size_unit::SizeUnit;
+use inference::time_course::TimeCourse;
 use nalgebra::{DMatrix, DVector};
 use robot_model::units::mm_from_m;
 

@@ -2,9 +2,9 @@
 //! nothing but the course over time, where that is the joint's temperature and no law of time.
 
 use super::cause_group::CauseGroup;
-use crate::diagnose::effects::Candidate;
 use crate::diagnose::model::Workspace;
-use crate::diagnose::search::{Hypothesis, HypothesisRanking};
+use inference::effects::Candidate;
+use inference::search::{Hypothesis, HypothesisRanking};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::Growth;
 use robot_model::robot::Axis;
@@ -54,7 +54,7 @@ pub(super) fn share_slip(
     first.probability = turns;
     let slipped = CauseGroup { best: slip, probability: slips, gain_nats, size_ratio, lines: Vec::new() };
     cause_groups.push(slipped);
-    cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    sorting::by(cause_groups, |a, b| b.probability.total_cmp(&a.probability));
 }
 
 /// The probabilities of a joint's turn and of the same motion of the target, which come to what `turned` and `slipped` are together; `open_to_both`:

@@ -3,10 +3,10 @@
 
 use super::cause_group::{CauseGroup, SHAPE_KNOWN_TO};
 use super::structure::causes_log_odds;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Workspace};
-use crate::diagnose::search::{ChosenCause, cause_columns};
+use inference::evidence::NuisanceModel;
+use inference::marginal::log_sum;
+use inference::search::{ChosenCause, cause_columns};
 use robot_model::deform::EffectKind;
 
 /// A cause less likely than this in its place is no question.
@@ -58,7 +58,7 @@ pub(super) fn share_springs(
             lines: Vec::new(),
         }),
     }
-    cause_groups.sort_by(|a, b| b.probability.total_cmp(&a.probability));
+    sorting::by(cause_groups, |a, b| b.probability.total_cmp(&a.probability));
 }
 
 /// Probability of the springs of all joints alone, among these, the same with the candidate `doubted`, and that cause with those of

@@ -3,22 +3,22 @@
 use super::cycles;
 use super::overtones::{has_corners, line_odds, overtones};
 use super::size::total_rms_m;
-use crate::diagnose::dataset::NUMBERS_OF_POINT;
-use crate::diagnose::effects::Candidate;
-use crate::diagnose::evidence::{EvidencePeak, NuisanceModel};
-use crate::diagnose::gp_alternative::{self, Ball, GpAlternative, WeightedAlternative};
-use crate::diagnose::gp_over_time;
-use crate::diagnose::gp_tool;
-use crate::diagnose::linear_fit::solve;
-use crate::diagnose::linearise::{Linearised, shift_m};
-use crate::diagnose::marginal::log_sum;
 use crate::diagnose::model::{FittedModel, Model, Workspace};
 use crate::diagnose::outcome::{Location, Region};
-use crate::diagnose::search::{
+use inference::dataset::NUMBERS_OF_POINT;
+use inference::effects::Candidate;
+use inference::evidence::{EvidencePeak, NuisanceModel};
+use inference::gp_alternative::{self, Ball, GpAlternative, WeightedAlternative};
+use inference::gp_over_time;
+use inference::gp_tool;
+use inference::linear_fit::solve;
+use inference::linearise::{Linearised, shift_m};
+use inference::marginal::log_sum;
+use inference::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
     UNEXPLAINED_PRIOR,
 };
-use crate::diagnose::time_course::TimeCourse;
+use inference::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;

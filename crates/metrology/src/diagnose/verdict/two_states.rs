@@ -6,10 +6,10 @@
 //! both is exp(-(e - c v)^2 / 2 sigma^2 - h^2 v^2 / 2 sigma^2) cosh(h v (e - c v) / sigma^2). Held against s of a normal distribution, which
 //! is noise that is larger along one motion, as an instrument's is.
 
-use crate::diagnose::dataset::{Observation, Twist};
-use crate::diagnose::effects::{RigidBody, base_tilt_per_kg, give_per_kg};
-use crate::diagnose::marginal::{Marginal, NoiseIntegral, log_sum};
 use crate::diagnose::model::FittedModel;
+use inference::dataset::{Observation, Twist};
+use inference::effects::{RigidBody, base_tilt_per_kg, give_per_kg};
+use inference::marginal::{Marginal, NoiseIntegral, log_sum};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
 
@@ -243,7 +243,7 @@ fn product(a: &Twist, b: &Twist) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::marginal::NoisePrior;
+    use inference::marginal::NoisePrior;
 
     const LEVER_M: f64 = 0.5;
     const HALF_RAD: f64 = 2e-4;

@@ -7,12 +7,12 @@ use super::noise::points_share;
 use super::structure::{causes_log_odds, likeliest_structure, structure_odds};
 use super::two_states::{State, TwoStates, two_states};
 use super::wording::two_states_reason;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::linear_fit::solve;
-use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::{Location, Verdict};
-use crate::diagnose::search::{
+use inference::evidence::NuisanceModel;
+use inference::linear_fit::solve;
+use inference::missing_channel::MissingChannel;
+use inference::search::{
     ALARM_NATS, ChosenCause, DROP_NATS, HypothesisRanking, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns,
 };
 

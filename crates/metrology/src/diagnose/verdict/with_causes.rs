@@ -21,14 +21,14 @@ use super::wording::{
     OR_BALANCING, OR_LOAD, describe, in_short, one_beam_reason, only_missing, structure_reason,
     switched_reason,
 };
-use crate::diagnose::cause::Cause;
-use crate::diagnose::evidence::NuisanceModel;
-use crate::diagnose::gear_lines::AngleSpectra;
-use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::{FittedModel, Workspace};
 use crate::diagnose::outcome::{Location, Verdict};
-use crate::diagnose::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
+use inference::cause::Cause;
+use inference::evidence::NuisanceModel;
+use inference::gear_lines::AngleSpectra;
+use inference::gp_alternative::GpAlternative;
+use inference::missing_channel::MissingChannel;
+use inference::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 
@@ -355,7 +355,7 @@ fn switched(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<Decision
         .filter(|t0| !dataset.is_in_pause(*t0))
         .filter_map(|t0| dataset.line_from(t0))
         .collect();
-    lines.sort_unstable();
+    sorting::ascending(&mut lines);
     lines.dedup();
     (lines.len() > MOST_STEPS).then(|| {
         Decision::structure(switched_reason(&lines, dataset), over_time(fitted, &[]))

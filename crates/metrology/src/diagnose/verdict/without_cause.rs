@@ -10,12 +10,12 @@ use super::noise::{
 use super::size::cause;
 use super::structure::{LikeliestStructure, likeliest_structure, location_of_gp, over_time};
 use super::wording::{only_missing, structure_reason};
-use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::linearise::rms_m;
-use crate::diagnose::missing_channel::MissingChannel;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::{Location, Verdict};
-use crate::diagnose::search::ALARM_NATS;
+use inference::gp_alternative::GpAlternative;
+use inference::linearise::rms_m;
+use inference::missing_channel::MissingChannel;
+use inference::search::ALARM_NATS;
 
 /// Judges what is left where the search chose nothing.
 pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {

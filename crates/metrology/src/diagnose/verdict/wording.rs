@@ -1,11 +1,11 @@
 //! Verdicts and causes in words.
 
 use super::two_states::{State, TwoStates};
-use crate::diagnose::cause::Cause;
-use crate::diagnose::dataset::Dataset;
-use crate::diagnose::effects::{Candidate, RigidBody};
-use crate::diagnose::gp_alternative::GpAlternative;
-use crate::diagnose::missing_channel::MissingChannel;
+use inference::cause::Cause;
+use inference::dataset::Dataset;
+use inference::effects::{Candidate, RigidBody};
+use inference::gp_alternative::GpAlternative;
+use inference::missing_channel::MissingChannel;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::plural;
 use robot_model::deform::EffectKind;
@@ -303,7 +303,7 @@ pub(super) fn in_short(causes: &[Cause]) -> String {
         .collect();
     let mut open: Vec<(f64, String)> = Vec::new();
     let mut slots: Vec<usize> = others.iter().map(|c| c.slot).collect();
-    slots.sort_unstable();
+    sorting::ascending(&mut slots);
     slots.dedup();
     for slot in slots {
         let alternatives: Vec<&&Cause> = others.iter().filter(|c| c.slot == slot).collect();
@@ -318,7 +318,7 @@ pub(super) fn in_short(causes: &[Cause]) -> String {
         }
     }
     let join = |mut list: Vec<(f64, String)>, limit: usize| {
-        list.sort_by(|a, b| b.0.total_cmp(&a.0));
+        sorting::by(&mut list, |a, b| b.0.total_cmp(&a.0));
         let more = list.len().saturating_sub(limit);
         let mut names: Vec<String> = list.into_iter().take(limit).map(|(_, name)| name).collect();
         names.extend((more > 0).then(|| format!("{more} more")));

@@ -62,7 +62,7 @@ impl<'w> NamedArray<'w> {
         if all.windows(2).all(|two| two[0].by_length(&two[1].name) == Ordering::Less) {
             return;
         }
-        all.sort_by(|a, b| a.by_length(&b.name));
+        sorting::by(all, |a, b| a.by_length(&b.name));
         all.dedup_by(|next, kept| {
             let is_same = next.name == kept.name;
             if is_same {
@@ -296,7 +296,7 @@ impl<'b> Array<'b> {
         let place = |k: usize| TargetPose::of(row.get(k)?.of(self.bytes));
         // The two untouched elements that are furthest apart in the drift.
         let mut sound: Vec<usize> = (0..row.len()).filter(|k| !changed.contains(k)).collect();
-        sound.sort_by(|&a, &b| share(a).unwrap_or(0.0).total_cmp(&share(b).unwrap_or(0.0)));
+        sorting::by(&mut sound, |&a, &b| share(a).unwrap_or(0.0).total_cmp(&share(b).unwrap_or(0.0)));
         let (Some(&from), Some(&to)) = (sound.first(), sound.last()) else { return Err(None) };
         let (Some(from_share), Some(to_share)) = (share(from), share(to)) else { return Err(None) };
         let (Some(a), Some(b)) = (place(from), place(to)) else { return Err(None) };

@@ -54,7 +54,7 @@ pub(super) fn pasts<'m>(now: &[&[u8]], made: &'m [u8]) -> Vec<Past<'m>> {
         // From the last of them on, which is found to be the same first of all.
         pieces.push((next, last, begin, to));
     }
-    held.sort_unstable();
+    sorting::ascending(&mut held);
     elsewhere(&mut pasts, now, made, &held);
     pasts
 }
@@ -91,7 +91,7 @@ fn anchors(now: &[&[u8]], made: &[u8]) -> Vec<(usize, usize)> {
         .filter(|(_, (_, times))| *times == 1)
         .map(|(at, (offset, _))| (at, offset))
         .collect();
-    once.sort_unstable();
+    sorting::ascending(&mut once);
     longest_rising(&once, now)
 }
 

@@ -222,7 +222,7 @@ impl<'w> Remover<'w> {
         let asking = Asking { routines, arrays, declarations: &declarations };
         let mut touched = self.touched_originals(asking);
         touched.extend(self.put_back(arrays, &declarations)?);
-        touched.sort_by_key(|t| t.line);
+        sorting::by_key(&mut touched, |t| t.line);
         // A target of schedule that is named by itself and within an expression.
         touched.dedup_by(|next, kept| {
             (next.line, &next.target, &next.value) == (kept.line, &kept.target, &kept.value)
@@ -261,7 +261,7 @@ impl<'w> Remover<'w> {
             uses.for_each(|(range, text)| self.edits.put(range, text));
             return Ok(Vec::new());
         }
-        arrays.sort_by(|a, b| a.name.cmp(&b.name)); // in this order findings are told
+        sorting::by(arrays, |a, b| a.name.cmp(&b.name)); // in this order findings are told
         for NamedArray { name, array, meant, .. } in &mut *arrays {
             let trusted = self.record.is_whole;
             *meant = array.meant(&self.record.shares, trusted).map_err(|what| match what {
@@ -331,7 +331,7 @@ impl<'w> Remover<'w> {
             let init = |routine| declarations.initial_value(named.array.was(), routine);
             by_init.extend(named.routine().and_then(init).map(|init| (init, named)));
         }
-        by_init.sort_by_key(|(init, _)| *init);
+        sorting::by_key(&mut by_init, |(init, _)| *init);
         for of_one in by_init.chunk_by(|(init, _), (next, _)| init == next) {
             let new = |named: &'a NamedArray<'w>| named.meant.first().and_then(Option::as_ref);
             let Some((init, first)) = of_one.first().and_then(|(init, named)| Some((*init, new(named)?)))

@@ -30,8 +30,8 @@ impl AddedNames {
         };
         self.public.extend(public.into_iter().filter(|name| !on_purpose(name)));
         self.of_source.extend(record.renamed.keys().map(|name| name.as_bytes().to_ascii_lowercase()));
-        self.ours.sort_unstable();
-        self.public.sort_unstable();
+        sorting::ascending(&mut self.ours);
+        sorting::ascending(&mut self.public);
     }
 
     /// Takes in the names of the common module, in lower case.
@@ -42,7 +42,7 @@ impl AddedNames {
         };
         let core: Vec<Vec<u8>> = core.iter().filter(is_ours).cloned().collect();
         self.ours.extend(core);
-        self.ours.sort_unstable();
+        sorting::ascending(&mut self.ours);
     }
 
     /// Where the public ones are named in what is left. Strings and comments, where a motion was switched off, say, name nothing.

@@ -41,14 +41,14 @@ impl UndoEdits {
     }
 
     /// Puts all in the order of their places.
-    pub(super) fn sort(&mut self) {
+    pub(super) fn put_in_order(&mut self) {
         let place = |range: &TextRange| (range.start, range.end);
         // To sort takes memory when most is in use.
         if !self.removed.is_sorted_by_key(place) {
-            self.removed.sort_by_key(place);
+            sorting::by_key(&mut self.removed, place);
         }
         if !self.put.is_sorted_by_key(|(range, _)| place(range)) {
-            self.put.sort_by_key(|(range, _)| place(range));
+            sorting::by_key(&mut self.put, |(range, _)| place(range));
         }
     }
 
@@ -77,7 +77,7 @@ mod tests {
         edits.remove(TextRange::new(10, 12));
         edits.put(TextRange::new(2, 2), UndoText::Own(b"own".to_vec()));
         edits.remove(TextRange::new(2, 5));
-        edits.sort();
+        edits.put_in_order();
         let all: Vec<_> = edits.of(b"ab").map(|edit| (edit.range.start, edit.range.end, edit.text)).collect();
         assert_eq!(all, [(2, 2, &b"own"[..]), (2, 5, b""), (7, 9, b"ab"), (10, 12, b"")]);
     }

@@ -210,7 +210,7 @@ impl Identified {
             })
             .filter(|t_min| t_min.is_finite() && *t_min > 0.0)
             .collect();
-        all.sort_by(f64::total_cmp);
+        sorting::numbers(&mut all);
         all.dedup();
         all
     }

@@ -1,0 +1,184 @@
+//! The arm near which the problem is linear: nominal, or, where it is far off, with its geometry fitted first.
+
+use crate::dataset::{Dataset, Observation, Twist};
+use crate::design::Design;
+use measurements::{RegisterError, Registration, Stations, register, turned};
+use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
+use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
+use robot_model::robot::{Joints, SerialArm};
+
+/// Below this distance second-order terms are far under any instrument's noise, metres.
+const LINEAR_M: f64 = 2e-4;
+const ROUNDS: usize = 3;
+
+/// The arm at every station, with residuals that are linear in all parameters.
+pub struct Linearised {
+    /// The arm at every station.
+    pub dataset: Dataset,
+    /// Measured minus nominal, to first order, metres and radians in base axes.
+    pub residuals: Vec<Twist>,
+    /// What registration alone leaves, exactly.
+    pub nominal: Vec<Twist>,
+    /// Base and target at the nominal arm.
+    pub registration: Registration,
+    /// How far each joint stands from where the file says, by causes that are found already, at each station: about there the residuals are
+    /// linear; none: about the joints of the file.
+    pub joint_turns: Vec<Joints>,
+}
+
+#[cfg(test)]
+impl Linearised {
+    /// One that leaves `residuals`, registered at the origin.
+    pub fn leaving(dataset: Dataset, residuals: Vec<Twist>) -> Self {
+        let registration = Registration::assumed(Isometry3::identity(), vec![Vector3::zeros()], Vec::new());
+        Self { dataset, nominal: residuals.clone(), residuals, registration, joint_turns: Vec::new() }
+    }
+}
+
+/// Registers and linearises about the joints of the file, or where `joint_turns` have taken them at each station.
+///
+/// # Errors
+/// Where registration fails.
+pub fn linearise(
+    robot: &SerialArm,
+    stations: &Stations,
+    nominal: &Registration,
+    tool_m: Option<Vector3<f64>>,
+    joint_turns: Vec<Joints>,
+) -> Result<Linearised, RegisterError> {
+    let channels = stations.channels;
+    let standing = turned(&stations.stations, &joint_turns);
+    let chain = SerialChain::nominal(robot);
+    let nominal_left: Vec<Twist> =
+        stations.stations.iter().map(|s| Twist(nominal.residual(s, &s.pose(&chain)))).collect();
+    let frames = SerialFrames::of(robot);
+    let mut offsets = SerialOffsets::default();
+    let nominal = if joint_turns.is_empty() {
+        nominal.clone()
+    } else {
+        let poses: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
+        register(&standing, &poses, stations.targets, tool_m)?
+    };
+    let mut registration = nominal.clone();
+    let mut round = 0;
+    loop {
+        let chain = frames.chain(&offsets);
+        let poses: Vec<Isometry3<f64>> = standing.iter().map(|s| s.pose(&chain)).collect();
+        if round > 0 {
+            registration = register(&standing, &poses, stations.targets, tool_m)?;
+        }
+        let observations: Vec<Observation> =
+            stations.stations.iter().map(|s| Observation::new(robot, &chain, &registration, s)).collect();
+        let dataset = Dataset::new(robot, observations, channels);
+        let left: Vec<Twist> =
+            standing.iter().zip(&poses).map(|(s, pose)| Twist(registration.residual(s, pose))).collect();
+        let residuals = restored(&dataset, &left, &offsets);
+        if round == ROUNDS || nominal.median_m < LINEAR_M {
+            return Ok(Linearised {
+                residuals: turned_back(&dataset, residuals, &joint_turns),
+                dataset,
+                nominal: nominal_left,
+                registration: nominal,
+                joint_turns,
+            });
+        }
+        let step = fit_geometry(&dataset, &residuals, stations.targets, registration.median_m);
+        for (i, row) in offsets.0.iter_mut().enumerate().skip(1).take(dataset.joints() - 1) {
+            for (k, value) in row.iter_mut().enumerate() {
+                *value = step[6 * (i - 1) + k];
+            }
+        }
+        round += 1;
+    }
+}
+
+/// The residuals as joints of the file would leave them, to first order where the joints stand.
+fn turned_back(dataset: &Dataset, mut residuals: Vec<Twist>, joint_turns: &[Joints]) -> Vec<Twist> {
+    for ((left, turn), observation) in residuals.iter_mut().zip(joint_turns).zip(&dataset.observations) {
+        for (j, turn) in turn.iter().enumerate().filter(|(_, turn)| **turn != 0.0) {
+            for (to, from) in left.iter_mut().zip(observation.jacobian_column(j)) {
+                *to += turn * from;
+            }
+        }
+    }
+    residuals
+}
+
+/// The residual as the nominal arm would leave it, to first order at the fitted arm.
+fn restored(dataset: &Dataset, left: &[Twist], offsets: &SerialOffsets) -> Vec<Twist> {
+    dataset
+        .observations
+        .iter()
+        .zip(left)
+        .map(|(observation, left)| {
+            let mut sum = *left;
+            for frame in 1..dataset.joints() {
+                for k in 0..6 {
+                    let offset = offsets.0[frame][k];
+                    if offset != 0.0 {
+                        for (to, from) in sum.iter_mut().zip(observation.frame_offset(frame, k)) {
+                            *to += offset * from;
+                        }
+                    }
+                }
+            }
+            sum
+        })
+        .collect()
+}
+
+/// Geometry of frames 2 to 6 with a size prior, SI, robust by re-weighting.
+fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m: f64) -> Vec<f64> {
+    let mut weights = vec![1.0; dataset.observations.len()];
+    let mut offsets = vec![0.0; 6 * (dataset.joints() - 1)];
+    for _ in 0..4 {
+        let whitening = crate::design::Whitening::independent(weights.clone(), 0.2);
+        let design = Design::of_all(dataset, residuals, targets, whitening);
+        let gram = design.gram(&[0]);
+        let n = gram.nrows() - 1;
+        let mut normal: DMatrix<f64> = gram.view((1, 1), (n, n)).into_owned();
+        let noise2 = (0.2 * scale_m).powi(2);
+        for i in 0..n {
+            // Up to ten tolerances: an arm that was never calibrated.
+            normal[(i, i)] += if design.geometry.contains(&(i + 1)) { noise2 / 100.0 } else { noise2 * 1e-9 };
+        }
+        let right: DVector<f64> = gram.view((1, 0), (n, 1)).column(0).into_owned();
+        let Some(solved) = normal.cholesky().map(|c| c.solve(&right)) else { return offsets };
+        for (k, value) in offsets.iter_mut().enumerate() {
+            *value = solved[design.geometry.start - 1 + k] * Design::tolerance(k % 6);
+        }
+        let left = design.residuals(solved.as_slice());
+        let mut distances: Vec<f64> = left.iter().map(shift_m).collect();
+        let each = distances.clone();
+        sorting::numbers(&mut distances);
+        let middle = distances[distances.len() / 2].max(1e-9);
+        for (weight, distance) in weights.iter_mut().zip(each) {
+            *weight = 1.0 / (1.0 + (distance / (4.0 * middle)).powi(4));
+        }
+    }
+    offsets
+}
+
+/// Length of the shift, metres.
+#[must_use]
+pub fn shift_m(twist: &Twist) -> f64 {
+    (twist[0] * twist[0] + twist[1] * twist[1] + twist[2] * twist[2]).sqrt()
+}
+
+/// Angle of the turn, radians.
+#[must_use]
+pub fn turn_rad(twist: &Twist) -> f64 {
+    (twist[3] * twist[3] + twist[4] * twist[4] + twist[5] * twist[5]).sqrt()
+}
+
+/// 3-D rms of the `twists` that count, metres.
+#[must_use]
+pub fn rms_m(twists: &[Twist], counts: impl Fn(usize) -> bool) -> f64 {
+    let squares: Vec<f64> = twists
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| counts(*i))
+        .map(|(_, twist)| shift_m(twist).powi(2))
+        .collect();
+    (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
+}

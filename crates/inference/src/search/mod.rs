@@ -1,0 +1,14 @@
+//! The search: the best effect above the alarm is added, then the next; each is tried against all others in
+//! its own place; what falls below is dropped.
+
+mod admission;
+mod chosen;
+mod exchange;
+mod greedy;
+mod library;
+mod pairs;
+mod ranking;
+
+pub use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
+pub use library::{Library, NearTop};
+pub use ranking::{Hypothesis, HypothesisRanking, RankedHypothesis};
