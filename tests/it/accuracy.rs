@@ -211,27 +211,6 @@ fn cycles(change: impl Fn(usize, &mut [f64; 6], &mut [f64; 3])) -> String {
     csv
 }
 
-/// Points in metres repeat a thousand times better than they do.
-#[test]
-fn a_file_in_other_units_or_columns_is_no_go_and_no_no_go() {
-    let folder = tempfile::tempdir().unwrap();
-    let limits = ["--limit-rp-mm", "0.05"];
-    let sound = accuracy(folder.path(), &cycles(|_, _, _| {}), &limits);
-    assert!(sound.code == 0 && sound.out.ends_with("\nGO\n"), "{}{}", sound.out, sound.err);
-    type Change = fn(usize, &mut [f64; 6], &mut [f64; 3]);
-    let faults: [(Change, &str); 4] = [
-        (|_, _, point| point.iter_mut().for_each(|mm| *mm *= 1e-3), "the measured points are in metres"),
-        (|_, q, _| q[2] = q[2].to_radians(), "column q3_deg is in radians"),
-        (|_, q, _| q.swap(3, 4), "the columns of joints 4 and 5 are swapped"),
-        (|_, _, point| point.swap(0, 1), "mirrored"),
-    ];
-    for (change, reason) in faults {
-        let found = accuracy(folder.path(), &cycles(change), &limits);
-        assert!(found.code == 2 && found.err.contains("measure::fault"), "{reason}: {}", found.out);
-        assert!(found.err.contains(reason), "{reason}: {}", found.err);
-    }
-}
-
 #[test]
 fn a_reading_that_no_arm_made_is_named_by_its_line() {
     let folder = tempfile::tempdir().unwrap();
@@ -445,4 +424,31 @@ fn without_a_limit_there_is_no_go_and_poses_have_their_names() {
         accuracy(folder.path(), &numbered, &["--register", "none", "--tool", "20,10,100", "--json", "-"]);
     let read: Value = serde_json::from_str(&found.out).unwrap();
     assert_eq!((&read["poses"][3]["pose_id"], &read["poses"][3]["id"]), (&"P3".into(), &"row4".into()));
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// Points in metres repeat a thousand times better than they do.
+    #[test]
+    #[ignore = "long"]
+    fn a_file_in_other_units_or_columns_is_no_go_and_no_no_go() {
+        let folder = tempfile::tempdir().unwrap();
+        let limits = ["--limit-rp-mm", "0.05"];
+        let sound = accuracy(folder.path(), &cycles(|_, _, _| {}), &limits);
+        assert!(sound.code == 0 && sound.out.ends_with("\nGO\n"), "{}{}", sound.out, sound.err);
+        type Change = fn(usize, &mut [f64; 6], &mut [f64; 3]);
+        let faults: [(Change, &str); 4] = [
+            (|_, _, point| point.iter_mut().for_each(|mm| *mm *= 1e-3), "the measured points are in metres"),
+            (|_, q, _| q[2] = q[2].to_radians(), "column q3_deg is in radians"),
+            (|_, q, _| q.swap(3, 4), "the columns of joints 4 and 5 are swapped"),
+            (|_, _, point| point.swap(0, 1), "mirrored"),
+        ];
+        for (change, reason) in faults {
+            let found = accuracy(folder.path(), &cycles(change), &limits);
+            assert!(found.code == 2 && found.err.contains("measure::fault"), "{reason}: {}", found.out);
+            assert!(found.err.contains(reason), "{reason}: {}", found.err);
+        }
+    }
 }

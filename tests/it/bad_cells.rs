@@ -80,24 +80,6 @@ fn frozen(which: &[&str], from: usize, to: usize) -> String {
     })
 }
 
-#[test]
-fn joints_that_are_not_read_anew_are_named_with_their_rows() {
-    let n = SOUND.1.len();
-    let lines = |from: usize, to: usize| (from as u64 + 2..to as u64 + 2).collect::<Vec<u64>>();
-    for (from, to) in [(n - 12, n), (30, 36)] {
-        let (kind, column, found) = fault(&frozen(&JOINTS, from, to), &[]);
-        assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", "q1_deg to q6_deg"));
-        assert_eq!(found, lines(from, to));
-    }
-    for (joint, from, to) in [("q4_deg", 20, 35), ("q2_deg", 40, n), ("q6_deg", 30, n)] {
-        let (kind, column, found) = fault(&frozen(&[joint], from, to), &[]);
-        assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", joint));
-        // Where the joint happened to stand near the value that was written the row is not far off.
-        assert!(found.len() + 3 >= to - from - 1, "{found:?}");
-        assert!(found.iter().all(|line| lines(from + 1, to).contains(line)), "{found:?}");
-    }
-}
-
 /// Rounded to steps that nobody writes, some of them counted from an angle that is no multiple of the step.
 #[test]
 fn joints_rounded_to_any_step_are_told_with_it() {
@@ -175,5 +157,24 @@ mod long {
         let answer = diagnose(&text, &["--sigma-mm", "0.03"]);
         assert!(answer.code == 2 && answer.model.is_none(), "{} {}", answer.json["reason"], answer.messages);
         assert!(answer.messages.contains("times its usual size"), "{}", answer.messages);
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn joints_that_are_not_read_anew_are_named_with_their_rows() {
+        let n = SOUND.1.len();
+        let lines = |from: usize, to: usize| (from as u64 + 2..to as u64 + 2).collect::<Vec<u64>>();
+        for (from, to) in [(n - 12, n), (30, 36)] {
+            let (kind, column, found) = fault(&frozen(&JOINTS, from, to), &[]);
+            assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", "q1_deg to q6_deg"));
+            assert_eq!(found, lines(from, to));
+        }
+        for (joint, from, to) in [("q4_deg", 20, 35), ("q2_deg", 40, n), ("q6_deg", 30, n)] {
+            let (kind, column, found) = fault(&frozen(&[joint], from, to), &[]);
+            assert_eq!((kind.as_str(), column.as_str()), ("frozen_joints", joint));
+            // Where the joint happened to stand near the value that was written the row is not far off.
+            assert!(found.len() + 3 >= to - from - 1, "{found:?}");
+            assert!(found.iter().all(|line| lines(from + 1, to).contains(line)), "{found:?}");
+        }
     }
 }

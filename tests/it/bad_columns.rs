@@ -18,66 +18,6 @@ fn joints_read_from_an_encoder_of_few_counts_are_rounded_whatever_their_decimals
     }
 }
 
-/// The poses of a set of rounded joints three times, in rounds: each time they are rounded the same way, and what many lines of gears follow
-/// is still that.
-#[test]
-fn rounded_joints_are_named_where_poses_come_back() {
-    let folder = TempDir::new().unwrap();
-    let sets = folder.path().join("sets");
-    let mut command = Command::cargo_bin("driftpost").unwrap();
-    command.arg("synth").arg(&sets);
-    command
-        .args(["--effects", "joint_rounding", "--n", "27", "--sets", "3", "--seed", "4"])
-        .assert()
-        .success();
-    for set in 0..3 {
-        let text = fs::read_to_string(sets.join(format!("set_{set:04}/measurements.csv"))).unwrap();
-        let (header, rows) = text.split_once('\n').unwrap();
-        let names: Vec<&str> = header.split(',').collect();
-        let at = |name: &str| names.iter().position(|n| *n == name).unwrap();
-        let mut rounds = format!("{header}\n");
-        for (k, line) in std::iter::repeat_n(rows.lines(), 3).flatten().enumerate() {
-            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
-            cells[at("id")] = k.to_string();
-            cells[at("t_min")] = format!("{k}");
-            for (axis, name) in ["x_mm", "y_mm", "z_mm"].into_iter().enumerate() {
-                let even = 2.0 * ((k as f64 + 1.0).powi(2) * [2.0_f64, 3.0, 5.0][axis].sqrt()).fract() - 1.0;
-                cells[at(name)] = format!("{:.4}", cells[at(name)].parse::<f64>().unwrap() + 0.02 * even);
-            }
-            rounds += &(cells.join(",") + "\n");
-        }
-        let (kind, column, _) = fault_with(&rounds, &["--sigma-mm", "0.02"]);
-        assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q1_deg to q6_deg"), "set {set}");
-    }
-}
-
-#[test]
-fn a_joint_column_that_changes_its_sign_or_is_a_row_late_is_named_with_its_rows() {
-    let (names, rows) = cells();
-    let n = rows.len();
-    let at = |name: &str| names.iter().position(|n| n == name).unwrap();
-    // Joint 3 leaves its range so, which is not what is wrong.
-    for name in ["q1_deg", "q3_deg", "q5_deg"] {
-        let mut negated = rows.clone();
-        for row in &mut negated[24..] {
-            row[at(name)] = times(-1.0)(&row[at(name)]);
-        }
-        let (kind, column, found) = fault(&as_text(&names, &negated));
-        assert_eq!((kind.as_str(), column.as_str()), ("joint_columns", name));
-        assert!(found.iter().all(|line| lines(24, n).contains(line)) && found.len() > 30, "{found:?}");
-    }
-    // The last row stays: nothing tells its joint.
-    for (name, from) in [("q2_deg", 30), ("q5_deg", 1)] {
-        let mut late = rows.clone();
-        for k in from..n {
-            late[k][at(name)].clone_from(&rows[k - 1][at(name)]);
-        }
-        let (kind, column, found) = fault(&as_text(&names, &late));
-        assert_eq!((kind.as_str(), column.as_str()), ("rows_shifted", name));
-        assert!(found.iter().all(|line| lines(from, n).contains(line)), "{found:?}");
-    }
-}
-
 #[test]
 fn stamps_that_turn_from_minutes_to_seconds_are_named_with_their_rows() {
     let (names, mut rows) = cells();
@@ -142,5 +82,68 @@ mod long {
             found.iter().all(|line| lines(30, rows.len()).contains(line)) && found.len() > 25,
             "{found:?}"
         );
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_joint_column_that_changes_its_sign_or_is_a_row_late_is_named_with_its_rows() {
+        let (names, rows) = cells();
+        let n = rows.len();
+        let at = |name: &str| names.iter().position(|n| n == name).unwrap();
+        // Joint 3 leaves its range so, which is not what is wrong.
+        for name in ["q1_deg", "q3_deg", "q5_deg"] {
+            let mut negated = rows.clone();
+            for row in &mut negated[24..] {
+                row[at(name)] = times(-1.0)(&row[at(name)]);
+            }
+            let (kind, column, found) = fault(&as_text(&names, &negated));
+            assert_eq!((kind.as_str(), column.as_str()), ("joint_columns", name));
+            assert!(found.iter().all(|line| lines(24, n).contains(line)) && found.len() > 30, "{found:?}");
+        }
+        // The last row stays: nothing tells its joint.
+        for (name, from) in [("q2_deg", 30), ("q5_deg", 1)] {
+            let mut late = rows.clone();
+            for k in from..n {
+                late[k][at(name)].clone_from(&rows[k - 1][at(name)]);
+            }
+            let (kind, column, found) = fault(&as_text(&names, &late));
+            assert_eq!((kind.as_str(), column.as_str()), ("rows_shifted", name));
+            assert!(found.iter().all(|line| lines(from, n).contains(line)), "{found:?}");
+        }
+    }
+
+    /// The poses of a set of rounded joints three times, in rounds: each time they are rounded the same way, and what many lines of gears follow
+    /// is still that.
+    #[test]
+    #[ignore = "long"]
+    fn rounded_joints_are_named_where_poses_come_back() {
+        let folder = TempDir::new().unwrap();
+        let sets = folder.path().join("sets");
+        let mut command = Command::cargo_bin("driftpost").unwrap();
+        command.arg("synth").arg(&sets);
+        command
+            .args(["--effects", "joint_rounding", "--n", "27", "--sets", "3", "--seed", "4"])
+            .assert()
+            .success();
+        for set in 0..3 {
+            let text = fs::read_to_string(sets.join(format!("set_{set:04}/measurements.csv"))).unwrap();
+            let (header, rows) = text.split_once('\n').unwrap();
+            let names: Vec<&str> = header.split(',').collect();
+            let at = |name: &str| names.iter().position(|n| *n == name).unwrap();
+            let mut rounds = format!("{header}\n");
+            for (k, line) in std::iter::repeat_n(rows.lines(), 3).flatten().enumerate() {
+                let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+                cells[at("id")] = k.to_string();
+                cells[at("t_min")] = format!("{k}");
+                for (axis, name) in ["x_mm", "y_mm", "z_mm"].into_iter().enumerate() {
+                    let even =
+                        2.0 * ((k as f64 + 1.0).powi(2) * [2.0_f64, 3.0, 5.0][axis].sqrt()).fract() - 1.0;
+                    cells[at(name)] = format!("{:.4}", cells[at(name)].parse::<f64>().unwrap() + 0.02 * even);
+                }
+                rounds += &(cells.join(",") + "\n");
+            }
+            let (kind, column, _) = fault_with(&rounds, &["--sigma-mm", "0.02"]);
+            assert_eq!((kind.as_str(), column.as_str()), ("rounded_joints", "q1_deg to q6_deg"), "set {set}");
+        }
     }
 }

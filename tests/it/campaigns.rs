@@ -25,23 +25,6 @@ fn what_happens_overnight_is_a_step_or_a_drift() {
     assert!(step > 0.1 && drift > 0.1 && step + drift > 0.9, "{step} {drift}");
 }
 
-/// Friction grows with the load, play does not.
-#[test]
-fn friction_is_no_play() {
-    let found = diagnose("friction.csv", "irb2600", "0.05");
-    assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
-    assert_eq!(found["where"]["joint"], 2);
-    assert!(found["reason"].as_str().unwrap().contains("gravity's torque"), "{}", found["reason"]);
-    // Orientation says little of it, and halves what a sigma over all six numbers says.
-    let found = diagnose("friction_with_orientation.csv", "irb6700", "0.04");
-    assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
-    assert!(found["reason"].as_str().unwrap().contains("gravity's torque"), "{}", found["reason"]);
-    let found = diagnose("play.csv", "irb140", "0.05");
-    assert_eq!(found["verdict"], "explained", "{}", found["reason"]);
-    let first = &found["causes"][0];
-    assert_eq!((&first["effect"], &first["joint"]), (&"backlash".into(), &2.into()));
-}
-
 /// Errors of the geometry take most of the gap; the sway is on top of the noise that is stated.
 #[test]
 fn what_sways_is_structure_beside_geometry() {
@@ -77,53 +60,80 @@ fn at_minutes(effects: &str, seed: &str, minutes: impl Fn(usize, f64) -> f64) ->
     format!("{}\n{rows}", header.join(","))
 }
 
-/// Every other row on the next day, as long behind a cold start as it was: the file's clock goes on over the night, the arm is cold
-/// again.
-#[test]
-fn an_arm_that_is_cold_again_after_a_night_warms_up_anew() {
-    for seed in ["3", "4"] {
-        let next_day = |k: usize, t_min: f64| t_min + if k.is_multiple_of(2) { 0.0 } else { 1500.0 };
-        let text = at_minutes("thermal_joint_drift:2", seed, next_day);
-        let found = super::sound_file::diagnose(text.as_bytes(), &[]);
-        let answer = found.json.as_ref().unwrap();
-        let first = &answer["causes"][0];
-        assert_eq!(
-            (&first["effect"], &first["joint"]),
-            (&"thermal_joint_drift".into(), &2.into()),
-            "{answer}"
-        );
-        assert_eq!(answer["verdict"], "explained", "{}", answer["reason"]);
-        let warnings = answer["warnings"].as_array().unwrap();
-        assert!(warnings.iter().any(|w| w["code"] == "diagnose::cold-start"), "{warnings:?}");
-        // All in one day nothing begins anew.
-        let found =
-            super::sound_file::diagnose(at_minutes("thermal_joint_drift:2", seed, |_, t| t).as_bytes(), &[]);
-        assert!(!found.json.unwrap()["warnings"].to_string().contains("cold-start"));
-    }
-}
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
 
-/// A base that settles within a thirtieth of the measurement, by a millimetre: what time constants too far from its own leave is no step.
-#[test]
-fn a_base_that_settles_soon_has_not_stepped() {
-    for seed in ["5", "6"] {
-        let text = at_minutes("joint_compliance:2", seed, |_, t_min| t_min);
-        let (header, rows) = text.split_once('\n').unwrap();
-        let at = |name: &str| header.split(',').position(|other| other == name).unwrap();
-        let number = |cells: &[String], name: &str| -> f64 { cells[at(name)].parse().unwrap() };
-        let rows: Vec<Vec<String>> =
-            rows.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
-        let last_min = rows.iter().map(|cells| number(cells, "t_min")).fold(0.0, f64::max);
-        let settled = rows.into_iter().map(|mut cells| {
-            let grown = 1.0 - (-number(&cells, "t_min") / (0.035 * last_min)).exp();
-            for (name, by_mm) in [("x_mm", 0.9), ("y_mm", -0.5)] {
-                cells[at(name)] = format!("{:.4}", number(&cells, name) + by_mm * grown);
-            }
-            cells.join(",") + "\n"
-        });
-        let text = format!("{header}\n{}", settled.collect::<String>());
-        let found = super::sound_file::diagnose(text.as_bytes(), &[]);
-        let causes = found.causes();
-        assert_eq!(causes[0], "base_drift", "{causes:?}");
-        assert!(!causes.contains(&"base_step") && !causes.contains(&"tool_step"), "{causes:?}");
+    /// Friction grows with the load, play does not.
+    #[test]
+    #[ignore = "long"]
+    fn friction_is_no_play() {
+        let found = diagnose("friction.csv", "irb2600", "0.05");
+        assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
+        assert_eq!(found["where"]["joint"], 2);
+        assert!(found["reason"].as_str().unwrap().contains("gravity's torque"), "{}", found["reason"]);
+        // Orientation says little of it, and halves what a sigma over all six numbers says.
+        let found = diagnose("friction_with_orientation.csv", "irb6700", "0.04");
+        assert_eq!(found["verdict"], "unexplained_structure", "{}", found["reason"]);
+        assert!(found["reason"].as_str().unwrap().contains("gravity's torque"), "{}", found["reason"]);
+        let found = diagnose("play.csv", "irb140", "0.05");
+        assert_eq!(found["verdict"], "explained", "{}", found["reason"]);
+        let first = &found["causes"][0];
+        assert_eq!((&first["effect"], &first["joint"]), (&"backlash".into(), &2.into()));
+    }
+
+    /// Every other row on the next day, as long behind a cold start as it was: the file's clock goes on over the night, the arm is cold
+    /// again.
+    #[test]
+    #[ignore = "long"]
+    fn an_arm_that_is_cold_again_after_a_night_warms_up_anew() {
+        for seed in ["3", "4"] {
+            let next_day = |k: usize, t_min: f64| t_min + if k.is_multiple_of(2) { 0.0 } else { 1500.0 };
+            let text = at_minutes("thermal_joint_drift:2", seed, next_day);
+            let found = crate::sound_file::diagnose(text.as_bytes(), &[]);
+            let answer = found.json.as_ref().unwrap();
+            let first = &answer["causes"][0];
+            assert_eq!(
+                (&first["effect"], &first["joint"]),
+                (&"thermal_joint_drift".into(), &2.into()),
+                "{answer}"
+            );
+            assert_eq!(answer["verdict"], "explained", "{}", answer["reason"]);
+            let warnings = answer["warnings"].as_array().unwrap();
+            assert!(warnings.iter().any(|w| w["code"] == "diagnose::cold-start"), "{warnings:?}");
+            // All in one day nothing begins anew.
+            let found = crate::sound_file::diagnose(
+                at_minutes("thermal_joint_drift:2", seed, |_, t| t).as_bytes(),
+                &[],
+            );
+            assert!(!found.json.unwrap()["warnings"].to_string().contains("cold-start"));
+        }
+    }
+
+    /// A base that settles within a thirtieth of the measurement, by a millimetre: what time constants too far from its own leave is no step.
+    #[test]
+    #[ignore = "long"]
+    fn a_base_that_settles_soon_has_not_stepped() {
+        for seed in ["5", "6"] {
+            let text = at_minutes("joint_compliance:2", seed, |_, t_min| t_min);
+            let (header, rows) = text.split_once('\n').unwrap();
+            let at = |name: &str| header.split(',').position(|other| other == name).unwrap();
+            let number = |cells: &[String], name: &str| -> f64 { cells[at(name)].parse().unwrap() };
+            let rows: Vec<Vec<String>> =
+                rows.lines().map(|line| line.split(',').map(str::to_owned).collect()).collect();
+            let last_min = rows.iter().map(|cells| number(cells, "t_min")).fold(0.0, f64::max);
+            let settled = rows.into_iter().map(|mut cells| {
+                let grown = 1.0 - (-number(&cells, "t_min") / (0.035 * last_min)).exp();
+                for (name, by_mm) in [("x_mm", 0.9), ("y_mm", -0.5)] {
+                    cells[at(name)] = format!("{:.4}", number(&cells, name) + by_mm * grown);
+                }
+                cells.join(",") + "\n"
+            });
+            let text = format!("{header}\n{}", settled.collect::<String>());
+            let found = crate::sound_file::diagnose(text.as_bytes(), &[]);
+            let causes = found.causes();
+            assert_eq!(causes[0], "base_drift", "{causes:?}");
+            assert!(!causes.contains(&"base_step") && !causes.contains(&"tool_step"), "{causes:?}");
+        }
     }
 }

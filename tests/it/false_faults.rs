@@ -38,17 +38,6 @@ fn swept_deg() -> Vec<[f64; 6]> {
     (0..144).map(row).collect()
 }
 
-/// The joints truly stand anywhere within half of the last decimal, at the same angle each time in the postures.
-#[test]
-fn joints_rounded_in_sweeps_are_no_gears() {
-    let rounded = |q_deg: [f64; 6]| {
-        q_deg.map(|q_deg| q_deg + 0.1 * (((1e4 + 1e3 * q_deg).sin() * 43_758.547).rem_euclid(1.0) - 0.5))
-    };
-    let found = NominalCell::at(swept_deg(), rounded).answer("id", |k| k.to_string());
-    let fault = found.fault.unwrap_or_else(|| panic!("{}", found.reason));
-    assert_eq!(fault.kind, FaultKind::RoundedJoints, "{}", found.reason);
-}
-
 /// The same sweeps of joints that were commanded to tenths of a degree and stand there, with a gear whose line is as large.
 #[test]
 fn sweeps_commanded_in_round_steps_are_not_rounded() {
@@ -78,4 +67,21 @@ fn orientations_of_a_poor_sensor_are_no_fault() {
         [turn.w, turn.i, turn.j, turn.k].map(|part| format!("{part:.7}")).join(",")
     });
     assert!(found.fault.is_none(), "{}", found.reason);
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// The joints truly stand anywhere within half of the last decimal, at the same angle each time in the postures.
+    #[test]
+    #[ignore = "long"]
+    fn joints_rounded_in_sweeps_are_no_gears() {
+        let rounded = |q_deg: [f64; 6]| {
+            q_deg.map(|q_deg| q_deg + 0.1 * (((1e4 + 1e3 * q_deg).sin() * 43_758.547).rem_euclid(1.0) - 0.5))
+        };
+        let found = NominalCell::at(swept_deg(), rounded).answer("id", |k| k.to_string());
+        let fault = found.fault.unwrap_or_else(|| panic!("{}", found.reason));
+        assert_eq!(fault.kind, FaultKind::RoundedJoints, "{}", found.reason);
+    }
 }

@@ -170,8 +170,14 @@ fn any_list_of_targets_or_joints_is_read_or_refused() {
     run(targets::lists::lists, &seeds(&["csv"], 6000), 2000, false);
 }
 
-#[cfg(feature = "cli")]
-#[test]
-fn any_file_of_settings_is_taken_or_refused() {
-    run(targets::settings::settings, &seeds(&["toml"], 6000), 300, false);
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[cfg(feature = "cli")]
+    #[test]
+    #[ignore = "long"]
+    fn any_file_of_settings_is_taken_or_refused() {
+        run(targets::settings::settings, &seeds(&["toml"], 6000), 300, false);
+    }
 }

@@ -104,26 +104,6 @@ fn a_planted_wrong_branch_is_found() {
     });
 }
 
-/// Half a millimetre between what is shown and what is calculated for the joints that are shown: another tool, another base, or a
-/// calibration. The answers would judge nothing.
-#[test]
-fn a_controller_that_contradicts_its_own_display_gives_no_conclusion() {
-    on_each_robotware(|personality| {
-        let planted = Planted { display_shift_m: [0.000_3, 0.0, -0.000_4], ..Planted::default() };
-        let (asked, shop) = (double(personality), Shop::new(personality));
-        asked.plant(planted);
-        shop.double.plant(planted);
-        let checked = check(&asked, &PROGRAMS[0]);
-        assert_eq!(checked.agrees(), None);
-        let LinkChecked::NoConclusion { apart_mm } = checked else { panic!("{}", checked.text(false)) };
-        assert!((apart_mm - 0.5).abs() < 0.001, "{apart_mm} mm, planted 0.5");
-        let (code, message, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
-        let json: serde_json::Value = serde_json::from_str(&message).unwrap();
-        assert_eq!((code, &json["verdict"]), (2, &serde_json::Value::from("no_conclusion")), "{message}");
-        assert!((json["display_mm"].as_f64().unwrap() - 0.5).abs() < 0.001, "{message}");
-    });
-}
-
 #[test]
 fn a_controller_that_does_not_calculate_is_no_failure() {
     let double = double(Personality::Rw6);
@@ -439,6 +419,27 @@ mod long {
                     shop.double.with(|c| (c.holder.clone(), c.value("MOD_Cube45", "tcMode")));
                 assert_eq!((holder, mode.as_deref()), (Holder::Nobody, Some("-1")));
             }
+        });
+    }
+
+    /// Half a millimetre between what is shown and what is calculated for the joints that are shown: another tool, another base, or a
+    /// calibration. The answers would judge nothing.
+    #[test]
+    #[ignore = "long"]
+    fn a_controller_that_contradicts_its_own_display_gives_no_conclusion() {
+        on_each_robotware(|personality| {
+            let planted = Planted { display_shift_m: [0.000_3, 0.0, -0.000_4], ..Planted::default() };
+            let (asked, shop) = (double(personality), Shop::new(personality));
+            asked.plant(planted);
+            shop.double.plant(planted);
+            let checked = check(&asked, &PROGRAMS[0]);
+            assert_eq!(checked.agrees(), None);
+            let LinkChecked::NoConclusion { apart_mm } = checked else { panic!("{}", checked.text(false)) };
+            assert!((apart_mm - 0.5).abs() < 0.001, "{apart_mm} mm, planted 0.5");
+            let (code, message, _) = shop.run(&["check", "MODULE", "HOST", "--json", "-"]);
+            let json: serde_json::Value = serde_json::from_str(&message).unwrap();
+            assert_eq!((code, &json["verdict"]), (2, &serde_json::Value::from("no_conclusion")), "{message}");
+            assert!((json["display_mm"].as_f64().unwrap() - 0.5).abs() < 0.001, "{message}");
         });
     }
 }

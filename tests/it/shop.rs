@@ -173,26 +173,6 @@ fn with_points(text: &str, change: impl Fn(usize, &mut [f64; 3])) -> String {
     changed.collect::<Vec<_>>().join("\n")
 }
 
-/// A sound robot, measured again by an instrument that was pushed in between, or in metres.
-#[test]
-fn an_instrument_that_moved_within_a_file_and_other_units_are_no_unchanged_robot() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 1);
-    let before = write(folder.path(), "before.csv", &file);
-    let pushed = with_points(&file, |k, point_mm| {
-        if k > 20 {
-            point_mm[2] += 100.0;
-        }
-    });
-    let pushed = write(folder.path(), "pushed.csv", &pushed);
-    let (_, _, answer) = run(&["compare-measurements", &before, &pushed, "--sigma-mm", "0.02"]);
-    assert!(answer.contains("measure::instrument-moved") && answer.contains("from line 22 on"), "{answer}");
-    let metres = with_points(&file, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
-    let metres = write(folder.path(), "metres.csv", &metres);
-    let (code, _, answer) = run(&["compare-measurements", &before, &metres]);
-    assert!(code == 2 && answer.contains("after: the measured points are in metres"), "{answer}");
-}
-
 /// Two readings of a sound robot a millimetre off, which no cause of the arm makes; the instrument was set up anew.
 #[test]
 fn single_poses_that_have_moved_and_rows_left_out_are_named() {
@@ -386,5 +366,34 @@ fn a_false_row_is_named_with_what_it_looks_like() {
         assert_eq!(found["id"].as_str().unwrap(), rows[row][id]);
         assert!(found["looks_like"].as_str().unwrap().contains(like), "{found}");
         assert!(out.contains(&format!("line {} (id {})", row + 1, rows[row][id])), "{out}");
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// A sound robot, measured again by an instrument that was pushed in between, or in metres.
+    #[test]
+    #[ignore = "long"]
+    fn an_instrument_that_moved_within_a_file_and_other_units_are_no_unchanged_robot() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 1);
+        let before = write(folder.path(), "before.csv", &file);
+        let pushed = with_points(&file, |k, point_mm| {
+            if k > 20 {
+                point_mm[2] += 100.0;
+            }
+        });
+        let pushed = write(folder.path(), "pushed.csv", &pushed);
+        let (_, _, answer) = run(&["compare-measurements", &before, &pushed, "--sigma-mm", "0.02"]);
+        assert!(
+            answer.contains("measure::instrument-moved") && answer.contains("from line 22 on"),
+            "{answer}"
+        );
+        let metres = with_points(&file, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= 1e-3));
+        let metres = write(folder.path(), "metres.csv", &metres);
+        let (code, _, answer) = run(&["compare-measurements", &before, &metres]);
+        assert!(code == 2 && answer.contains("after: the measured points are in metres"), "{answer}");
     }
 }

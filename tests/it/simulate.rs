@@ -278,18 +278,6 @@ fn what_cannot_be_run_is_refused() {
     }
 }
 
-/// An error handler that puts nothing right and tries again: it ends by the limit of steps, with the line.
-#[test]
-fn a_handler_that_retries_for_ever_comes_to_an_end() {
-    let run = driftpost(&["simulate", "fixtures/simulate/retry_for_ever.mod", "--robot", "irb140"])
-        .assert()
-        .code(2);
-    let message = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
-    assert!(message.contains("error[simulate::endless]"), "{message}");
-    assert!(message.contains("retry_for_ever.mod:10: "), "{message}");
-    assert!(message.contains("does not come to an end"), "{message}");
-}
-
 /// What asks for more than the virtual controller holds is refused with the line, in memory that is no matter.
 #[test]
 fn what_the_controller_holds_no_more_of_is_refused_with_its_line() {
@@ -303,4 +291,22 @@ fn what_the_controller_holds_no_more_of_is_refused_with_its_line() {
         message.contains("error[simulate::limit]") && message.contains("big.mod:4: with big"),
         "{message}"
     );
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    /// An error handler that puts nothing right and tries again: it ends by the limit of steps, with the line.
+    #[test]
+    #[ignore = "long"]
+    fn a_handler_that_retries_for_ever_comes_to_an_end() {
+        let run = driftpost(&["simulate", "fixtures/simulate/retry_for_ever.mod", "--robot", "irb140"])
+            .assert()
+            .code(2);
+        let message = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+        assert!(message.contains("error[simulate::endless]"), "{message}");
+        assert!(message.contains("retry_for_ever.mod:10: "), "{message}");
+        assert!(message.contains("does not come to an end"), "{message}");
+    }
 }

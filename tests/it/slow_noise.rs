@@ -128,31 +128,6 @@ fn noise_larger_than_stated_is_warned_of() {
     );
 }
 
-/// Slow noise of two days with a night between them: each day is a fortieth of the file's time, and the base has not moved over night.
-#[test]
-fn a_night_in_slow_noise_is_no_step_of_the_base() {
-    for seed in [1, 2, 3, 4] {
-        let slow = rows(Vec::new(), 0.85, seed);
-        let t = slow.lines().next().unwrap().split(',').position(|name| name == "t_min").unwrap();
-        let with_night = |(k, line): (usize, &str)| {
-            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
-            if k > 50 {
-                cells[t] = (cells[t].parse::<f64>().unwrap() + 4000.0).to_string();
-            }
-            cells.join(",") + "\n"
-        };
-        let two_days: String = slow.lines().enumerate().map(with_night).collect();
-        let found = diagnose(&two_days, &["--sigma-mm", "0.02"]);
-        let verdict = found["verdict"].as_str().unwrap();
-        assert!(
-            matches!(verdict, "nothing_above_noise" | "geometry"),
-            "{seed}: {} {}",
-            found["reason"],
-            found["causes"]
-        );
-    }
-}
-
 /// Errors of all frames that make seven eighths of the gap are no noise because noise is slow beside them.
 #[test]
 fn geometry_beside_slow_noise_is_geometry() {
@@ -338,6 +313,32 @@ mod long {
             let recipe = Recipe { slowness: 0.7, ..crate::recipe::planted(Vec::new(), 150) };
             let answer = diagnose(&rows_of(recipe, seed), &["--sigma-mm", "0.0163"]);
             assert_eq!(answer["verdict"], "nothing_above_noise", "{}", answer["reason"]);
+        }
+    }
+
+    /// Slow noise of two days with a night between them: each day is a fortieth of the file's time, and the base has not moved over night.
+    #[test]
+    #[ignore = "long"]
+    fn a_night_in_slow_noise_is_no_step_of_the_base() {
+        for seed in [1, 2, 3, 4] {
+            let slow = rows(Vec::new(), 0.85, seed);
+            let t = slow.lines().next().unwrap().split(',').position(|name| name == "t_min").unwrap();
+            let with_night = |(k, line): (usize, &str)| {
+                let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+                if k > 50 {
+                    cells[t] = (cells[t].parse::<f64>().unwrap() + 4000.0).to_string();
+                }
+                cells.join(",") + "\n"
+            };
+            let two_days: String = slow.lines().enumerate().map(with_night).collect();
+            let found = diagnose(&two_days, &["--sigma-mm", "0.02"]);
+            let verdict = found["verdict"].as_str().unwrap();
+            assert!(
+                matches!(verdict, "nothing_above_noise" | "geometry"),
+                "{seed}: {} {}",
+                found["reason"],
+                found["causes"]
+            );
         }
     }
 }

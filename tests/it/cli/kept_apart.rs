@@ -92,46 +92,6 @@ fn names_of_the_program_are_neither_signals_nor_procedures() {
     assert!(code == Some(0) && !message.contains("diProbe"), "{message}");
 }
 
-#[test]
-fn a_program_is_overwritten_by_nothing_else() {
-    let bench = Bench::default();
-    let cube = std::fs::read(CUBE).unwrap();
-    let program = bench.file("Part.mod", &cube);
-    let measured = "fixtures/docs/measured.csv";
-    let is_kept = |command: &[&str]| {
-        let output = driftpost(command);
-        let message = err(&output);
-        let is_refused = output.status.code() == Some(2) && message.contains("output::changed");
-        assert!(is_refused, "{command:?}: {message}");
-        assert_eq!(std::fs::read(&program).unwrap(), cube, "{command:?}");
-    };
-    for (option, more) in
-        [("--rapid-out", &["--tool", "0,0,80"][..]), ("--json", &[]), ("--csv", &[]), ("--clean-out", &[])]
-    {
-        is_kept(&[&["diagnose", measured, option, &program], more].concat());
-    }
-    let result = bench.path("plan.json").display().to_string();
-    assert!(driftpost(&["plan", "--n", "20", "--json", &result]).status.success());
-    let to = bench.path("to.mod").display().to_string();
-    let page = ["compensate", CUBE, "-o", &to, "--report", &program, "--diff", "none"];
-    let diff = ["compensate", CUBE, "-o", &to, "--diff", &program];
-    for command in [&["report", &*result, "-o", &*program][..], &page, &diff] {
-        is_kept(command);
-    }
-    // What was written there before is written anew.
-    let json = bench.path("d.json").display().to_string();
-    for _ in 0..2 {
-        let output = driftpost(&["inspect", CUBE, "--json", &json]);
-        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    }
-    // A robot is no model, nor the other way round.
-    let [model, _] = fitted(&bench);
-    let was = std::fs::read(&model).unwrap();
-    let output = driftpost(&["robot", "--robot", "irb140", "-o", &model]);
-    assert!(output.status.code() == Some(2) && err(&output).contains("output::changed"), "{}", err(&output));
-    assert_eq!(std::fs::read(&model).unwrap(), was);
-}
-
 /// Two results of one source, of which one was touched up: the one does not go over the other.
 #[test]
 fn two_results_of_one_original_are_not_restored_to_one_place() {
@@ -188,40 +148,6 @@ fn what_needs_no_model_is_written_without_one() {
     assert_eq!(bench.files(), ["c.csv", "few.csv", "p.html"]);
 }
 
-/// One target is placed by base and tool whatever the robot does; where no move is made there is nothing to place.
-#[test]
-fn a_rehearsal_of_few_targets_is_no_proof() {
-    let bench = Bench::default();
-    let program = |moves: &str| {
-        let text = format!(
-            "MODULE m\n  CONST robtarget p1:=[[450,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  PROC main()\n{moves}  ENDPROC\nENDMODULE\n"
-        );
-        bench.file("m.mod", text)
-    };
-    for moves in
-        ["    MoveJ p1,v100,fine,tool0;\n", "    IF FALSE THEN\n      MoveJ p1,v100,fine,tool0;\n    ENDIF\n"]
-    {
-        let output =
-            driftpost(&["closed-loop", &program(moves), "--inject", "joint_compliance:2", "--n", "60"]);
-        let message = err(&output);
-        assert!(output.status.code() == Some(2) && message.contains("rehearse::targets"), "{message}");
-    }
-}
-
-#[test]
-fn a_plan_repeats_as_often_as_asked_and_sweeps_what_turns() {
-    let output = driftpost(&["plan", "--n", "60", "--repeats", "45"]);
-    assert!(out(&output).contains("60 measurements of 15 poses"), "{}{}", out(&output), err(&output));
-    let sweep = |robot: &str, joint: &str| {
-        let output = driftpost(&["plan", "--n", "20", "--robot", robot, "--sweep", joint]);
-        (output.status.code(), err(&output))
-    };
-    let (code, message) = sweep("fixtures/robots/scara.toml", "3");
-    assert!(code == Some(2) && message.contains("it slides"), "{message}");
-    let (code, message) = sweep("fixtures/robots/seven_axes.toml", "7");
-    assert!(code == Some(0), "{message}");
-}
-
 /// A tracker's points are at joints that were commanded, and those never drift.
 #[test]
 fn the_state_is_told_by_touches_and_no_points() {
@@ -233,4 +159,94 @@ fn the_state_is_told_by_touches_and_no_points() {
     let file = bench.file("seen.csv", seen.collect::<String>());
     let output = driftpost(&["state", &file, "--tool", "0,0,100"]);
     assert!(output.status.code() == Some(2) && err(&output).contains("state::measured"), "{}", err(&output));
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_plan_repeats_as_often_as_asked_and_sweeps_what_turns() {
+        let output = driftpost(&["plan", "--n", "60", "--repeats", "45"]);
+        assert!(out(&output).contains("60 measurements of 15 poses"), "{}{}", out(&output), err(&output));
+        let sweep = |robot: &str, joint: &str| {
+            let output = driftpost(&["plan", "--n", "20", "--robot", robot, "--sweep", joint]);
+            (output.status.code(), err(&output))
+        };
+        let (code, message) = sweep("fixtures/robots/scara.toml", "3");
+        assert!(code == Some(2) && message.contains("it slides"), "{message}");
+        let (code, message) = sweep("fixtures/robots/seven_axes.toml", "7");
+        assert!(code == Some(0), "{message}");
+    }
+
+    /// One target is placed by base and tool whatever the robot does; where no move is made there is nothing to place.
+    #[test]
+    #[ignore = "long"]
+    fn a_rehearsal_of_few_targets_is_no_proof() {
+        let bench = Bench::default();
+        let program = |moves: &str| {
+            let text = format!(
+                "MODULE m\n  CONST robtarget p1:=[[450,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  PROC main()\n{moves}  ENDPROC\nENDMODULE\n"
+            );
+            bench.file("m.mod", text)
+        };
+        for moves in [
+            "    MoveJ p1,v100,fine,tool0;\n",
+            "    IF FALSE THEN\n      MoveJ p1,v100,fine,tool0;\n    ENDIF\n",
+        ] {
+            let output =
+                driftpost(&["closed-loop", &program(moves), "--inject", "joint_compliance:2", "--n", "60"]);
+            let message = err(&output);
+            assert!(output.status.code() == Some(2) && message.contains("rehearse::targets"), "{message}");
+        }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn a_program_is_overwritten_by_nothing_else() {
+        let bench = Bench::default();
+        let cube = std::fs::read(CUBE).unwrap();
+        let program = bench.file("Part.mod", &cube);
+        let measured = "fixtures/docs/measured.csv";
+        let is_kept = |command: &[&str]| {
+            let output = driftpost(command);
+            let message = err(&output);
+            let is_refused = output.status.code() == Some(2) && message.contains("output::changed");
+            assert!(is_refused, "{command:?}: {message}");
+            assert_eq!(std::fs::read(&program).unwrap(), cube, "{command:?}");
+        };
+        for (option, more) in [
+            ("--rapid-out", &["--tool", "0,0,80"][..]),
+            ("--json", &[]),
+            ("--csv", &[]),
+            ("--clean-out", &[]),
+        ] {
+            is_kept(&[&["diagnose", measured, option, &program], more].concat());
+        }
+        let result = bench.path("plan.json").display().to_string();
+        assert!(driftpost(&["plan", "--n", "20", "--json", &result]).status.success());
+        let to = bench.path("to.mod").display().to_string();
+        let page = ["compensate", CUBE, "-o", &to, "--report", &program, "--diff", "none"];
+        let diff = ["compensate", CUBE, "-o", &to, "--diff", &program];
+        for command in [&["report", &*result, "-o", &*program][..], &page, &diff] {
+            is_kept(command);
+        }
+        // What was written there before is written anew.
+        let json = bench.path("d.json").display().to_string();
+        for _ in 0..2 {
+            let output = driftpost(&["inspect", CUBE, "--json", &json]);
+            assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        }
+        // A robot is no model, nor the other way round.
+        let [model, _] = fitted(&bench);
+        let was = std::fs::read(&model).unwrap();
+        let output = driftpost(&["robot", "--robot", "irb140", "-o", &model]);
+        assert!(
+            output.status.code() == Some(2) && err(&output).contains("output::changed"),
+            "{}",
+            err(&output)
+        );
+        assert_eq!(std::fs::read(&model).unwrap(), was);
+    }
 }

@@ -257,17 +257,6 @@ fn a_whole_program_is_restored_by_its_folder() {
     assert!(!bench.path("back/tcCore.mod").exists());
 }
 
-#[test]
-fn measurements_of_another_robot_validate_no_model() {
-    let model = ["--model", "fixtures/docs/identified.toml"];
-    let measured = "fixtures/docs/measured.csv";
-    let own = driftpost(&[&["validate", measured, "--robot", "irb140"], &model[..]].concat());
-    assert_eq!(own.status.code(), Some(0), "{}", err(&own));
-    let other = driftpost(&[&["validate", measured, "--robot", "irb120"], &model[..]].concat());
-    assert_eq!(other.status.code(), Some(1), "{}", err(&other));
-    assert!(out(&other).contains("NOT this robot's measurements"), "{}", out(&other));
-}
-
 /// Those that take seconds: `cargo test --test it -- --ignored long::`.
 mod long {
     use super::*;
@@ -297,5 +286,17 @@ mod long {
             let page = std::fs::read_to_string(page).unwrap();
             assert!(page.contains(&format!("\"command\":\"{}\"", result[0])), "{result:?}");
         }
+    }
+
+    #[test]
+    #[ignore = "long"]
+    fn measurements_of_another_robot_validate_no_model() {
+        let model = ["--model", "fixtures/docs/identified.toml"];
+        let measured = "fixtures/docs/measured.csv";
+        let own = driftpost(&[&["validate", measured, "--robot", "irb140"], &model[..]].concat());
+        assert_eq!(own.status.code(), Some(0), "{}", err(&own));
+        let other = driftpost(&[&["validate", measured, "--robot", "irb120"], &model[..]].concat());
+        assert_eq!(other.status.code(), Some(1), "{}", err(&other));
+        assert!(out(&other).contains("NOT this robot's measurements"), "{}", out(&other));
     }
 }

@@ -131,34 +131,6 @@ fn original(call: &str, routines: &str) -> Files {
     vec![("Cell.mod".to_owned(), format!("MODULE Cell\n{HEAD}{main}  {routines}\nENDMODULE\n").into_bytes())]
 }
 
-#[test]
-fn a_parameter_by_reference_changes_with_all_other_names_of_its_datum() {
-    let paper = Deformation::paper();
-    for (name, call, routines, [in_schedule, in_ramp]) in CHANGED.into_iter().chain(UNCHANGED) {
-        let original = original(call, routines);
-        for (form, expected) in [
-            (FormChoice::Schedule, in_schedule),
-            (FormChoice::Ramp, in_ramp),
-            (FormChoice::Auto, 0),
-            (FormChoice::Live, 0),
-        ] {
-            let (program, kept) = made_as(form, &original, &paper, &warmth()).unwrap();
-            assert_eq!(kept, expected, "{name}, {form:?}");
-            let mut s = session(&program, &original, &paper, false);
-            s.at_minutes(&[0.0, 45.0, 180.0]).unwrap();
-            let report = s.into_report();
-            assert_eq!(report.unchanged.len(), expected, "{name}, {form:?}: {:?}", report.unchanged);
-            for pass in &report.passes {
-                assert_eq!((&pass.failure, &pass.mismatch), (&None, &None), "{name}, {form:?}");
-                let off_mm = mm_from_m(pass.corrected.max_m);
-                assert!(off_mm < 0.0105, "{name}, {form:?}, minute {}: {off_mm} mm", pass.t_min);
-            }
-            let restored = restore(&program[0].1).unwrap();
-            assert!(restored.exact && restored.bytes == original[0].1, "{name}, {form:?}");
-        }
-    }
-}
-
 /// A routine that calls itself has its own parameters back behind the call, whatever the inner call made of those of the same names.
 #[test]
 fn a_routine_that_calls_itself_goes_on_with_its_own_parameters() {
@@ -196,6 +168,40 @@ fn a_routine_that_calls_itself_goes_on_with_its_own_parameters() {
                 assert_eq!((&pass.failure, &pass.mismatch), (&None, &None), "{name}, {form:?}");
                 let off_mm = mm_from_m(pass.corrected.max_m);
                 assert!(off_mm < 0.0105, "{name}, {form:?}, minute {}: {off_mm} mm", pass.t_min);
+            }
+        }
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_parameter_by_reference_changes_with_all_other_names_of_its_datum() {
+        let paper = Deformation::paper();
+        for (name, call, routines, [in_schedule, in_ramp]) in CHANGED.into_iter().chain(UNCHANGED) {
+            let original = original(call, routines);
+            for (form, expected) in [
+                (FormChoice::Schedule, in_schedule),
+                (FormChoice::Ramp, in_ramp),
+                (FormChoice::Auto, 0),
+                (FormChoice::Live, 0),
+            ] {
+                let (program, kept) = made_as(form, &original, &paper, &warmth()).unwrap();
+                assert_eq!(kept, expected, "{name}, {form:?}");
+                let mut s = session(&program, &original, &paper, false);
+                s.at_minutes(&[0.0, 45.0, 180.0]).unwrap();
+                let report = s.into_report();
+                assert_eq!(report.unchanged.len(), expected, "{name}, {form:?}: {:?}", report.unchanged);
+                for pass in &report.passes {
+                    assert_eq!((&pass.failure, &pass.mismatch), (&None, &None), "{name}, {form:?}");
+                    let off_mm = mm_from_m(pass.corrected.max_m);
+                    assert!(off_mm < 0.0105, "{name}, {form:?}, minute {}: {off_mm} mm", pass.t_min);
+                }
+                let restored = restore(&program[0].1).unwrap();
+                assert!(restored.exact && restored.bytes == original[0].1, "{name}, {form:?}");
             }
         }
     }

@@ -72,42 +72,6 @@ fn is_hidden(name: &str) -> bool {
     name.starts_with('.')
 }
 
-/// In place, the common module comes first: whatever stands there loads, and what is corrected finds its clock.
-#[test]
-fn modules_that_are_exchanged_in_place_always_find_what_they_call() {
-    let bench = tempfile::tempdir().unwrap();
-    let cell = bench.path().join("cell");
-    let original = || {
-        drop(fs::remove_dir_all(&cell));
-        program(&cell);
-        contents(&cell)
-    };
-    let originals = original();
-    assert!(compensate(bench.path(), &["--in-place"]).status.success());
-    let corrected = contents(&cell);
-    assert_eq!(corrected.len(), originals.len() + 1);
-    // So many modules were changed at each moment at which a run was killed.
-    let mut exchanged = BTreeSet::new();
-    for changes in 1.. {
-        assert!(original() == originals);
-        let Some(there) = killed(bench.path(), &["--in-place"], &cell, changes) else { break };
-        for (name, bytes) in there.iter().filter(|(name, _)| !is_hidden(name)) {
-            let is_whole = corrected.get(name) == Some(bytes) || originals.get(name) == Some(bytes);
-            assert!(is_whole, "{name} is neither the original nor the corrected module");
-        }
-        let is_changed = |name: &&String| there.get(*name) != originals.get(*name);
-        let changed = originals.keys().filter(is_changed).count();
-        exchanged.insert(changed);
-        if changed > 0 {
-            assert_eq!(there.get(CORE), corrected.get(CORE), "the module that all call comes first");
-        }
-        if (1..MODULES).contains(&changed) {
-            half_compensated_is_told_and_restored(bench.path(), &there, &originals);
-        }
-    }
-    assert!(exchanged.into_iter().eq(0..=MODULES), "a run is killed between any two modules");
-}
-
 /// The next run says what is half done, and takes away what waited beside its place; what it says to do gives the originals back.
 fn half_compensated_is_told_and_restored(
     bench: &Path,
@@ -175,5 +139,42 @@ mod long {
             }
         }
         assert!(exchanged.into_iter().eq(0..=modules), "a run is killed between any two modules");
+    }
+
+    /// In place, the common module comes first: whatever stands there loads, and what is corrected finds its clock.
+    #[test]
+    #[ignore = "long"]
+    fn modules_that_are_exchanged_in_place_always_find_what_they_call() {
+        let bench = tempfile::tempdir().unwrap();
+        let cell = bench.path().join("cell");
+        let original = || {
+            drop(fs::remove_dir_all(&cell));
+            program(&cell);
+            contents(&cell)
+        };
+        let originals = original();
+        assert!(compensate(bench.path(), &["--in-place"]).status.success());
+        let corrected = contents(&cell);
+        assert_eq!(corrected.len(), originals.len() + 1);
+        // So many modules were changed at each moment at which a run was killed.
+        let mut exchanged = BTreeSet::new();
+        for changes in 1.. {
+            assert!(original() == originals);
+            let Some(there) = killed(bench.path(), &["--in-place"], &cell, changes) else { break };
+            for (name, bytes) in there.iter().filter(|(name, _)| !is_hidden(name)) {
+                let is_whole = corrected.get(name) == Some(bytes) || originals.get(name) == Some(bytes);
+                assert!(is_whole, "{name} is neither the original nor the corrected module");
+            }
+            let is_changed = |name: &&String| there.get(*name) != originals.get(*name);
+            let changed = originals.keys().filter(is_changed).count();
+            exchanged.insert(changed);
+            if changed > 0 {
+                assert_eq!(there.get(CORE), corrected.get(CORE), "the module that all call comes first");
+            }
+            if (1..MODULES).contains(&changed) {
+                half_compensated_is_told_and_restored(bench.path(), &there, &originals);
+            }
+        }
+        assert!(exchanged.into_iter().eq(0..=MODULES), "a run is killed between any two modules");
     }
 }

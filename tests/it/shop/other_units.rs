@@ -46,46 +46,6 @@ fn model(folder: &Path) -> String {
 }
 
 #[test]
-fn a_model_is_not_judged_by_a_file_in_other_units_or_columns() {
-    let folder = tempfile::tempdir().unwrap();
-    let model = model(folder.path());
-    let unseen = file(
-        &robot_under_test(&[(Effect::JointOffset { joint: 3 }, 1e-3)]),
-        &somewhere(),
-        Vector3::from(TIP_M),
-        6,
-    );
-    let scaled = |by: f64| with_points(&unseen, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= by));
-    let radians = |cells: &mut [String]| {
-        for cell in &mut cells[1..7] {
-            *cell = format!("{:.9}", cell.parse::<f64>().unwrap().to_radians());
-        }
-    };
-    let validated = |text: &str| {
-        let csv = write(folder.path(), "unseen.csv", text);
-        run(&["validate", &csv, "--model", &model])
-    };
-    let (code, out, answer) = validated(&unseen);
-    assert!(code == 0 && answer.is_empty(), "{out}{answer}");
-    assert_eq!(validated(&with_orientations(&unseen, [0, 1, 2, 3])).0, 0);
-    let faults = [
-        (scaled(1e-3), "the measured points are in metres"),
-        (scaled(1.0 / 25.4), "inch"),
-        (with_cells(&unseen, radians), "radians"),
-        (with_cells(&unseen, |cells| cells.swap(5, 6)), "the columns of joints 5 and 6 are swapped"),
-        (with_cells(&unseen, |cells| cells.swap(7, 8)), "the measured points are mirrored"),
-        (with_orientations(&unseen, [1, 2, 3, 0]), "qw, qx, qy, qz hold x, y, z, w"),
-    ];
-    for (text, reason) in faults {
-        let (code, out, answer) = validated(&text);
-        assert!(
-            code == 2 && answer.contains("measure::fault") && answer.contains(reason),
-            "{reason}: {out}{answer}"
-        );
-    }
-}
-
-#[test]
 fn messages_name_the_columns_as_the_file_does() {
     let folder = tempfile::tempdir().unwrap();
     let sound = file(&robot_under_test(&[]), &somewhere(), Vector3::from(TIP_M), 6);
@@ -139,5 +99,52 @@ fn a_cell_that_is_no_number_is_named_by_the_column_that_the_file_has() {
         let text = format!("A3;R2;X;Y;Z;A;B;C\n{}\n{}\n", sound.join(";"), cells.join(";"));
         let error = map.table(text.as_bytes()).unwrap_err().to_string();
         assert!(error.starts_with(&format!("line 3, column {column}: 'abc'")), "{error}");
+    }
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_model_is_not_judged_by_a_file_in_other_units_or_columns() {
+        let folder = tempfile::tempdir().unwrap();
+        let model = model(folder.path());
+        let unseen = file(
+            &robot_under_test(&[(Effect::JointOffset { joint: 3 }, 1e-3)]),
+            &somewhere(),
+            Vector3::from(TIP_M),
+            6,
+        );
+        let scaled =
+            |by: f64| with_points(&unseen, |_, point_mm| point_mm.iter_mut().for_each(|mm| *mm *= by));
+        let radians = |cells: &mut [String]| {
+            for cell in &mut cells[1..7] {
+                *cell = format!("{:.9}", cell.parse::<f64>().unwrap().to_radians());
+            }
+        };
+        let validated = |text: &str| {
+            let csv = write(folder.path(), "unseen.csv", text);
+            run(&["validate", &csv, "--model", &model])
+        };
+        let (code, out, answer) = validated(&unseen);
+        assert!(code == 0 && answer.is_empty(), "{out}{answer}");
+        assert_eq!(validated(&with_orientations(&unseen, [0, 1, 2, 3])).0, 0);
+        let faults = [
+            (scaled(1e-3), "the measured points are in metres"),
+            (scaled(1.0 / 25.4), "inch"),
+            (with_cells(&unseen, radians), "radians"),
+            (with_cells(&unseen, |cells| cells.swap(5, 6)), "the columns of joints 5 and 6 are swapped"),
+            (with_cells(&unseen, |cells| cells.swap(7, 8)), "the measured points are mirrored"),
+            (with_orientations(&unseen, [1, 2, 3, 0]), "qw, qx, qy, qz hold x, y, z, w"),
+        ];
+        for (text, reason) in faults {
+            let (code, out, answer) = validated(&text);
+            assert!(
+                code == 2 && answer.contains("measure::fault") && answer.contains(reason),
+                "{reason}: {out}{answer}"
+            );
+        }
     }
 }

@@ -95,27 +95,6 @@ fn a_shift_of_the_base_has_an_interval_that_holds_it() {
     assert!(answer.contains(" mm (+- "), "{answer}");
 }
 
-/// 0.05 mm are more than five standard deviations of where 41 poses of 0.02 mm have the base, and less than five times what the six numbers of a
-/// base move the points by.
-#[test]
-fn a_base_that_is_elsewhere_by_more_than_its_interval_has_moved() {
-    let folder = tempfile::tempdir().unwrap();
-    let tip = Vector3::from(TIP_M);
-    let before = measured(&[], tip, 1);
-    let has_moved = |after: &str| {
-        let (code, answer) = compared(folder.path(), &before, after);
-        let read: Value = serde_json::from_slice(&fs::read(folder.path().join("c.json")).unwrap()).unwrap();
-        assert!(code == 0 && read["base"]["sigma_mm"][0].as_f64().is_some(), "{answer}");
-        assert_eq!(read["base"]["moved"] == true, answer.contains("the base has moved"), "{answer}");
-        read["base"]["moved"] == true
-    };
-    let shift = Isometry3::translation(0.0, 0.0, 5e-5);
-    assert!(has_moved(&file(&robot_under_test(&[]), &(somewhere() * shift), tip, 2)));
-    for seed in 2..7 {
-        assert!(!has_moved(&measured(&[], tip, seed)), "{seed}");
-    }
-}
-
 #[test]
 fn what_is_wrong_in_one_file_is_no_matter_of_the_poses() {
     let folder = tempfile::tempdir().unwrap();
@@ -133,22 +112,6 @@ fn what_sags_may_be_a_load_that_one_file_does_not_tell() {
     let sags = measured(&[(Effect::JointCompliance { joint: 2 }, 8e-6)], tip, 2);
     let (code, answer) = compared(folder.path(), &measured(&[], tip, 1), &sags);
     assert!(code == 1 && answer.contains("changed::load"), "{answer}");
-}
-
-#[test]
-fn rows_of_a_target_that_was_knocked_are_said_not_to_be_compared() {
-    let folder = tempfile::tempdir().unwrap();
-    let tip = Vector3::from(TIP_M);
-    let after = measured(&[], tip, 2);
-    let knocked = measured(&[], tip + Vector3::new(0.03, 0.02, 0.0), 2);
-    let both = after.lines().take(26).chain(knocked.lines().skip(26)).collect::<Vec<_>>().join("\n");
-    let before = measured(&[], tip, 1);
-    for [before, after] in [[&before, &both], [&both, &before]] {
-        // Of the target that one file has alone nothing is known the other time: it has not moved.
-        let (code, answer) = compared(folder.path(), before, after);
-        assert!(code == 0 && answer.contains("changed::target-moved"), "{answer}");
-        assert!(answer.contains("15 poses") && !answer.contains("target 2"), "{answer}");
-    }
 }
 
 /// Two reflectors before, one after: the other is compared with nothing.
@@ -369,4 +332,49 @@ fn a_target_that_is_not_where_the_tool_was_given_is_named() {
     assert!(code == 0 && err.contains("measure::tool-apart"), "{out}{err}");
     assert!(err.contains("before at (60.0, -30.0, 110.0) mm from the flange, 100.0 mm from --tool"), "{err}");
     assert!(!given(format!("{x},{y},{z}")).2.contains("tool-apart"));
+}
+
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn rows_of_a_target_that_was_knocked_are_said_not_to_be_compared() {
+        let folder = tempfile::tempdir().unwrap();
+        let tip = Vector3::from(TIP_M);
+        let after = measured(&[], tip, 2);
+        let knocked = measured(&[], tip + Vector3::new(0.03, 0.02, 0.0), 2);
+        let both = after.lines().take(26).chain(knocked.lines().skip(26)).collect::<Vec<_>>().join("\n");
+        let before = measured(&[], tip, 1);
+        for [before, after] in [[&before, &both], [&both, &before]] {
+            // Of the target that one file has alone nothing is known the other time: it has not moved.
+            let (code, answer) = compared(folder.path(), before, after);
+            assert!(code == 0 && answer.contains("changed::target-moved"), "{answer}");
+            assert!(answer.contains("15 poses") && !answer.contains("target 2"), "{answer}");
+        }
+    }
+
+    /// 0.05 mm are more than five standard deviations of where 41 poses of 0.02 mm have the base, and less than five times what the six numbers of a
+    /// base move the points by.
+    #[test]
+    #[ignore = "long"]
+    fn a_base_that_is_elsewhere_by_more_than_its_interval_has_moved() {
+        let folder = tempfile::tempdir().unwrap();
+        let tip = Vector3::from(TIP_M);
+        let before = measured(&[], tip, 1);
+        let has_moved = |after: &str| {
+            let (code, answer) = compared(folder.path(), &before, after);
+            let read: Value =
+                serde_json::from_slice(&fs::read(folder.path().join("c.json")).unwrap()).unwrap();
+            assert!(code == 0 && read["base"]["sigma_mm"][0].as_f64().is_some(), "{answer}");
+            assert_eq!(read["base"]["moved"] == true, answer.contains("the base has moved"), "{answer}");
+            read["base"]["moved"] == true
+        };
+        let shift = Isometry3::translation(0.0, 0.0, 5e-5);
+        assert!(has_moved(&file(&robot_under_test(&[]), &(somewhere() * shift), tip, 2)));
+        for seed in 2..7 {
+            assert!(!has_moved(&measured(&[], tip, seed)), "{seed}");
+        }
+    }
 }

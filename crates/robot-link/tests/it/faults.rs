@@ -139,38 +139,44 @@ fn is_free(double: &Double, seed: u64, ended: Option<&Result<(), LinkError>>) {
     assert!(modules.iter().all(|is_whole| *is_whole), "seed {seed}: half a module is loaded");
 }
 
-#[test]
-fn a_thousand_sequences_of_faults_leave_nothing_held_and_nothing_half() {
-    // Most of the time is waiting for answers that do not come.
-    let mut outcomes = Outcomes::default();
-    let parts: Vec<Outcomes> = std::thread::scope(|scope| {
-        let part = |n: u64| {
-            scope.spawn(move || {
-                let mut outcomes = Outcomes::default();
-                for seed in (n..SEQUENCES).step_by(LINES as usize) {
-                    sequence(seed, Personality::ALL[(seed % 3) as usize], &mut outcomes);
-                }
-                outcomes
-            })
-        };
-        let running: Vec<_> = (0..LINES).map(part).collect();
-        running
-            .into_iter()
-            .map(|part| part.join().unwrap_or_else(|cause| std::panic::resume_unwind(cause)))
-            .collect()
-    });
-    for part in parts {
-        outcomes.opened += part.opened;
-        outcomes.done += part.done;
-        outcomes.refused += part.refused;
-        outcomes.uncertain += part.uncertain;
+/// Those that take seconds: `cargo test --test it -- --ignored long::`.
+mod long {
+    use super::*;
+
+    #[test]
+    #[ignore = "long"]
+    fn a_thousand_sequences_of_faults_leave_nothing_held_and_nothing_half() {
+        // Most of the time is waiting for answers that do not come.
+        let mut outcomes = Outcomes::default();
+        let parts: Vec<Outcomes> = std::thread::scope(|scope| {
+            let part = |n: u64| {
+                scope.spawn(move || {
+                    let mut outcomes = Outcomes::default();
+                    for seed in (n..SEQUENCES).step_by(LINES as usize) {
+                        sequence(seed, Personality::ALL[(seed % 3) as usize], &mut outcomes);
+                    }
+                    outcomes
+                })
+            };
+            let running: Vec<_> = (0..LINES).map(part).collect();
+            running
+                .into_iter()
+                .map(|part| part.join().unwrap_or_else(|cause| std::panic::resume_unwind(cause)))
+                .collect()
+        });
+        for part in parts {
+            outcomes.opened += part.opened;
+            outcomes.done += part.done;
+            outcomes.refused += part.refused;
+            outcomes.uncertain += part.uncertain;
+        }
+        println!(
+            "{} logins, {} done, {} refused, {} said to be uncertain",
+            outcomes.opened, outcomes.done, outcomes.refused, outcomes.uncertain
+        );
+        // Enough of each, or the faults test nothing.
+        assert!(
+            outcomes.opened > 500 && outcomes.done > 300 && outcomes.refused > 300 && outcomes.uncertain > 30
+        );
     }
-    println!(
-        "{} logins, {} done, {} refused, {} said to be uncertain",
-        outcomes.opened, outcomes.done, outcomes.refused, outcomes.uncertain
-    );
-    // Enough of each, or the faults test nothing.
-    assert!(
-        outcomes.opened > 500 && outcomes.done > 300 && outcomes.refused > 300 && outcomes.uncertain > 30
-    );
 }
