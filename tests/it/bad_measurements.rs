@@ -52,6 +52,10 @@ fn what_cannot_be_read_is_refused_by_line_and_column() {
         [0xfeff].into_iter().chain(SOUND.encode_utf16()).flat_map(u16::to_le_bytes).collect();
     let answer = diagnose(&utf16, &[]);
     assert!(answer.code == 2 && answer.text.contains("UTF-16; save it as UTF-8"), "{}", answer.text);
+    let module =
+        "%%%\r\n  VERSION:1\r\n%%%\r\n! cell 4\r\n\r\nmodule Part\r\nPERS num n{2}:=[1,2];\r\nENDMODULE\r\n";
+    let answer = diagnose(module.as_bytes(), &[]);
+    assert!(answer.code == 2 && answer.text.contains("line 6: this is a RAPID module"), "{}", answer.text);
     for sigma in ["-0.02", "0", "nan", "inf", "1e999"] {
         let answer = diagnose(SOUND.as_bytes(), &["--sigma-mm", sigma]);
         assert!(answer.code == 2 && answer.json.is_none(), "{sigma}: {}", answer.text);

@@ -31,6 +31,18 @@ impl Line {
     }
 }
 
+/// The line that opens a RAPID module, from 1, where the file begins with one: behind empty lines, comments and a version alone.
+fn line_of_module(bytes: &[u8]) -> Option<u64> {
+    let mut lines = (1..).zip(bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii));
+    let begins = |line: &[u8], word: &str| {
+        line.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word.as_bytes()))
+    };
+    let may_stand_before = ["!", "%%%", "VERSION:", "LANGUAGE:"];
+    let (number, first) = lines
+        .find(|(_, line)| !line.is_empty() && !may_stand_before.iter().any(|word| begins(line, word)))?;
+    begins(first, "MODULE ").then_some(number)
+}
+
 /// Column names and cells.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Table {
@@ -52,6 +64,11 @@ impl Table {
         if [b"\xff\xfe", b"\xfe\xff"].iter().any(|mark| bytes.starts_with(*mark)) {
             let problem = "the text is UTF-16; save it as UTF-8".to_owned();
             return Err(MeasureError::NotCsv { line: 1, problem });
+        }
+        if let Some(line) = line_of_module(bytes) {
+            let problem =
+                "this is a RAPID module, and measurements are read here: CSV with a header".to_owned();
+            return Err(MeasureError::NotCsv { line, problem });
         }
         let mut reader = ReaderBuilder::new().trim(Trim::All).comment(Some(b'#')).from_reader(bytes);
         let lines_of = LineIndex::new(bytes);

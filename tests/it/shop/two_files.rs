@@ -45,6 +45,12 @@ fn one_file_given_twice_and_columns_of_one_file_are_named() {
     let [before, after] = [1, 2].map(|seed| measured(&[], tip, seed));
     let (code, answer) = compared(folder.path(), &before, &before);
     assert!(code == 0 && answer.contains("changed::same-readings"), "{answer}");
+    // A row that was struck out of a copy is no change of the arm.
+    let whole = std::fs::read_to_string("fixtures/docs/before.csv").unwrap();
+    let struck: String =
+        whole.lines().enumerate().filter(|(k, _)| *k != 7).map(|(_, line)| format!("{line}\n")).collect();
+    let (code, answer) = compared(folder.path(), &whole, &struck);
+    assert!(code == 0 && answer.contains("changed::same-readings"), "{answer}");
     let (code, answer) = compared(folder.path(), &before, &after);
     assert!(code == 0 && !answer.contains("changed::"), "{answer}");
     let (_, answer) = compared(folder.path(), &with_column(&before, "payload_kg", "3"), &after);

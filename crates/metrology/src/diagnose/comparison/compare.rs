@@ -5,6 +5,7 @@ use super::base_shift::{BaseSigma, base_sigma};
 use super::nest_scale::nest_scale;
 use super::pose_pairs::{Pair, as_measurements, first_line, paired, point_pairs};
 use super::scale_change::{FittedScale, ScaleChange};
+use super::two_files::are_mostly_copies;
 use crate::diagnose::examine::diagnose;
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::{Findings, Verdict};
@@ -191,11 +192,10 @@ fn compared(
 
     let reading = ReadingNoise::new(&old, &new, options);
     let sigma_m = reading.as_ref().map(|reading| reading.of_differences_m(pairs));
-    // The same readings twice have no noise against which anything could be told.
-    let is_same = moved.iter().all(|by| by.norm() < SAME_M);
+    let sameness = Sameness::new(&moved, [before, after]);
     let tool_m = fit.tools_m.first().copied().filter(|_| targets == 1);
     let differences = as_measurements(&all, &shown, before);
-    let diagnosis = diagnosed(&differences, robot, &DiagnosisOptions { tool_m, sigma_m }, is_same);
+    let diagnosis = diagnosed(&differences, robot, &DiagnosisOptions { tool_m, sigma_m }, sameness);
     let points = FittedScale::new(&point_pairs(pairs, &was, &moved), targets, sigma_m.unwrap_or(0.0));
     let reading_m = options.sigma_m.or_else(|| old.repeats.map(|repeats| repeats.sigma_m));
     let nests = |left_m: f64| nest_scale(files.map(FileSeen::rows), reading_m.unwrap_or(left_m));
@@ -210,7 +210,7 @@ fn compared(
     let is_beyond_sigma = base_sigma.is_some_and(|sigma| sigma.is_exceeded_by(&base_moved));
     let by_rms_m = base_shift_m(pairs, &was, &base_moved);
     let noise = Noise::new(sigma_m, reading.map(|reading| reading.degrees_of_freedom), &left);
-    let beyond = noise.beyond(&left, (by_rms_m, is_beyond_sigma), is_same);
+    let beyond = noise.beyond(&left, (by_rms_m, is_beyond_sigma), sameness);
     let is_changed = tool_is_changed || arm_is_changed || beyond.poses > 0 || beyond.is_scattered;
     Ok(MeasurementComparison {
         pairs: pairs.len(),
@@ -227,7 +227,7 @@ fn compared(
         diagnosis,
         scale,
         beyond,
-        is_changed: is_changed && !is_same,
+        is_changed: is_changed && sameness != Sameness::All,
         warnings: [files[0].warnings_with(&old), files[1].warnings_with(&new)],
     })
 }
@@ -237,13 +237,31 @@ fn diagnosed(
     differences: &Measurements,
     robot: &SerialArm,
     options: &DiagnosisOptions,
-    is_same: bool,
+    sameness: Sameness,
 ) -> Findings {
-    match is_same {
-        true => {
-            Findings::without_causes(Verdict::NothingAboveNoise, "each pose has the same reading both times")
+    let poses = match sameness {
+        Sameness::None => return diagnose(differences, robot, options),
+        Sameness::Most => "most poses have",
+        Sameness::All => "each pose has",
+    };
+    Findings::without_causes(Verdict::NothingAboveNoise, format!("{poses} the same reading both times"))
+}
+
+/// How many poses have the same reading both times. Such have no noise against which anything of the arm could be told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sameness {
+    None,
+    Most,
+    All,
+}
+
+impl Sameness {
+    fn new(moved: &[Vector3<f64>], [before, after]: [&Measurements; 2]) -> Self {
+        match moved.iter().all(|by| by.norm() < SAME_M) {
+            true => Self::All,
+            false if are_mostly_copies(before, after) => Self::Most,
+            false => Self::None,
         }
-        false => diagnose(differences, robot, options),
     }
 }
 
@@ -389,14 +407,14 @@ impl Noise {
         Self { sigma_m, error: 1.0 / (2.0 * freedom).sqrt(), is_known: true, pairs }
     }
 
-    /// What noise does not explain of the differences `left` and of a shift of the base; nothing where each reading `is_same`.
+    /// What noise does not explain of the differences `left` and of a shift of the base; nothing where all readings are the same.
     fn beyond(
         &self,
         left: &[Vector3<f64>],
         (base_shift_m, is_beyond_sigma): (f64, bool),
-        is_same: bool,
+        sameness: Sameness,
     ) -> BeyondNoise {
-        if is_same {
+        if sameness == Sameness::All {
             return BeyondNoise::default();
         }
         BeyondNoise {

@@ -20,10 +20,8 @@ pub fn beside_each_other(before: &Measurements, after: &Measurements) -> Vec<Dia
 
 /// That rows of both files hold the same readings to the last digit.
 fn same_readings(before: &Measurements, after: &Measurements) -> Option<Diagnostic> {
-    let of_before: BTreeSet<Vec<u64>> = before.rows.iter().filter_map(written).collect();
-    let same = after.rows.iter().filter_map(written).filter(|row| of_before.contains(row)).count();
-    let all = of_arm(after).count();
-    if (same as f64) <= COPIED_SHARE * all as f64 {
+    let (same, all) = (copied_rows(before, after), of_arm(after).count());
+    if !is_no_chance(same, all) {
         return None;
     }
     let text = if same == all && all == of_arm(before).count() {
@@ -35,6 +33,21 @@ fn same_readings(before: &Measurements, after: &Measurements) -> Option<Diagnost
         Diagnostic::warning("changed::same-readings", text)
             .help("was the one file given twice, or copied into the other?"),
     )
+}
+
+/// Whether what `after` reads was, for the most part, read `before`: nothing can be said of the arm then, as where two files are one.
+pub(super) fn are_mostly_copies(before: &Measurements, after: &Measurements) -> bool {
+    is_no_chance(copied_rows(before, after), of_arm(after).count())
+}
+
+fn is_no_chance(same: usize, all: usize) -> bool {
+    same as f64 > COPIED_SHARE * all as f64
+}
+
+/// How many rows of `after` stand in `before` to the last digit.
+fn copied_rows(before: &Measurements, after: &Measurements) -> usize {
+    let of_before: BTreeSet<Vec<u64>> = before.rows.iter().filter_map(written).collect();
+    after.rows.iter().filter_map(written).filter(|row| of_before.contains(row)).count()
 }
 
 /// The rows in which the arm has a pose: a nest on the base has none.
