@@ -14,6 +14,13 @@ use crate::cli::shared::{JointAngles, RobotName, name_and_value};
 use rapid_compensation::schedule::Until;
 use std::path::PathBuf;
 
+/// Default of `--hold-min`.
+pub(super) const HOLD_MIN: f64 = 10.0;
+/// Default of `--stale-min`.
+pub(super) const STALE_MIN: f64 = 60.0;
+/// Default of `--gap-min`.
+pub(super) const GAP_MIN: f64 = 5.0;
+
 /// Command line of `driftpost compensate`.
 #[derive(Debug, clap::Args)]
 pub struct Args {
@@ -94,7 +101,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MIN",
-        default_value_t = 10.0,
+        default_value_t = HOLD_MIN,
         allow_negative_numbers = true,
         help_heading = "Clock in the program"
     )]
@@ -104,7 +111,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MIN",
-        default_value_t = 60.0,
+        default_value_t = STALE_MIN,
         allow_negative_numbers = true,
         help_heading = "Clock in the program"
     )]
@@ -118,7 +125,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MIN",
-        default_value_t = 5.0,
+        default_value_t = GAP_MIN,
         allow_negative_numbers = true,
         help_heading = "Clock in the program"
     )]

@@ -1,6 +1,6 @@
 //! Options that change nothing in what is asked for: said, and nothing else comes of them.
 
-use super::args::Args;
+use super::args::{Args, GAP_MIN, HOLD_MIN, STALE_MIN};
 use super::option_values::{ClockName, FormName};
 use rapid_compensation::schedule::Until;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -12,12 +12,20 @@ impl Args {
         let warmth = matches!(self.clock, ClockName::Warmth);
         let no_buckets = "the correction follows the drift in every minute; --form schedule has buckets";
         let no_cooling = "only --clock warmth lets the robot cool while it stands";
+        let measured = matches!(self.clock, ClockName::Measured(_));
+        let no_reading = "only --clock signal:NAME and pers:NAME have readings of a temperature";
+        let no_touch = "it says how --touch finds its point: radius and margin with --touch-signal alone";
+        let of_touch = self.touch.idle().map(|(option, is_idle)| (option, is_idle, no_touch));
         [
             ("--until", matches!(self.until, Until::Minutes(_)) && !scheduled, no_buckets),
             ("--bucket-min", self.bucket_min.is_some() && !scheduled, no_buckets),
             ("--tau-cool", self.tau_cool.is_some() && !warmth, no_cooling),
+            ("--gap-min", self.gap_min != GAP_MIN && !warmth, no_cooling),
+            ("--hold-min", self.hold_min != HOLD_MIN && !measured, no_reading),
+            ("--stale-min", self.stale_min != STALE_MIN && !measured, no_reading),
         ]
         .into_iter()
+        .chain(of_touch)
         .filter_map(|(option, is_idle, why)| {
             let warning =
                 || Diagnostic::warning("option::idle", format!("{option} changes nothing here")).help(why);
@@ -47,11 +55,22 @@ mod tests {
     #[test]
     fn what_has_no_effect_is_named() {
         assert_eq!(idle("--form ramp --until 60 --bucket-min 5"), ["--until", "--bucket-min"]);
-        assert_eq!(idle("--clock elapsed --tau-cool 20"), ["--tau-cool"]);
+        assert_eq!(idle("--clock elapsed --tau-cool 20 --gap-min 8"), ["--tau-cool", "--gap-min"]);
+        assert_eq!(idle("--hold-min 5 --stale-min 30"), ["--hold-min", "--stale-min"]);
+        assert_eq!(
+            idle("--touch-radius-mm 10 --touch-margin-mm 3 --touch-sigma-mm 0.05"),
+            ["--touch-radius-mm", "--touch-margin-mm", "--touch-sigma-mm"]
+        );
+        let by_routine =
+            "--touch pin=pPin,tGun,wobj0 --touch-routine rFind --touch-margin-mm 3 --touch-sigma-mm 0.05";
+        assert_eq!(idle(by_routine), ["--touch-margin-mm"]);
         for useful in [
             "--until 60 --bucket-min 5 --tau-cool 20 --growth exp:30",
             "--form ramp --until auto --tau-cool 20",
             "--model m.toml --growth exp:30",
+            "--clock signal:aiTemp --hold-min 5 --stale-min 30",
+            "--gap-min 8",
+            "--touch pin=pPin,tGun,wobj0 --touch-signal diPin --touch-radius-mm 10 --touch-margin-mm 3",
         ] {
             assert_eq!(idle(useful), [""; 0], "{useful}");
         }

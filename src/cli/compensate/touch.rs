@@ -6,6 +6,11 @@ use rapid_compensation::emit::TouchBy;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 
+/// Defaults of the options.
+const RADIUS_MM: f64 = 15.0;
+const MARGIN_MM: f64 = 5.0;
+const SIGMA_MM: f64 = 0.02;
+
 /// Command line of `--touch` and what belongs to it.
 #[derive(Debug, clap::Args)]
 pub struct TouchArgs {
@@ -28,7 +33,7 @@ pub struct TouchArgs {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = 15.0,
+        default_value_t = RADIUS_MM,
         allow_negative_numbers = true,
         help_heading = "Touches"
     )]
@@ -38,7 +43,7 @@ pub struct TouchArgs {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = 5.0,
+        default_value_t = MARGIN_MM,
         allow_negative_numbers = true,
         help_heading = "Touches"
     )]
@@ -52,7 +57,7 @@ pub struct TouchArgs {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = 0.02,
+        default_value_t = SIGMA_MM,
         allow_negative_numbers = true,
         help_heading = "Touches"
     )]
@@ -71,6 +76,16 @@ pub struct Point {
 }
 
 impl TouchArgs {
+    /// Options that are given with other values than their defaults and say how to search, where nothing is searched; the last in any touch.
+    pub(super) fn idle(&self) -> [(&'static str, bool); 3] {
+        let searches = self.touch_signal.is_some();
+        [
+            ("--touch-radius-mm", self.touch_radius_mm != RADIUS_MM && !searches),
+            ("--touch-margin-mm", self.touch_margin_mm != MARGIN_MM && !searches),
+            ("--touch-sigma-mm", self.touch_sigma_mm != SIGMA_MM && self.touch.is_none()),
+        ]
+    }
+
     /// What is asked for.
     ///
     /// # Errors

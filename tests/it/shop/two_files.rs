@@ -46,7 +46,7 @@ fn one_file_given_twice_and_columns_of_one_file_are_named() {
     let (code, answer) = compared(folder.path(), &before, &before);
     assert!(code == 0 && answer.contains("changed::same-readings"), "{answer}");
     // A row that was struck out of a copy is no change of the arm.
-    let whole = std::fs::read_to_string("fixtures/docs/before.csv").unwrap();
+    let whole = fs::read_to_string("fixtures/docs/before.csv").unwrap();
     let struck: String =
         whole.lines().enumerate().filter(|(k, _)| *k != 7).map(|(_, line)| format!("{line}\n")).collect();
     let (code, answer) = compared(folder.path(), &whole, &struck);
