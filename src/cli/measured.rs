@@ -25,15 +25,21 @@ pub struct MeasurementArgs {
     pub points: Option<PathBuf>,
 
     /// The joints of --points.
-    #[arg(long, value_name = "FILE", requires = "points")]
+    #[arg(long, value_name = "FILE", requires = "points", conflicts_with = "measurements")]
     pub joints: Option<PathBuf>,
 
     /// What tells which joints belong to a point.
-    #[arg(long = "match", value_name = "BY", value_enum, default_value_t = MatchName::Id)]
+    #[arg(
+        long = "match",
+        value_name = "BY",
+        value_enum,
+        default_value_t = MatchName::Id,
+        conflicts_with = "measurements"
+    )]
     pub match_by: MatchName,
 
     /// With --match time: the longest time between a point and its joints.
-    #[arg(long, value_name = "MIN", default_value_t = 0.1)]
+    #[arg(long, value_name = "MIN", default_value_t = 0.1, conflicts_with = "measurements")]
     pub match_within_min: f64,
 
     /// Another layout: which of its columns is which of ours (TOML, docs/MEASURING.md); of --points where there are two files.

@@ -23,6 +23,9 @@ const UNKNOWN_SHARE: Range<f64> = 0.2..0.8;
 /// Share of steps back from which on the time column is doubted.
 const BACK_SHARE: f64 = 0.1;
 
+/// So many rows and one are not all measured in the same minute.
+const FEWEST_AT_ONE_TIME: usize = 9;
+
 /// What the rows alone say.
 #[derive(Clone, Debug, Default)]
 pub struct RowCheck {
@@ -291,6 +294,11 @@ impl RowCheck {
             .filter_map(|&i| rows.get(i).and_then(MeasurementRow::clock_min).map(|clock_min| (i, clock_min)))
             .collect();
         self.warnings.extend(sessions(self.used.iter().filter_map(|&i| rows.get(i))));
+        if let Some(warning) = one_time(&stamped) {
+            self.time_usable = false;
+            self.warnings.push(warning);
+            return;
+        }
         let back: Vec<u64> = stamped
             .windows(2)
             .filter(|pair| pair[1].1 < pair[0].1 - 1e-9)
@@ -335,6 +343,20 @@ impl RowCheck {
         warning.help("they are taken in the order of t_min; where the stamps are wrong, leave the column out")
     });
     }
+}
+
+/// That all rows are of one minute, which tells no time.
+fn one_time(stamped: &[(usize, f64)]) -> Option<Diagnostic> {
+    let (&(_, first), others) = stamped.split_first()?;
+    if others.len() < FEWEST_AT_ONE_TIME || others.iter().any(|&(_, clock_min)| clock_min != first) {
+        return None;
+    }
+    let rows = counted(stamped.len(), "row");
+    let text = format!("t_min is {first} in all {rows}: it tells no time and is not used");
+    Some(
+        Diagnostic::warning("measure::one-time", text)
+            .help("write the minute of each row, or leave the column out"),
+    )
 }
 
 /// That minutes begin anew in the file.

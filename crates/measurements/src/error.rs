@@ -166,9 +166,9 @@ pub(super) fn number_hint(text: &str) -> &'static str {
 pub(super) fn missing_column(column: &str, header: &[String]) -> MeasureError {
     let found: Vec<&str> = header.iter().map(String::as_str).collect();
     let hint = if found.len() == 1 && found[0].contains(';') {
-        "; the columns seem to be separated by ';', commas are needed"
+        "; the columns seem to be separated by ';': --columns MAP.toml with delimiter = \";\" (and decimal_comma = true) reads them"
     } else if found.len() == 1 && found[0].contains('\t') {
-        "; the columns seem to be separated by tabs, commas are needed"
+        "; the columns seem to be separated by tabs: --columns MAP.toml with delimiter = \"tab\" reads them"
     } else if found.iter().any(|n| n.ends_with("_rad")) {
         "; joints are given in degrees"
     } else {

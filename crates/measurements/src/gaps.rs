@@ -1,6 +1,6 @@
 //! Empty cells of columns that a file need not have: their rows are left out, or, where most are empty, the column.
 
-use super::column_names::{FIXED, QUATERNION};
+use super::column_names::{FIXED, QUATERNION, TEMPERATURES};
 use super::row_cells::ColumnIndex;
 use super::{Channels, MeasurementRow, Reading};
 use rapid_syntax::diagnostic::{Diagnostic, counted, first_few, is_or_are, plural};
@@ -71,8 +71,13 @@ impl Quantity<'_> {
         let is_empty =
             |name: &&str| empty.get(name).is_some_and(|lines| without.iter().any(|l| lines.contains(l)));
         let named: Vec<&str> = self.names.iter().copied().filter(is_empty).collect();
-        let nothing =
-            if self.names == QUATERNION { "empty, all 0 or no number" } else { "empty or no number" };
+        let nothing = if self.names == QUATERNION {
+            "empty, all 0 or no number"
+        } else if self.names.first() == TEMPERATURES.first() {
+            "empty, below absolute zero or no number"
+        } else {
+            "empty or no number"
+        };
         let what = format!("{} {} {nothing}", named.join(", "), is_or_are(named.len()));
         let is_absent = without.len() as f64 > MOSTLY_EMPTY * needed as f64;
         warnings.push(if is_absent {

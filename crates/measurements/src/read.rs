@@ -11,7 +11,10 @@ use super::touch_times::{self, StampedRow};
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{JointKind, Joints};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// So many nests that are seen once each are rows of the arm, or of one nest.
+const FEWEST_SEEN_ONCE: usize = 3;
 
 impl Measurements {
     /// Reads a measurement file: CSV with columns by name (mm, degrees, minutes), in any order.
@@ -97,6 +100,9 @@ fn from_table(table: &Table) -> Result<Measurements, MeasureError> {
         warnings.push(no_reading(column, &lines));
     }
     warnings.extend(unnamed_targets(&rows, &targets));
+    warnings.extend(unnamed_nests(&rows, &fixed_points).or_else(|| nests_seen_once(&rows)));
+    warnings.extend(alike("target", targets.keys().map(String::as_str)));
+    warnings.extend(alike(FIXED, fixed_points.keys().map(|(_, name)| name.as_str())));
     let pose_id = name_poses(&mut rows, &pose_names, columns.has("pose_id"), &mut warnings);
     let channels = complete_channels(&columns, &mut rows, &empty, &mut warnings);
     let joint_kinds = kinds(&columns);
@@ -121,6 +127,55 @@ fn unnamed_targets(rows: &[MeasurementRow], targets: &BTreeMap<String, usize>) -
     Some(
         Diagnostic::warning("measure::gaps", text)
             .help("they count as rows of one more target, whose place is fitted"),
+    )
+}
+
+/// The warning of nests that have no name: they count as one.
+fn unnamed_nests(
+    rows: &[MeasurementRow],
+    fixed_points: &BTreeMap<(&'static str, String), usize>,
+) -> Option<Diagnostic> {
+    let unnamed = *fixed_points.get(&("nest", String::new()))?;
+    let is_unnamed = |row: &&MeasurementRow| matches!(row.reading, Reading::Nest { fixed_point, .. } if fixed_point == unnamed);
+    let lines: Vec<u64> = rows.iter().filter(is_unnamed).map(|row| row.line).collect();
+    let text = format!("kind is base, and nothing names the nest, in {}", at_lines(&lines));
+    Some(
+        Diagnostic::warning("measure::gaps", text)
+            .help("they count as readings of one nest on the base, and tell nothing of the arm: fixed_id names it; rows of the arm have the kind pose"),
+    )
+}
+
+/// The warning of nests of which each is seen once, which tells nothing: rows of the arm, as a rule, whose kind is wrong.
+fn nests_seen_once(rows: &[MeasurementRow]) -> Option<Diagnostic> {
+    let mut lines_of: BTreeMap<usize, Vec<u64>> = BTreeMap::new();
+    for row in rows {
+        if let Reading::Nest { fixed_point, .. } = row.reading {
+            lines_of.entry(fixed_point).or_default().push(row.line);
+        }
+    }
+    let once: Vec<u64> = lines_of.into_values().filter(|lines| lines.len() == 1).flatten().collect();
+    if once.len() < FEWEST_SEEN_ONCE {
+        return None;
+    }
+    let text = format!("kind is base, and each row is of another nest, in {}", at_lines(&once));
+    Some(
+        Diagnostic::warning("measure::gaps", text)
+            .help("a nest that is seen once tells nothing: fixed_id names those that are one; rows of the arm have the kind pose"),
+    )
+}
+
+/// The warning of names of one column that differ by capital letters alone.
+fn alike<'a>(column: &str, names: impl Iterator<Item = &'a str>) -> Option<Diagnostic> {
+    let mut written: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
+    for name in names {
+        written.entry(name.to_lowercase()).or_default().insert(name);
+    }
+    let several = written.into_values().find(|all| all.len() > 1)?;
+    let names: Vec<&str> = several.into_iter().collect();
+    let text = format!("{column} has {}, which differ by capital letters alone", names.join(" and "));
+    Some(
+        Diagnostic::warning("measure::names-alike", text)
+            .help("they count as different ones; where they are one, write it alike in all rows"),
     )
 }
 
@@ -171,6 +226,52 @@ mod tests {
 
     fn read(text: &str) -> Result<Measurements, MeasureError> {
         from_table(&Table::from_csv(text.as_bytes())?)
+    }
+
+    fn said(measurements: &Measurements) -> String {
+        measurements.warnings.iter().map(|w| format!("{} {}; ", w.code, w.message)).collect()
+    }
+
+    #[test]
+    fn names_that_differ_by_case_and_nests_without_one_are_told() {
+        let file = |cells: [&str; 3]| {
+            let rows = cells.map(|cells| format!("0,0,0,0,0,0,1,2,3,{cells}\n")).concat();
+            read(&format!("{HEADER},target,kind,fixed_id\n{rows}")).unwrap()
+        };
+        let two = file(["A,pose,", "a,pose,", "A,pose,"]);
+        assert_eq!(two.targets, ["A", "a"]);
+        assert!(said(&two).contains("measure::names-alike target has A and a"), "{}", said(&two));
+        let nests = file(["A,pose,", ",base,", "A,base,"]);
+        assert!(
+            said(&nests).contains("kind is base, and nothing names the nest, in 1 row: line 3"),
+            "{}",
+            said(&nests)
+        );
+        let rows: String = (0..4)
+            .map(|k| format!("0,0,0,0,0,0,1,2,3,{k},{}\n", if k > 0 { "base" } else { "pose" }))
+            .collect();
+        let once = read(&format!("{HEADER},id,kind\n{rows}")).unwrap();
+        assert!(
+            said(&once).contains("each row is of another nest, in 3 rows: lines 3, 4, 5"),
+            "{}",
+            said(&once)
+        );
+        let sound = file(["A,pose,", "B,pose,", "A,base,N1"]);
+        assert_eq!(said(&sound), "");
+    }
+
+    #[test]
+    fn a_temperature_below_absolute_zero_is_no_reading() {
+        let temperatures: String = (1..=6).map(|j| format!(",temp_j{j}_c")).collect();
+        let row = |cells: &str| format!("0,0,0,0,0,0,1,2,3,{cells}\n");
+        let (warm, coded) = (row("20,20,20,20,20,20"), row("20,20,-999,20,20,20"));
+        let found = read(&format!("{HEADER}{temperatures}\n{warm}{coded}{warm}")).unwrap();
+        assert_eq!(found.rows.iter().map(|row| row.line).collect::<Vec<_>>(), [2, 4]);
+        assert!(
+            said(&found).contains("temp_j3_c is empty, below absolute zero or no number in 1 row: line 3"),
+            "{}",
+            said(&found)
+        );
     }
 
     /// Of three rows one has four zeros: it is left out as one whose cells are empty; with two such rows there are no orientations.

@@ -9,7 +9,7 @@ use super::{MeasureError, MeasurementRow, Reading};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::{Joints, MOST_JOINTS};
-use robot_model::units::{m_from_mm, rad_from_deg};
+use robot_model::units::{celsius_from_kelvin, m_from_mm, rad_from_deg};
 use std::collections::BTreeMap;
 
 /// A quaternion whose length is further from 1 than this is no orientation.
@@ -164,7 +164,15 @@ impl RowCells<'_> {
             single.into_iter().chain(QUATERNION).chain(per_joint)
         };
         let no_turn = self.has_no_turn();
-        all.filter(move |name| self.is_empty(name) || no_turn && QUATERNION.contains(name))
+        all.filter(move |name| {
+            self.is_empty(name) || no_turn && QUATERNION.contains(name) || self.is_no_temperature(name)
+        })
+    }
+
+    /// Whether the column is one of temperatures, and its cell holds one that nothing has: -999 where a probe saw none.
+    fn is_no_temperature(&self, name: &str) -> bool {
+        let below = |text: &str| text.parse().is_ok_and(|value: f64| value < celsius_from_kelvin(0.0));
+        self.columns.temperatures.contains(&name) && self.text(name).is_some_and(below)
     }
 
     /// Four zeros are what an instrument writes that saw no orientation.
@@ -346,7 +354,9 @@ impl RowCells<'_> {
             orientation,
             direction,
             payload_kg,
-            joint_temperature_c: self.per_joint(self.columns.temperatures)?,
+            joint_temperature_c: self
+                .per_joint(self.columns.temperatures)?
+                .filter(|_| !self.columns.temperatures.iter().any(|name| self.is_no_temperature(name))),
         })
     }
 }

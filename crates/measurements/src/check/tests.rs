@@ -28,6 +28,10 @@ fn one_step_back_is_a_warning_and_shuffled_time_is_not_used() {
     let checked = check_rows(&file(&rows), &robot);
     assert_eq!(codes(&checked), ["measure::time-order"]);
     assert!(checked.time_usable, "sorted");
+    rows.iter_mut().for_each(|row| row.0 = 45415.0);
+    let checked = check_rows(&file(&rows), &robot);
+    assert_eq!(codes(&checked), ["measure::one-time"]);
+    assert!(!checked.time_usable);
 }
 
 /// 20 poses a degree and a millimetre apart: three of -9999 are a code; two are false readings, what lies among the others is a
