@@ -8,7 +8,7 @@ use crate::report::{Compared, LocatedDiagnostic, value, write_pretty};
 use rapid_compensation::compensate::compare::{Comparison, compare};
 use rapid_compensation::compensate::plan::{PlannedMotion, Status};
 use rapid_compensation::compensate::{FormChoice, JointsHint, Options, plan};
-use rapid_compensation::emit::{Difference, HeldMode, Undeclared, WithoutAdded};
+use rapid_compensation::emit::{Difference, HeldMode, Undeclared, WithoutAdded, made_with};
 use rapid_program::motion::{Motion, MotionId};
 use rapid_program::{FilePairs, Overrides, Program, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -114,6 +114,19 @@ impl<'f> ProgramComparison<'f> {
             other_files,
             modes,
             undeclared,
+        })
+    }
+
+    /// What is said of a compensated program before one that is not: what was taken out of motions is no difference that way round.
+    #[must_use]
+    pub fn order_warning(&self) -> Option<Diagnostic> {
+        let is_emitted =
+            |program: &PlacedProgram<'_>| program.files.iter().any(|(_, bytes)| made_with(bytes).is_some());
+        let is_reversed = is_emitted(&self.before) && !is_emitted(&self.after);
+        let text = "the first program is compensated and the second is not: what was corrected, and what was changed of it since, shows the other way round alone";
+        is_reversed.then(|| {
+            Diagnostic::warning("diff::order", text)
+                .help("give the original first: diff ORIGINAL COMPENSATED")
         })
     }
 

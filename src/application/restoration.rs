@@ -107,11 +107,13 @@ impl RestoredFiles {
         })
     }
 
-    /// Whether nothing was changed since of what motions ask with. Edits of other text, and numbers that a controller has written anew,
+    /// Whether nothing was changed since of what motions ask with, in the common module either. Edits of other text, and numbers that a controller has written anew,
     /// stand in the originals as they were made ([`Restored::exact`] is false then).
     #[must_use]
     pub fn is_untouched(&self) -> bool {
-        self.originals().all(|(_, restored)| restored.touched.is_empty() && restored.altered.is_empty())
+        let is_as_made = |restored: &Restored| restored.touched.is_empty() && restored.altered.is_empty();
+        self.originals().all(|(_, restored)| is_as_made(restored))
+            && self.cores().all(|(_, altered)| altered.is_empty())
     }
 
     /// A list of modules (`.pgf`) at `path` without the common ones.

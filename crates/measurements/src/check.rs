@@ -23,7 +23,7 @@ const UNKNOWN_SHARE: Range<f64> = 0.2..0.8;
 /// Share of steps back from which on the time column is doubted.
 const BACK_SHARE: f64 = 0.1;
 
-/// So many rows and one are not all measured in the same minute.
+/// More rows than this are not all measured in the same minute.
 const FEWEST_AT_ONE_TIME: usize = 9;
 
 /// What the rows alone say.
@@ -49,6 +49,10 @@ pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
     let rows = &measurements.rows;
     let DistinctRows { used, copies } = distinct(rows);
     let mut checked = checked(measurements, robot, used, copied_rows(&copies));
+    if let Some(warning) = one_time(rows, &checked.used) {
+        checked.time_usable = false;
+        checked.warnings.push(warning);
+    }
     checked.thin_out(rows);
     checked
 }
@@ -294,11 +298,6 @@ impl RowCheck {
             .filter_map(|&i| rows.get(i).and_then(MeasurementRow::clock_min).map(|clock_min| (i, clock_min)))
             .collect();
         self.warnings.extend(sessions(self.used.iter().filter_map(|&i| rows.get(i))));
-        if let Some(warning) = one_time(&stamped) {
-            self.time_usable = false;
-            self.warnings.push(warning);
-            return;
-        }
         let back: Vec<u64> = stamped
             .windows(2)
             .filter(|pair| pair[1].1 < pair[0].1 - 1e-9)
@@ -346,12 +345,14 @@ impl RowCheck {
 }
 
 /// That all rows are of one minute, which tells no time.
-fn one_time(stamped: &[(usize, f64)]) -> Option<Diagnostic> {
-    let (&(_, first), others) = stamped.split_first()?;
-    if others.len() < FEWEST_AT_ONE_TIME || others.iter().any(|&(_, clock_min)| clock_min != first) {
+fn one_time(rows: &[MeasurementRow], used: &[usize]) -> Option<Diagnostic> {
+    let mut clocks_min = used.iter().filter_map(|&i| rows.get(i)?.clock_min());
+    let first = clocks_min.next()?;
+    let count = 1 + clocks_min.clone().count();
+    if count <= FEWEST_AT_ONE_TIME || clocks_min.any(|clock_min| clock_min != first) {
         return None;
     }
-    let rows = counted(stamped.len(), "row");
+    let rows = counted(count, "row");
     let text = format!("t_min is {first} in all {rows}: it tells no time and is not used");
     Some(
         Diagnostic::warning("measure::one-time", text)

@@ -252,3 +252,53 @@ fn names_of_the_common_module_that_were_put_in_by_hand_are_told() {
         assert!(err(&output).contains(told), "{}", err(&output));
     }
 }
+
+/// A motion that asks with another's correction, or with one that is written out, is told by `restore` and by `diff`; as a controller may
+/// write it, it is not.
+#[test]
+fn a_correction_that_was_exchanged_in_a_motion_is_told() {
+    let bench = Bench::default();
+    let source = module(
+        "CONST robtarget p20:=[[430,60,300],@;\nCONST robtarget p30:=[[460,80,330],@;",
+        "MoveL p20,v100,fine,tGun;\nMoveL p30,v100,fine,tGun;",
+    );
+    let original = bench.file("source.mod", &source);
+    for form in ["ramp", "auto"] {
+        let text = compensated(&bench, &source, form);
+        for by in ["tcP30", "[[80,0,0],[1,0,0,0]]"] {
+            let changed = once(&text, "tcAt(p20,tcP20)", &format!("tcAt(p20,{by})"));
+            let line = 1 + text[..text.find("tcAt(p20").unwrap()].matches('\n').count();
+            let (message, back) = restored(&bench, &changed, 1);
+            assert!(
+                message.contains("restore::arguments") && message.contains(&format!(":{line}:")),
+                "{message}"
+            );
+            assert_eq!(back, source);
+            let compared = driftpost(&["diff", &original, &bench.path("changed.mod").display().to_string()]);
+            assert_eq!(compared.status.code(), Some(1), "{by}");
+        }
+        let (message, _) = restored(&bench, &once(&text, "tcAt(p20,tcP20)", "TCAT( p20 , tcp20 )"), 0);
+        assert!(!message.contains("warning"), "{message}");
+    }
+}
+
+#[test]
+fn a_module_that_is_cut_off_is_not_restored() {
+    let bench = Bench::default();
+    let source = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;");
+    for form in ["schedule", "ramp", "live"] {
+        let text = compensated(&bench, &source, form);
+        let (message, _) = restored(&bench, &once(&text, "\nENDMODULE", "\n"), 2);
+        assert!(message.contains("restore::damaged") && message.contains("cut off"), "{form}: {message}");
+    }
+}
+
+#[test]
+fn a_compensated_program_before_its_original_is_told() {
+    let bench = Bench::default();
+    let source = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;");
+    compensated(&bench, &source, "ramp");
+    let [original, made] = ["a.mod", "o.mod"].map(|name| bench.path(name).display().to_string());
+    assert!(!err(&driftpost(&["diff", &original, &made])).contains("diff::order"));
+    assert!(err(&driftpost(&["diff", &made, &original])).contains("diff::order"));
+}

@@ -81,6 +81,8 @@ pub(super) struct Added<'p> {
     pub shares: Vec<f64>,
     /// The targets whose originals those are, in their order.
     asking: Vec<AskingTarget>,
+    /// What corrects them by what is beside them: see `asks`.
+    pub(super) asked: Vec<[u8; 3]>,
     names: Names,
     known: HashMap<TargetKey, Vec<usize>>,
     /// For each function of time the last correction of a target without a name: its neighbours may share it.
@@ -114,6 +116,7 @@ impl<'p> Added<'p> {
             originals: Vec::new(),
             shares: Vec::new(),
             asking: Vec::new(),
+            asked: Vec::new(),
             names: context.names.clone(),
             known: HashMap::new(),
             last_unnamed: Vec::new(),

@@ -8,7 +8,7 @@ use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 12] = [
+const KEYS: [&[u8]; 13] = [
     b"core",
     b"source",
     b"with",
@@ -18,6 +18,7 @@ const KEYS: [&[u8]; 12] = [
     b"was",
     b"shares",
     b"points",
+    b"asks",
     b"originals",
     b"targets",
     b"code",
@@ -51,6 +52,8 @@ pub(super) struct Record {
     pub was: BTreeMap<String, Vec<u8>>,
     /// For each bucket how much of the drift it corrects, in any unit.
     pub shares: Vec<f64>,
+    /// What motions ask with: see `asks`.
+    pub asks: Vec<u8>,
     /// Fingerprints of the originals that stay in place, each once, in the order of the motions.
     pub originals: Vec<u8>,
     /// The same of an older module, which do not say whose they are.
@@ -113,9 +116,12 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
     for (name, by) in &record.renamed {
         add("renamed", format!("{name} {by}"));
     }
-    for (key, checksums) in
-        [("originals", &record.originals), ("targets", &record.checksums), ("code", &record.code)]
-    {
+    for (key, checksums) in [
+        ("asks", &record.asks),
+        ("originals", &record.originals),
+        ("targets", &record.checksums),
+        ("code", &record.code),
+    ] {
         if !checksums.is_empty() {
             add(key, String::from_utf8_lossy(checksums).into_owned());
         }
@@ -312,6 +318,7 @@ impl Record {
                 self.was.insert(name.to_ascii_lowercase(), unescape(was.as_bytes())?);
             }
             b"points" => self.points = text,
+            b"asks" => self.asks = text,
             b"originals" => self.originals = text,
             b"targets" => self.checksums = text,
             b"code" => self.code = text,
@@ -381,6 +388,7 @@ mod tests {
             was,
             shares: vec![0.125, 1.0],
             originals: b"ABCabc".repeat(90),
+            asks: b"Qyic+p".to_vec(),
             points: Vec::new(),
             checksums: b"-+01".repeat(90),
             code: b"xyz".to_vec(),

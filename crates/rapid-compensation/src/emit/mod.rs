@@ -8,6 +8,7 @@
 mod added;
 mod aggregate;
 mod array_reader;
+mod asks;
 mod change;
 mod checksum;
 mod choice;

@@ -2,6 +2,7 @@
 //! comment block.
 
 use super::added::{Added, Declaration};
+use super::asks;
 use super::checksum::{self, Elements};
 use super::context::EmitContext;
 use super::header::{self, Record};
@@ -42,6 +43,7 @@ pub(super) fn write(
         renamed: context.names.renamed().clone(),
         was: added.was,
         points: Vec::new(),
+        asks: asks::record(added.asked),
         originals: added.originals,
         shares: added.shares,
         // What they are is known when the declarations are written, behind the comment block.

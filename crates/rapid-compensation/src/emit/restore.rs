@@ -27,7 +27,7 @@ use altered::altered_code;
 use comment_block::{comment_block, header_of};
 use lines::Lines;
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
-use rapid_syntax::tree::FileItem;
+use rapid_syntax::tree::{FileItem, Module};
 use rapid_syntax::{Edit, apply, gives, parse};
 use removal::Remover;
 use sha2::{Digest, Sha256};
@@ -118,6 +118,9 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
     for item in &tree.items {
         let FileItem::Module(module) = item else { continue };
         let Some(comment) = header_of(bytes, module) else { continue };
+        if let Some((at, what)) = cut_off(module) {
+            return Err(RestoreError::Damaged { line: lines.line(at), what: what.to_owned() });
+        }
         let damaged = |what: String| RestoreError::Damaged { line: lines.line(comment.start), what };
         let block = comment_block(bytes, comment.start);
         let (record, count) = header::read(block.iter().map(|r| r.of(bytes))).map_err(damaged)?;
@@ -156,6 +159,15 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
     edits.put_in_order();
     sorting::by_key(&mut altered, Altered::line);
     Ok(TakenApart { edits, added, source_sha256, source_name, touched, altered })
+}
+
+/// Where a module or a routine begins that has no end, and what is said of it.
+fn cut_off(module: &Module) -> Option<(u32, &'static str)> {
+    let routine = || module.routines().find(|routine| routine.end.is_none());
+    match module.end {
+        None => Some((module.head.start, "the module has no ENDMODULE: the file is cut off")),
+        Some(_) => Some((routine()?.head.start, "the routine has no END word: where it ends cannot be said")),
+    }
 }
 
 /// Where something at `at` in the restored file stood before the `edits`, which are in order.

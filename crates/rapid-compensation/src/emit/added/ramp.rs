@@ -6,6 +6,7 @@
 use super::argument::{Argument, TargetKey};
 use super::{Added, AskingTarget, Declaration, mismatch};
 use crate::compensate::plan::{Correction, Corrections, PlannedMotion, PlannedTarget};
+use crate::emit::asks;
 use crate::emit::choice::ChoiceData;
 use crate::emit::context::EmitContext;
 use crate::emit::correction::CorrectionData;
@@ -14,6 +15,7 @@ use crate::emit::options::EmitError;
 use crate::emit::originals::corrected_by;
 use rapid_program::motion::{Motion, Origin, Path, Target, TargetValue};
 use rapid_syntax::SourceFile;
+use rapid_syntax::diagnostic::TextRange;
 
 impl<'p> Added<'p> {
     /// A correction for each target, and the call that scales it.
@@ -38,7 +40,7 @@ impl<'p> Added<'p> {
                 let [rows, hash] = self.choice(file, (motion, target), &rows)?;
                 let arguments = format!(",{rows},{hash}");
                 self.asks(target, rows.as_bytes());
-                self.wrap(context, file, ("tcAtOne", target.range, arguments.as_bytes()), style);
+                self.correct_by(context, file, ("tcAtOne", target.range, arguments.as_bytes()), style);
                 continue;
             }
             let arguments = self.corrections(file, (motion, target), &rows, count)?;
@@ -49,9 +51,22 @@ impl<'p> Added<'p> {
                 (false, 0) => "tcAt",
                 (false, _) => "tcAtSame",
             };
-            self.wrap(context, file, (function, target.range, arguments.as_bytes()), style);
+            self.correct_by(context, file, (function, target.range, arguments.as_bytes()), style);
         }
         Ok(())
+    }
+
+    /// The call that corrects a target by what is beside it, with a record of what it asks.
+    fn correct_by(
+        &mut self,
+        context: &EmitContext<'_>,
+        file: &SourceFile,
+        (function, range, arguments): (&str, TextRange, &[u8]),
+        style: &LayoutStyle,
+    ) {
+        let function_name = context.names.core(function);
+        self.asked.extend(asks::ask(function_name.as_bytes(), range.of(&file.bytes), arguments));
+        self.wrap(context, file, (function, range, arguments), style);
     }
 
     /// A target stays in its motion, corrected by what has the name.

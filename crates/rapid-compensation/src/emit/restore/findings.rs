@@ -162,8 +162,10 @@ pub enum Altered {
         /// Its line, from 1.
         line: u32,
     },
-    /// What the model is asked for is not what the motion goes with.
-    #[error("the model is asked with another tool or work object than the motion goes with")]
+    /// What corrects the target is not what it was given, or what the model is asked for not what the motion goes with.
+    #[error(
+        "the motion asks with another correction than it was given, or the model with another tool or work object than the motion goes with"
+    )]
     Arguments {
         /// The motion's line, from 1.
         line: u32,

@@ -5,6 +5,7 @@ use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
 use super::undo::{UndoEdits, UndoText};
 use crate::emit::array_reader::ArrayReader;
+use crate::emit::asks;
 use crate::emit::checksum::{self, Elements};
 use crate::emit::declarations::Declarations;
 use crate::emit::elements::elements;
@@ -210,8 +211,9 @@ impl<'w> Remover<'w> {
                         let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
                         arrays[at].uses.push(Use { expr, index, routine });
                         next = at + 1;
-                    } else if let Some(Inside { target: inner, asked_with, .. }) = self.inside(expr) {
-                        if !self.goes_with(&call.args, asked_with) {
+                    } else if let Some(inside) = self.inside(expr) {
+                        let Inside { target: inner, asked_with, .. } = inside;
+                        if !(self.goes_with(&call.args, asked_with) && self.was_asked(expr, &inside)) {
                             self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
                         }
                         self.uncover(expr.range, inner);
@@ -396,6 +398,18 @@ impl<'w> Remover<'w> {
             ArgKind::Positional(inner) => Some(Inside { target: inner.range, asked_with, corrections }),
             _ => None,
         }
+    }
+
+    /// Whether what corrects a target did when the module was made.
+    fn was_asked(&self, argument: &Expr, inside: &Inside<'_>) -> bool {
+        let ExprKind::Call(call) = &argument.kind else { return true };
+        if inside.corrections.is_empty() {
+            return true;
+        }
+        let behind = TextRange::new(inside.target.end, argument.range.end).of(self.bytes);
+        let arguments = behind.strip_suffix(b")").unwrap_or(behind);
+        let ask = asks::ask(call.name.of(self.bytes), inside.target.of(self.bytes), arguments);
+        ask.is_none_or(|ask| asks::was_asked(&self.record.asks, ask))
     }
 
     /// Whether a model is asked with the motion's own tool and work object; true where none is asked.
