@@ -2,15 +2,14 @@
 
 use super::checksum;
 use super::names::is_name;
-use super::originals::is_value;
 
 /// A checksum of what a motion asks: the function, the target where it is a name, and what corrects it, `arguments`. `None` of a target
-/// that is written out, whose numbers have a fingerprint together with its correction.
+/// that is written out, which has a fingerprint together with its correction.
 #[must_use]
 pub(super) fn ask(function: &[u8], target: &[u8], arguments: &[u8]) -> Option<[u8; 3]> {
     let target = target.trim_ascii();
     let name = if is_name(target) { target } else { b"" };
-    (!is_value(target)).then(|| checksum::of_code(&[function, b"(", name, arguments].concat()))
+    (target.first() != Some(&b'[')).then(|| checksum::of_code(&[function, b"(", name, arguments].concat()))
 }
 
 /// Checksums of all that motions ask, each once and in order, as the comment block holds them.

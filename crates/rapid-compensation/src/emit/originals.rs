@@ -288,7 +288,7 @@ impl ExpressionReader<'_, '_, '_> {
 }
 
 /// Whether a text is an aggregate of numbers.
-pub(super) fn is_value(text: &[u8]) -> bool {
+fn is_value(text: &[u8]) -> bool {
     text.first() == Some(&b'[') && is_plain(text)
 }
 
