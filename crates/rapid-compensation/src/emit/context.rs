@@ -38,12 +38,14 @@ pub(super) struct EmitContext<'e> {
     pub names: Names,
     /// Where clock and functions live.
     pub core: Core,
-    /// Clock and functions as RAPID.
-    pub text: CoreText<'e>,
     /// The comment block's lines for people.
     pub header: Vec<String>,
     /// What the program is made with, as the comment block names it.
     pub settings: Vec<(String, String)>,
+    /// The core's data, one a line.
+    pub data: Vec<String>,
+    /// The core's routines, line by line.
+    pub routines: Vec<String>,
 }
 
 impl<'e> EmitContext<'e> {
@@ -69,22 +71,14 @@ impl<'e> EmitContext<'e> {
         }
         let text = core_text((program, plan), options, (law, core), (&totals, changes))?;
         let unnamed = Names::default();
-        let lines = [text.data(&unnamed), text.routines(&unnamed)].concat().join("\n");
+        let (mut data, mut routines) = (text.data(&unnamed), text.routines(&unnamed));
+        let lines = [data.join("\n"), routines.join("\n")].join("\n");
         let names = Names::new(program, [lines.as_str(), "tcCore"].into_iter());
+        if !names.renamed().is_empty() {
+            (data, routines) = (text.data(&names), text.routines(&names));
+        }
         let header = header_text((&names, core, &text), options, plan, &totals);
-        Ok(Self { program, plan, names, core, text, header, settings: options.made_with() })
-    }
-
-    /// The core's data, one a line.
-    #[must_use]
-    pub(super) fn data(&self) -> Vec<String> {
-        self.text.data(&self.names)
-    }
-
-    /// The core's routines, line by line.
-    #[must_use]
-    pub(super) fn routines(&self) -> Vec<String> {
-        self.text.routines(&self.names)
+        Ok(Self { program, plan, names, core, header, settings: options.made_with(), data, routines })
     }
 }
 

@@ -19,17 +19,16 @@ pub(super) fn core_file(context: &EmitContext<'_>, beside: &SourceFile) -> Emitt
     let attributes = if stays { "(SYSMODULE)" } else { "" };
     let mut bytes = format!("MODULE {name}{attributes}").into_bytes();
     bytes.extend_from_slice(style.eol);
-    let data = context.data();
-    let routines = context.routines();
-    let record = Record { is_core: true, code: code_checksums(&data, &routines), ..Record::default() };
+    let (data, routines) = (&context.data, &context.routines);
+    let record = Record { is_core: true, code: code_checksums(data, routines), ..Record::default() };
     for line in header::lines(&context.header, &record) {
         style.push(&mut bytes, &format!("  {line}"));
     }
-    for line in &data {
+    for line in data {
         style.push(&mut bytes, line);
     }
     bytes.extend_from_slice(style.eol);
-    for line in &routines {
+    for line in routines {
         style.push(&mut bytes, line);
     }
     bytes.extend_from_slice(b"ENDMODULE");

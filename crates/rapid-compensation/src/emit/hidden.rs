@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 /// [`EmitError::HiddenName`], naming the first such declaration.
 pub(super) fn check(context: &EmitContext<'_>, changes: &Changes) -> Result<(), EmitError> {
     let mut asked: BTreeSet<String> = BTreeSet::new();
-    for line in context.data().iter().chain(&context.routines()) {
+    for line in context.data.iter().chain(&context.routines) {
         let code = line.split('!').next().unwrap_or_default();
         for part in code.split('"').step_by(2) {
             words(part.as_bytes(), |word| {

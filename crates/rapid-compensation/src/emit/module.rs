@@ -27,9 +27,9 @@ pub(super) fn write(
     let style = LayoutStyle::of(&file.bytes, module);
     let added = Added::collect(context, (file, module), motions, &style)?;
     let mut edits = added.edits;
-    let (data, routines) = match context.core {
-        Core::Separate => (Vec::new(), Vec::new()),
-        Core::Embedded => (context.data(), context.routines()),
+    let (data, routines): (&[String], &[String]) = match context.core {
+        Core::Separate => (&[], &[]),
+        Core::Embedded => (&context.data, &context.routines),
     };
     let mut record = Record {
         source_sha256: source_sha256.to_owned(),
@@ -37,8 +37,8 @@ pub(super) fn write(
         is_core: false,
         settings: context.settings.clone(),
         targets: added.declarations.len(),
-        data: declared(&data),
-        routines: heads(&routines).count(),
+        data: declared(data),
+        routines: heads(routines).count(),
         on_purpose: context.names.named_on_purpose(&file.bytes),
         renamed: context.names.renamed().clone(),
         was: added.was,
@@ -48,7 +48,7 @@ pub(super) fn write(
         shares: added.shares,
         // What they are is known when the declarations are written, behind the comment block.
         checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],
-        code: code_checksums(&data, &routines),
+        code: code_checksums(data, routines),
         is_whole: true,
     };
     let at = insertion::header(&file.bytes, module);
@@ -70,7 +70,7 @@ pub(super) fn write(
     });
     record.checksums = written.map_err(cannot)?.1?;
     text.exchange(header, &block(&record));
-    edits.extend(added_routines(&routines, &style, file, end));
+    edits.extend(added_routines(routines, &style, file, end));
     sorting::by_key(&mut edits, |e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
     edits.iter().try_for_each(|edit| text.replace(edit.range, &edit.text).map(drop)).map_err(cannot)
 }
