@@ -2,6 +2,7 @@
 
 use super::codes::codes;
 use super::fault::{Fault, FaultKind};
+use super::rounded_points::rounded_points;
 use super::rows::JointTolerance;
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
@@ -92,6 +93,7 @@ fn checked(
     checked.leave_out_of_range(rows, robot);
     checked.check_time_order(rows);
     checked.warnings.extend(directions_without_back(rows));
+    checked.warnings.extend(rounded_points(rows, &checked.used));
     checked
 }
 

@@ -26,6 +26,7 @@ mod register;
 mod registration;
 mod repeats;
 mod rotation;
+mod rounded_points;
 mod rounds;
 mod row_cells;
 mod rows;
