@@ -14,11 +14,11 @@ use crate::cli::shared::{JointAngles, RobotName, name_and_value};
 use rapid_compensation::schedule::Until;
 use std::path::PathBuf;
 
-/// Default of `--hold-min`.
+/// So long the last temperature is used where `--hold-min` says nothing else, minutes.
 pub(super) const HOLD_MIN: f64 = 10.0;
-/// Default of `--stale-min`.
+/// So long a temperature may stand still where `--stale-min` says nothing else, minutes.
 pub(super) const STALE_MIN: f64 = 60.0;
-/// Default of `--gap-min`.
+/// A pause up to this is none where `--gap-min` says nothing else, minutes.
 pub(super) const GAP_MIN: f64 = 5.0;
 
 /// Command line of `driftpost compensate`.

@@ -6,7 +6,7 @@ use rapid_compensation::emit::TouchBy;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 
-/// Defaults of the options.
+// What the options are where they are not given: `idle` tells by it which were.
 const RADIUS_MM: f64 = 15.0;
 const MARGIN_MM: f64 = 5.0;
 const SIGMA_MM: f64 = 0.02;
