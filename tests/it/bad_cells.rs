@@ -113,7 +113,7 @@ mod long {
             let text = changed(|rows, at| cell.clone_into(&mut rows.last_mut().unwrap()[at(column)]));
             let line = text.lines().count();
             let mut answer = diagnose(&text, &[]);
-            let cold = if column.starts_with("temp") { ", below absolute zero" } else { "" };
+            let cold = if column.starts_with("temp") { ", no temperature" } else { "" };
             let warning = format!("{column} is empty{cold} or no number in 1 row: line {line}");
             assert!(answer.messages.contains(&warning), "{}", answer.messages);
             answer.json["warnings"] = without.json["warnings"].clone();

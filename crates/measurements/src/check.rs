@@ -4,6 +4,7 @@ use super::codes::codes;
 use super::fault::{Fault, FaultKind};
 use super::rounded_points::rounded_points;
 use super::rows::JointTolerance;
+use super::time_unit::{TimedStop, time_unit};
 use super::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, Severity, counted};
 use robot_model::robot::{Axis, Joint, JointKind, Joints, SerialArm};
@@ -92,6 +93,10 @@ fn checked(
     checked.leave_out_codes(measurements);
     checked.leave_out_of_range(rows, robot);
     checked.check_time_order(rows);
+    let stops = checked.used.iter().filter_map(|&i| rows.get(i));
+    checked.warnings.extend(time_unit(stops.filter_map(|row| {
+        Some(TimedStop { t_min: row.t_min?, clock_min: row.clock_min()?, stand: row.pose })
+    })));
     checked.warnings.extend(directions_without_back(rows));
     checked.warnings.extend(rounded_points(rows, &checked.used));
     checked

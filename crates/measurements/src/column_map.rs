@@ -5,7 +5,7 @@
 
 use super::column_names::{JOINTS, POINT, QUATERNION, SLIDES, known};
 use super::error::missing_column;
-use super::table::{Line, Table, is_nothing};
+use super::table::{Line, Table, is_nothing, names_separator};
 use super::timestamp::{NoTime, TimestampFormat, over_midnight};
 use super::{MeasureError, OwnNames, Rotation, own_names};
 use csv::{ReaderBuilder, Trim};
@@ -275,7 +275,8 @@ impl ColumnMap {
         let mut lines = Vec::new();
         for (index, text) in text.lines().enumerate().skip(self.skip_lines) {
             let is_comment = !self.comment.is_empty() && text.trim_start().starts_with(&self.comment);
-            if is_comment || text.trim().is_empty() {
+            let is_first = index == self.skip_lines;
+            if is_comment || text.trim().is_empty() || is_first && names_separator(text) {
                 continue;
             }
             let cells = self.split(text, index as u64 + 1)?;
@@ -481,5 +482,19 @@ mod tests {
         assert!(with_comma.ends_with("decimal_comma = true?"), "{with_comma}");
         let with_thousands = problem("decimal_comma = true", "1.234,5");
         assert!(with_thousands.ends_with("write it without separators of thousands"), "{with_thousands}");
+    }
+
+    /// `sep=;` is what spreadsheets write to say what divides cells.
+    #[test]
+    fn a_line_that_names_what_divides_cells_is_no_header() {
+        let columns = [&NAMES[..], &["x_mm", "y_mm", "z_mm"]].concat();
+        let rows = |by: &str| format!("sep={by}\r\n{}\r\n{}\r\n", columns.join(by), ["1"; 9].join(by));
+        let mapped = map("", &columns).table(rows(";").as_bytes()).unwrap();
+        let plain = Table::from_csv(rows(",").as_bytes()).unwrap();
+        for table in [mapped, plain] {
+            assert_eq!((table.header.len(), table.lines.len(), table.lines[0].number), (9, 1, 3));
+        }
+        let error = Table::from_csv(rows(";").as_bytes()).unwrap_err().to_string();
+        assert!(error.contains("separated by ';'"), "{error}");
     }
 }

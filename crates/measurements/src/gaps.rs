@@ -74,7 +74,7 @@ impl Quantity<'_> {
         let nothing = if self.names == QUATERNION {
             "empty, all 0 or no number"
         } else if self.names.first() == TEMPERATURES.first() {
-            "empty, below absolute zero or no number"
+            "empty, no temperature or no number"
         } else {
             "empty or no number"
         };
@@ -198,7 +198,7 @@ mod tests {
     fn of_columns_that_count_together_those_that_are_empty_are_named() {
         let columns: Vec<String> = (1..=6).map(|j| format!("temp_j{j}_c")).collect();
         let m = read(&columns.join(","), &["20,20,20,20,20,20", "20,,20,20,,20", "21,21,21,21,21,21"]);
-        let warning = "temp_j2_c, temp_j5_c are empty, below absolute zero or no number in 1 row: line 3";
+        let warning = "temp_j2_c, temp_j5_c are empty, no temperature or no number in 1 row: line 3";
         assert_eq!(lines_and_warnings(&m), (vec![2, 4], vec![warning]));
         assert!(m.channels.joint_temperature);
     }

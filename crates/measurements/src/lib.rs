@@ -33,6 +33,7 @@ mod rows;
 mod sessions;
 mod station;
 mod table;
+mod time_unit;
 mod timestamp;
 mod touch;
 mod touch_times;

@@ -7,6 +7,7 @@ use super::midnight::pass_midnight;
 use super::row_cells::{ColumnIndex, RowCells};
 use super::sessions::number_sessions;
 use super::table::Table;
+use super::time_unit::{TimedStop, time_unit};
 use super::touch_times::{self, StampedRow};
 use super::{Channels, MeasureError, MeasurementRow, Measurements, Reading, Touch, Touches};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -54,6 +55,11 @@ impl Touches {
         let mut stamped: Vec<StampedRow> = found.touches.iter().map(stamped).collect();
         sorting::by_key(&mut stamped, |row| row.line);
         found.warnings.extend(touch_times::check(&stamped)?);
+        found.warnings.extend(time_unit(stamped.iter().map(|row| TimedStop {
+            t_min: row.t_min,
+            clock_min: row.t_min,
+            stand: row.point,
+        })));
         Ok(found)
     }
 }
@@ -261,17 +267,19 @@ mod tests {
     }
 
     #[test]
-    fn a_temperature_below_absolute_zero_is_no_reading() {
+    fn a_code_for_no_temperature_is_no_reading() {
         let temperatures: String = (1..=6).map(|j| format!(",temp_j{j}_c")).collect();
         let row = |cells: &str| format!("0,0,0,0,0,0,1,2,3,{cells}\n");
-        let (warm, coded) = (row("20,20,20,20,20,20"), row("20,20,-999,20,20,20"));
-        let found = read(&format!("{HEADER}{temperatures}\n{warm}{coded}{warm}")).unwrap();
-        assert_eq!(found.rows.iter().map(|row| row.line).collect::<Vec<_>>(), [2, 4]);
-        assert!(
-            said(&found).contains("temp_j3_c is empty, below absolute zero or no number in 1 row: line 3"),
-            "{}",
-            said(&found)
-        );
+        for code in ["-999", "999", "999.9", "9999.00"] {
+            let (warm, coded) = (row("20,20,20,20,20,20"), row(&format!("20,20,{code},20,20,20")));
+            let found = read(&format!("{HEADER}{temperatures}\n{warm}{coded}{warm}")).unwrap();
+            assert_eq!(found.rows.iter().map(|row| row.line).collect::<Vec<_>>(), [2, 4], "{code}");
+            let warning = "temp_j3_c is empty, no temperature or no number in 1 row: line 3";
+            assert!(said(&found).contains(warning), "{}", said(&found));
+        }
+        let warm =
+            ["99.9", "99", "293.15", "990"].map(|warm| row(&format!("20,20,{warm},20,20,20"))).concat();
+        assert_eq!(read(&format!("{HEADER}{temperatures}\n{warm}")).unwrap().rows.len(), 4);
     }
 
     /// Of three rows one has four zeros: it is left out as one whose cells are empty; with two such rows there are no orientations.

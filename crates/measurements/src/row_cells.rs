@@ -169,10 +169,11 @@ impl RowCells<'_> {
         })
     }
 
-    /// Whether the column is one of temperatures, and its cell holds one that nothing has: -999 where a probe saw none.
+    /// Whether the column is one of temperatures, and its cell holds one that nothing has, -999 or 999.9 where a probe saw none.
     fn is_no_temperature(&self, name: &str) -> bool {
         let below = |text: &str| text.parse().is_ok_and(|value: f64| value < celsius_from_kelvin(0.0));
-        self.columns.temperatures.contains(&name) && self.text(name).is_some_and(below)
+        let is_none = |text: &str| below(text) || is_all_nines(text);
+        self.columns.temperatures.contains(&name) && self.text(name).is_some_and(is_none)
     }
 
     /// Four zeros are what an instrument writes that saw no orientation.
@@ -359,4 +360,11 @@ impl RowCells<'_> {
                 .filter(|_| !self.columns.temperatures.iter().any(|name| self.is_no_temperature(name))),
         })
     }
+}
+
+/// Whether a number of three digits before the point and more has no other digit than 9 but zeros behind the point.
+fn is_all_nines(text: &str) -> bool {
+    let (whole, behind) = text.split_once('.').unwrap_or((text, ""));
+    let nines = |text: &str| text.bytes().all(|digit| digit == b'9');
+    whole.len() >= 3 && nines(whole) && nines(behind.trim_end_matches('0'))
 }

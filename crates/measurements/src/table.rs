@@ -5,6 +5,7 @@ use super::OwnNames;
 use super::error::missing_column;
 use csv::{ReaderBuilder, Trim};
 use rapid_syntax::diagnostic::LineIndex;
+use std::borrow::Cow;
 
 /// A row of cells.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -43,6 +44,23 @@ fn line_of_module(bytes: &[u8]) -> Option<u64> {
     begins(first, "MODULE ").then_some(number)
 }
 
+/// Whether a first line is that of spreadsheets which says what divides cells (`sep=;`), and no row.
+pub(super) fn names_separator(line: &str) -> bool {
+    let separator = line.trim_end_matches(['\r', '\n']).trim_matches('"').strip_prefix("sep=");
+    separator.is_some_and(|separator| separator.chars().count() == 1)
+}
+
+/// `bytes` with such a line as a comment.
+fn with_separator_as_comment(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let end = bytes.iter().position(|&byte| byte == b'\n').unwrap_or(bytes.len());
+    if !std::str::from_utf8(&bytes[..end]).is_ok_and(names_separator) {
+        return Cow::Borrowed(bytes);
+    }
+    let mut commented = bytes.to_vec();
+    commented[0] = b'#';
+    Cow::Owned(commented)
+}
+
 /// Column names and cells.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Table {
@@ -65,6 +83,7 @@ impl Table {
             let problem = "the text is UTF-16; save it as UTF-8".to_owned();
             return Err(MeasureError::NotCsv { line: 1, problem });
         }
+        let bytes = &*with_separator_as_comment(bytes);
         if let Some(line) = line_of_module(bytes) {
             let problem =
                 "this is a RAPID module, and measurements are read here: CSV with a header".to_owned();
@@ -104,7 +123,9 @@ impl Table {
 fn not_csv(lines: &LineIndex, bytes: &[u8], error: &csv::Error) -> MeasureError {
     let (line, problem) = robot_model::csv_lines::line_and_problem(lines, bytes, error, true);
     match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. }
+            if !robot_model::csv_lines::leaves_quote_open(lines, bytes, line) =>
+        {
             MeasureError::CellCount { line, cells: *len, columns: *expected_len }
         }
         _ => MeasureError::NotCsv { line, problem },

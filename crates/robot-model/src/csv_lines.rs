@@ -28,14 +28,27 @@ pub fn line_of_record(
 /// The line and what is wrong with a record, in words without another line number.
 #[must_use]
 pub fn line_and_problem(lines: &LineIndex, text: &[u8], error: &csv::Error, comments: bool) -> (u64, String) {
+    let line = line_of_record(lines, text, error.position(), comments);
     let problem = match error.kind() {
+        csv::ErrorKind::UnequalLengths { .. } if leaves_quote_open(lines, text, line) => {
+            "a quotation mark is opened, and not closed on the line".to_owned()
+        }
         csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
             format!("{len} cells, the header has {expected_len}")
         }
         csv::ErrorKind::Utf8 { .. } => "the text is not UTF-8".to_owned(),
         _ => error.to_string(),
     };
-    (line_of_record(lines, text, error.position(), comments), problem)
+    (line, problem)
+}
+
+/// Whether a line (from 1) of `text` has an odd number of quotation marks: what follows is read as one cell.
+#[must_use]
+pub fn leaves_quote_open(lines: &LineIndex, text: &[u8], line: u64) -> bool {
+    let line = u32::try_from(line).unwrap_or(u32::MAX);
+    let start = lines.start_of(line) as usize;
+    let end = if line < lines.lines() { lines.start_of(line + 1) as usize } else { text.len() };
+    text.get(start..end).is_some_and(|text| text.iter().filter(|&&byte| byte == b'"').count() % 2 == 1)
 }
 
 #[cfg(test)]
@@ -60,5 +73,20 @@ mod tests {
                 .collect();
             assert_eq!(found, expected, "{text:?}");
         }
+    }
+
+    #[test]
+    fn a_quote_that_stays_open_is_told_in_place_of_a_number_of_cells() {
+        let said = |text: &str| {
+            let mut reader = csv::Reader::from_reader(text.as_bytes());
+            let error = reader.records().find_map(Result::err).unwrap();
+            line_and_problem(&LineIndex::new(text.as_bytes()), text.as_bytes(), &error, false)
+        };
+        for end in ["\n", "\r\n", "\r"] {
+            let text = ["a,b,c", "1,2,3", "\"4,5,6", "7,8,9"].join(end);
+            let (line, problem) = said(&text);
+            assert!(line == 3 && problem.contains("quotation mark is opened"), "{line} {problem}");
+        }
+        assert_eq!(said("a,b,c\n\"1\",2\n").1, "2 cells, the header has 3");
     }
 }
