@@ -5,7 +5,7 @@ use super::number::positive;
 use super::page::ReportArgs;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
-use super::{Console, Outcome, files};
+use super::{Console, Outcome, files, idle};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::AccuracyCheck;
 use measurements::ComparisonFrame;
@@ -65,6 +65,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         ("--limit-rp-mm", args.limit_rp_mm),
         ("--limit-drift-mm", args.limit_drift_mm),
     ])?;
+    let fits_tool = args.register == RefitScopeName::BaseTool;
+    let why =
+        "the target's place is fitted with the base; --register base or none takes the one that is named";
+    idle::tell([("--tool", args.tool.is_some() && fits_tool, why)], console);
     let robot = args.robot.load_arm()?;
     let tool_m = args.tool.as_deref().map(tool).transpose()?;
     let job = AccuracyCheck {

@@ -10,6 +10,7 @@ mod copies;
 mod destination;
 pub mod emitted_settings;
 pub mod files;
+mod idle;
 mod interrupt;
 pub mod measured;
 pub mod minutes;

@@ -1,5 +1,6 @@
 //! `driftpost synth`: measurement sets of a virtual robot, their truth sealed beside them.
 
+use super::idle::{self, IdleOption};
 use super::number::positive;
 use super::shared::RobotName;
 use super::{Console, Outcome, files, model, suggest};
@@ -20,7 +21,7 @@ pub struct Args {
     /// Effects of every set, e.g. joint_compliance:2,gear_mesh:3:20; none; mix: the exam's mixture; weak: its
     /// questions of one effect, at half the noise in 30 rows; or accidents: a joint's zero that jumps, or a fault
     /// of rows or of a column.
-    #[arg(long, value_name = "LIST", default_value = "mix")]
+    #[arg(long, value_name = "LIST", default_value = EVERYTHING)]
     pub effects: String,
 
     /// Seed: the same seed gives the same bytes.
@@ -76,7 +77,7 @@ pub struct Args {
     pub deformation: Option<PathBuf>,
 
     /// With --touches: how it grows, exp:TAU or two-stage:TAU.
-    #[arg(long, value_name = "LAW", default_value = "two-stage:46")]
+    #[arg(long, value_name = "LAW", default_value = USUAL_GROWTH)]
     pub growth: String,
 
     /// With --touches: time constant of cooling, minutes.
@@ -112,6 +113,11 @@ impl From<SpreadName> for Spread {
     }
 }
 
+/// Effects unless others are named.
+const EVERYTHING: &str = "mix";
+/// How the touched robot deforms unless told otherwise.
+const USUAL_GROWTH: &str = "two-stage:46";
+
 fn usual_stop() -> Standstill {
     let [from_min, to_min] = TouchSynthesis::STOP_MIN;
     Standstill { from_min, to_min }
@@ -124,6 +130,7 @@ fn usual_stop() -> Standstill {
 /// signal.
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     check(args)?;
+    idle::tell(idle_options(args), console);
     let json = files::Output::new(args.json.as_deref())?;
     if let Some(points) = args.touches {
         return touched(args, points, json, console);
@@ -189,9 +196,44 @@ fn check(args: &Args) -> Result<(), Diagnostic> {
     Ok(())
 }
 
+/// What has no effect on sets, or on touches, of the kind that is asked for.
+fn idle_options(args: &Args) -> [IdleOption; 13] {
+    let (touches, kind) = (args.touches.is_some(), kind(args));
+    let is_chosen = matches!(kind, SetKind::Chosen(_));
+    let not_chosen = match touches {
+        true => "--touches makes touches of fixed points, and no measurement sets",
+        false => {
+            "mix, weak and accidents draw it for each set; name the effects of one's choice with --effects"
+        }
+    };
+    let touches_only = "it is about touches of fixed points: --touches POINTS";
+    let draws_rows = matches!(kind, SetKind::Mixture(_) | SetKind::Accidents(_));
+    let most_rows = "it limits the rows that mix and accidents draw";
+    let usual = usual_stop();
+    [
+        ("--effects", args.effects != EVERYTHING && touches, not_chosen),
+        ("--sets", args.sets != 1 && touches, not_chosen),
+        (
+            "--most-rows",
+            args.most_rows as usize != Synthesis::MOST_ROWS && (touches || !draws_rows),
+            most_rows,
+        ),
+        ("--n", args.n as usize != ChosenEffects::N && (touches || !is_chosen), not_chosen),
+        ("--sigma-mm", args.sigma_mm != ChosenEffects::SIGMA_MM && !touches && !is_chosen, not_chosen),
+        ("--rho", args.rho != ChosenEffects::RHO && (touches || !is_chosen), not_chosen),
+        ("--poses", args.poses != SpreadName::Wide && (touches || !is_chosen), not_chosen),
+        ("--times", args.times as usize != TouchSynthesis::TIMES && !touches, touches_only),
+        ("--every-min", args.every_min != TouchSynthesis::EVERY_MIN && !touches, touches_only),
+        ("--stop", args.stop != usual && !touches, touches_only),
+        ("--deformation", args.deformation.is_some() && !touches, touches_only),
+        ("--growth", args.growth != USUAL_GROWTH && !touches, touches_only),
+        ("--tau-cool", args.tau_cool != TouchSynthesis::TAU_COOL_MIN && !touches, touches_only),
+    ]
+}
+
 fn kind(args: &Args) -> SetKind {
     match args.effects.as_str() {
-        "mix" => SetKind::Mixture(args.most_rows as usize),
+        EVERYTHING => SetKind::Mixture(args.most_rows as usize),
         "weak" => SetKind::Weak,
         "accidents" => SetKind::Accidents(args.most_rows as usize),
         effects => SetKind::Chosen(ChosenEffects {
@@ -230,4 +272,39 @@ pub(super) fn diagnostic_of(error: SynthesisError) -> Diagnostic {
         Some(near) => format!("did you mean {}?", example(near)),
     };
     Diagnostic::from(error).help(help)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Args, idle_options};
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        args: Args,
+    }
+
+    fn idle(options: &str) -> Vec<&'static str> {
+        let line = format!("synth sets --robot irb140 {options}");
+        let args = Line::parse_from(line.split_whitespace()).args;
+        idle_options(&args)
+            .into_iter()
+            .filter(|(_, is_idle, _)| *is_idle)
+            .map(|(option, ..)| option)
+            .collect()
+    }
+
+    #[test]
+    fn what_has_no_effect_on_the_kind_asked_for_is_named() {
+        assert_eq!(idle("--n 50 --rho 2 --poses cube"), ["--n", "--rho", "--poses"]);
+        assert_eq!(idle("--effects weak --most-rows 60 --sigma-mm 0.1"), ["--most-rows", "--sigma-mm"]);
+        assert_eq!(idle("--effects none --times 5 --tau-cool 20"), ["--times", "--tau-cool"]);
+        assert_eq!(idle("--touches 3 --effects none --sets 4 --n 50"), ["--effects", "--sets", "--n"]);
+        for useful in
+            ["--most-rows 60", "--effects none --n 50 --rho 2", "--touches 3 --times 5 --sigma-mm 0.1"]
+        {
+            assert_eq!(idle(useful), [""; 0], "{useful}");
+        }
+    }
 }

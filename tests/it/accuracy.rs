@@ -55,6 +55,22 @@ fn equal_readings_are_cycles_of_their_own() {
     assert_eq!(accuracy(folder.path(), &csv, &["--limit-rp-mm", "0.0451"]).code, 0);
 }
 
+#[test]
+fn a_tool_that_is_fitted_anyway_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut csv = format!("{JOINTS},x_mm,y_mm,z_mm\n");
+    for k in 0..8 {
+        let q_deg = [10.0 * f64::from(k), 5.0, -4.0 * f64::from(k), 20.0 - 9.0 * f64::from(k), 40.0, 6.0];
+        let [x, y, z] = command_mm(q_deg, [10.0, 20.0, 150.0]);
+        writeln!(csv, "{},{x},{y},{z}", joints(q_deg)).unwrap();
+    }
+    let idle = |options: &[&str]| {
+        accuracy(folder.path(), &csv, options).err.contains("option::idle]: --tool changes nothing")
+    };
+    assert!(idle(&["--tool", "10,20,150"]));
+    assert!(!idle(&["--tool", "10,20,150", "--register", "base"]) && !idle(&[]));
+}
+
 /// Eight poses, 9 numbers of 24 fitted: the root of 15/24 is left, 21 % less. Three nests beside them are no poses (9 of 33 would be 15 %), read
 /// twice to the last digit they are no cycles, and need no pose_id; each pose's AP is as without them.
 #[test]

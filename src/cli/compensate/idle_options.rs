@@ -1,7 +1,8 @@
-//! Options that change nothing in what is asked for: said, and nothing else comes of them.
+//! Options of `compensate` that change nothing in what is asked for.
 
 use super::args::{Args, GAP_MIN, HOLD_MIN, STALE_MIN};
 use super::option_values::{ClockName, FormName};
+use crate::cli::idle::{self, IdleOption};
 use rapid_compensation::schedule::Until;
 use rapid_syntax::diagnostic::Diagnostic;
 
@@ -16,22 +17,15 @@ impl Args {
         let no_reading = "only --clock signal:NAME and pers:NAME have readings of a temperature";
         let no_touch = "it says how --touch finds its point: radius and margin with --touch-signal alone";
         let of_touch = self.touch.idle().map(|(option, is_idle)| (option, is_idle, no_touch));
-        [
+        let own: [IdleOption; 6] = [
             ("--until", matches!(self.until, Until::Minutes(_)) && !scheduled, no_buckets),
             ("--bucket-min", self.bucket_min.is_some() && !scheduled, no_buckets),
             ("--tau-cool", self.tau_cool.is_some() && !warmth, no_cooling),
             ("--gap-min", self.gap_min != GAP_MIN && !warmth, no_cooling),
             ("--hold-min", self.hold_min != HOLD_MIN && !measured, no_reading),
             ("--stale-min", self.stale_min != STALE_MIN && !measured, no_reading),
-        ]
-        .into_iter()
-        .chain(of_touch)
-        .filter_map(|(option, is_idle, why)| {
-            let warning =
-                || Diagnostic::warning("option::idle", format!("{option} changes nothing here")).help(why);
-            is_idle.then(warning)
-        })
-        .collect()
+        ];
+        idle::warnings(own.into_iter().chain(of_touch))
     }
 }
 

@@ -1,0 +1,24 @@
+//! Options that change nothing beside the others: said, and nothing else comes of them.
+
+use super::Console;
+use crate::report::LocatedDiagnostic;
+use rapid_syntax::diagnostic::Diagnostic;
+
+/// An option as it is written, whether it is given and changes nothing, and why that is.
+pub type IdleOption = (&'static str, bool, &'static str);
+
+/// Tells each of `options` that is idle.
+pub fn tell(options: impl IntoIterator<Item = IdleOption>, console: &mut Console) {
+    let idle: Vec<LocatedDiagnostic> =
+        warnings(options).into_iter().map(|warning| LocatedDiagnostic::new(warning, &[])).collect();
+    console.explain(&idle, true);
+}
+
+/// A warning for each of `options` that is idle.
+pub fn warnings(options: impl IntoIterator<Item = IdleOption>) -> Vec<Diagnostic> {
+    let idle = options.into_iter().filter(|(_, is_idle, _)| *is_idle);
+    idle.map(|(option, _, why)| {
+        Diagnostic::warning("option::idle", format!("{option} changes nothing here")).help(why)
+    })
+    .collect()
+}
