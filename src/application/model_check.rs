@@ -11,7 +11,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
 use std::borrow::Cow;
-use warm_up::{Standstill, TimedReading, pauses};
+use warm_up::{Standstill, TimedReading, is_late_start, pauses};
 
 /// Checks an identified model against measurements that took no part in its fit.
 #[derive(Clone, Debug)]
@@ -102,7 +102,7 @@ impl ModelCheck {
         let stops = pauses(&readings);
         let Some(longest) = Standstill::longest(&stops) else {
             let first_min = readings.first().map_or(0.0, |reading| reading.0);
-            let is_late = law.tau_min().is_some_and(|tau_min| first_min > LATE_START * tau_min);
+            let is_late = law.tau_min().is_some_and(|tau_min| is_late_start(first_min, tau_min));
             let warning = is_late.then(|| late(first_min));
             return Ok(WithStops { validation: worked, stops, warning });
         };
@@ -124,8 +124,6 @@ struct WithStops {
     warning: Option<Diagnostic>,
 }
 
-/// A first row that lies further behind the cold start than this share of the time constant does not show how the robot warmed before.
-const LATE_START: f64 = 0.5;
 /// Where one history leaves less than this much more than the other, the rows do not tell which is right: the rms of 100 readings is known to a
 /// twentieth.
 const UNDECIDED: f64 = 1.05;

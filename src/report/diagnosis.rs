@@ -3,6 +3,7 @@
 use super::cause_rows::plainly;
 use super::diagnosis_sections::{evidence, false_rows, limits, line, noise, zeros};
 use super::{counted, notes};
+use measurements::direction_columns;
 use metrology::diagnose::{Cause, Findings, MissingChannel, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
@@ -67,7 +68,7 @@ pub(super) fn summary(d: &Findings) -> Option<String> {
 fn mostly_geometry(d: &Findings) -> Option<String> {
     let s = &d.shrink;
     let (before, after) = (s.before_rms_mm?, s.after_rms_mm?);
-    let causes = s.causes_only_rms_mm.filter(|_| names_causes(d))?;
+    let causes = s.causes_only_rms_mm.filter(|_| d.verdict.names_causes())?;
     let taken = |left: f64| 1.0 - (left / before).powi(2);
     let geometry = taken(after) - taken(causes).max(0.0);
     (taken(after) >= 0.5 && geometry > taken(causes)).then(|| {
@@ -110,7 +111,7 @@ fn mostly_explained(d: &Findings) -> Option<String> {
 fn left(page: &mut String, d: &Findings) {
     let s = &d.shrink;
     if let (Some(before), Some(after), Some(floor)) = (s.before_rms_mm, s.after_rms_mm, s.floor_rms_mm) {
-        let causes = s.causes_only_rms_mm.filter(|_| names_causes(d));
+        let causes = s.causes_only_rms_mm.filter(|_| d.verdict.names_causes());
         let causes =
             causes.map_or_else(String::new, |causes| format!(", {causes:.3} mm with the named causes alone"));
         line(
@@ -120,11 +121,6 @@ fn left(page: &mut String, d: &Findings) {
             ),
         );
     }
-}
-
-/// Whether the verdict is that causes are there.
-fn names_causes(d: &Findings) -> bool {
-    matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous)
 }
 
 /// How many rows where, what they decide, and what else can tell.
@@ -161,7 +157,7 @@ fn poses_below(d: &Findings) -> String {
 /// What to do with this verdict.
 pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
     if let Some(channel) = d.missing_channel {
-        return note(channel).to_owned();
+        return note(channel, arm);
     }
     let poses = poses_below(d);
     let write = match &d.no_model {
@@ -175,8 +171,10 @@ pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
         Verdict::Explained | Verdict::Several if poses.is_empty() => write,
         Verdict::Explained | Verdict::Several => format!("{write}; to be surer {poses}"),
         Verdict::Ambiguous if play_or_spring(d) => {
-            "measure again with the directions of approach (dir1 to dir6): play follows them, a spring does not"
-                .to_owned()
+            format!(
+                "measure again with the directions of approach ({}): play follows them, a spring does not",
+                direction_columns(arm.joints.len())
+            )
         }
         Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
         Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
@@ -200,16 +198,20 @@ pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
 }
 
 /// What to note, where one column would tell what the gap follows.
-fn note(channel: MissingChannel) -> &'static str {
+fn note(channel: MissingChannel, arm: &SerialArm) -> String {
     match channel {
         MissingChannel::Direction => {
-            "measure again and note from which side each joint came (dir1 to dir6), some poses from both sides"
+            format!(
+                "measure again and note from which side each joint came ({}), some poses from both sides",
+                direction_columns(arm.joints.len())
+            )
         }
         MissingChannel::Payload => {
             "note what hung at the tool at each row (payload_kg), here if it is known, or measure again with it"
+                .to_owned()
         }
         MissingChannel::Time => {
-            "note when each row was measured (t_min), here if it is known, or measure again with it"
+            "note when each row was measured (t_min), here if it is known, or measure again with it".to_owned()
         }
     }
 }
@@ -270,8 +272,9 @@ fn gain(page: &mut String, d: &Findings) {
             ),
         );
     }
-    if let Some(causes) =
-        s.causes_only_rms_mm.filter(|causes| names_causes(d) && (causes - after).abs() > WORTH_A_LINE_MM)
+    if let Some(causes) = s
+        .causes_only_rms_mm
+        .filter(|causes| d.verdict.names_causes() && (causes - after).abs() > WORTH_A_LINE_MM)
     {
         line(
             page,

@@ -89,8 +89,7 @@ pub(super) fn evidence(page: &mut String, d: &Findings) {
     if d.causes.is_empty() {
         return;
     }
-    let named =
-        matches!(d.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous | Verdict::DataFault);
+    let named = d.verdict.names_causes() || d.verdict == Verdict::DataFault;
     line(page, "");
     // Under the other verdicts the odds that a candidate is right are even at best, and each probability is halved.
     let title = match d.verdict {

@@ -8,20 +8,30 @@ use std::sync::LazyLock;
 use syn::visit::{self, Visit};
 
 /// Members of the workspace with those of them that each may use; the root package may use all.
-const CRATES: [(&str, &[&str]); 14] = [
+const CRATES: [(&str, &[&str]); 15] = [
     ("parallel", &[]),
     ("sorting", &[]),
+    ("statistics", &["sorting"]),
     ("rapid-syntax", &["sorting"]),
     ("robot-model", &["sorting", "rapid-syntax"]),
     ("rapid-program", &["sorting", "rapid-syntax", "robot-model"]),
     ("rapid-compensation", &["parallel", "sorting", "rapid-syntax", "robot-model", "rapid-program"]),
     ("virtual-controller", &["sorting", "rapid-syntax", "robot-model"]),
-    ("measurements", &["sorting", "rapid-syntax", "robot-model"]),
-    ("inference", &["parallel", "sorting", "robot-model", "measurements"]),
-    ("warm-up", &["parallel", "sorting", "rapid-syntax", "robot-model", "measurements", "inference"]),
+    ("measurements", &["sorting", "statistics", "rapid-syntax", "robot-model"]),
+    ("inference", &["parallel", "sorting", "statistics", "robot-model", "measurements"]),
+    ("warm-up", &["parallel", "sorting", "statistics", "rapid-syntax", "robot-model", "measurements"]),
     (
         "metrology",
-        &["parallel", "sorting", "rapid-syntax", "robot-model", "measurements", "inference", "warm-up"],
+        &[
+            "parallel",
+            "sorting",
+            "statistics",
+            "rapid-syntax",
+            "robot-model",
+            "measurements",
+            "inference",
+            "warm-up",
+        ],
     ),
     ("exam", &["sorting", "robot-model"]),
     ("rws-double", &["robot-model"]),

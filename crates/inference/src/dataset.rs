@@ -6,6 +6,7 @@ use measurements::{Channels, ROUND_SHARE, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{JointKind, Joints, SerialArm};
+use statistics::upper_median;
 use std::collections::BTreeMap;
 
 /// No torque about a joint, or force along it, under this one counts as a load: the axis stands upright, N.m or N.
@@ -235,9 +236,9 @@ fn pauses(observations: &[Observation]) -> Vec<Pause> {
     let mut clocks: Vec<f64> = observations.iter().map(Observation::clock).collect();
     sorting::numbers(&mut clocks);
     let gaps = || clocks.windows(2).map(|pair| (pair[1], pair[1] - pair[0])).filter(|(_, gap)| *gap > 0.0);
-    let mut sorted: Vec<f64> = gaps().map(|(_, gap)| gap).collect();
-    sorting::numbers(&mut sorted);
-    let Some(middle) = sorted.get(sorted.len() / 2) else { return Vec::new() };
+    let Some(middle) = upper_median(&mut gaps().map(|(_, gap)| gap).collect::<Vec<f64>>()) else {
+        return Vec::new();
+    };
     let longest = PAUSE_GAPS * middle;
     gaps().filter(|(_, gap)| *gap > longest).map(|(end, gap)| Pause { end, closed: gap - longest }).collect()
 }

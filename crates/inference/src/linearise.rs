@@ -6,6 +6,7 @@ use measurements::{RegisterError, Registration, Stations, register, turned};
 use nalgebra::{DMatrix, DVector, Isometry3, Vector3};
 use robot_model::kinematics::{SerialChain, SerialFrames, SerialOffsets};
 use robot_model::robot::{Joints, SerialArm};
+use statistics::upper_median;
 
 /// Below this distance second-order terms are far under any instrument's noise, metres.
 const LINEAR_M: f64 = 2e-4;
@@ -150,8 +151,7 @@ fn fit_geometry(dataset: &Dataset, residuals: &[Twist], targets: usize, scale_m:
         let left = design.residuals(solved.as_slice());
         let mut distances: Vec<f64> = left.iter().map(shift_m).collect();
         let each = distances.clone();
-        sorting::numbers(&mut distances);
-        let middle = distances[distances.len() / 2].max(1e-9);
+        let middle = upper_median(&mut distances).unwrap_or(0.0).max(1e-9);
         for (weight, distance) in weights.iter_mut().zip(each) {
             *weight = 1.0 / (1.0 + (distance / (4.0 * middle)).powi(4));
         }

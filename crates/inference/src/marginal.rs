@@ -1,7 +1,8 @@
 //! Noise whose size is not known: sigma integrated out in closed form against what the repeats say of it
 //! (MacKay 1992; Gelman et al. 2013, ch. 3).
 
-use measurements::{Repeats, STATED_FREEDOM};
+use measurements::{FEWEST_FREEDOM, Repeats, STATED_FREEDOM};
+use statistics::{ln_gamma, log_add, normal_cdf};
 
 /// Share of the prior on noise as the repeats say; the rest is noise that they do not show.
 const REPEATS_HOLD: f64 = 0.8;
@@ -14,8 +15,6 @@ pub const SIGMA_M: [f64; 2] = [1e-6, 3e-3];
 const STATED: f64 = STATED_FREEDOM as f64;
 /// A variance that is so many of its standard deviations less than another is another one.
 const CLEARLY_LESS: f64 = 3.0;
-/// Repeats with fewer degrees of freedom than this say nothing of the noise.
-const FEWEST_FREEDOM: usize = 6;
 
 /// The noise of a row of weight 1, from repeats or as stated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -184,76 +183,10 @@ impl Marginal {
     }
 }
 
-/// A term so far below another, nats, is less than 1e-18 of it.
-const NOTHING_NATS: f64 = 42.0;
-
-/// Density of the normal distribution.
-#[must_use]
-pub fn normal_pdf(x: f64, mean: f64, sigma: f64) -> f64 {
-    let z = (x - mean) / sigma;
-    (-0.5 * z * z).exp() / (sigma * std::f64::consts::TAU.sqrt())
-}
-
-/// Standard normal distribution function (Abramowitz and Stegun 1964, 26.2.17), error below 1e-7.
-#[must_use]
-pub fn normal_cdf(z: f64) -> f64 {
-    if z.abs() > 8.0 {
-        return f64::from(u8::from(z > 0.0));
-    }
-    let t = 1.0 / (1.0 + 0.231_641_9 * z.abs());
-    let poly = t
-        * (0.319_381_530
-            + t * (-0.356_563_782 + t * (1.781_477_937 + t * (-1.821_255_978 + t * 1.330_274_429))));
-    let tail = normal_pdf(z.abs(), 0.0, 1.0) * poly;
-    if z > 0.0 { 1.0 - tail } else { tail }
-}
-
-/// ln of the gamma function (Lanczos 1964, g = 7).
-fn ln_gamma(x: f64) -> f64 {
-    const C: [f64; 9] = [
-        0.999_999_999_999_809_9,
-        676.520_368_121_885_1,
-        -1_259.139_216_722_402_8,
-        771.323_428_777_653_1,
-        -176.615_029_162_140_6,
-        12.507_343_278_686_905,
-        -0.138_571_095_265_720_12,
-        9.984_369_578_019_572e-6,
-        1.505_632_735_149_311_6e-7,
-    ];
-    let x = x - 1.0;
-    let t = x + 7.5;
-    let sum = C[0] + C[1..].iter().zip(1..).map(|(c, i)| c / (x + f64::from(i))).sum::<f64>();
-    0.5 * std::f64::consts::TAU.ln() + (x + 0.5) * t.ln() - t + sum.ln()
-}
-
-/// ln(e^a + e^b) without overflow.
-#[must_use]
-pub fn log_add(a: f64, b: f64) -> f64 {
-    let (high, low) = if a > b { (a, b) } else { (b, a) };
-    // What is so far below is less than rounding wherever the larger is not itself nearly 0.
-    let is_nothing = low == f64::NEG_INFINITY || low - high < -NOTHING_NATS;
-    if is_nothing { high } else { high + (low - high).exp().ln_1p() }
-}
-
-/// ln of the sum of exponentials.
-#[must_use]
-pub fn log_sum(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(f64::NEG_INFINITY, log_add)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn special_functions_match_tables() {
-        // ln Gamma(0.5) = ln sqrt(pi); Gamma(10) = 9!; Phi(1.96) = 0.975002 (Abramowitz and Stegun).
-        assert!((ln_gamma(0.5) - 0.5 * std::f64::consts::PI.ln()).abs() < 1e-12);
-        assert!((ln_gamma(10.0) - 362_880.0_f64.ln()).abs() < 1e-10);
-        assert!((normal_cdf(1.96) - 0.975_002).abs() < 1e-6);
-        assert!((normal_cdf(-1.96) - 0.024_998).abs() < 1e-6);
-    }
+    use statistics::log_sum;
 
     #[test]
     fn sigma_is_integrated_as_a_fine_sum_does() {

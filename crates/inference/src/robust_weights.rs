@@ -3,8 +3,8 @@
 use crate::dataset::Twist;
 use crate::linearise::{Linearised, shift_m, turn_rad};
 use crate::moved_together;
-use measurements::MIDDLE_OF_3D;
 use nalgebra::Vector3;
+use statistics::{MEDIAN_ABS_1D, MEDIAN_NORM_3D, upper_median};
 
 /// A station further than this many sigmas from the model, and alone there, is false.
 pub const FALSE_SIGMAS: f64 = 4.5;
@@ -41,7 +41,7 @@ impl RobustWeights {
         let all = vec![1.0; linear.residuals.len()];
         let mut beyond = turns_beyond(linear, &linear.residuals, &all);
         let distances: Vec<f64> = linear.residuals.iter().map(shift_m).collect();
-        let limit_m = GROSS * upper_median(&mut distances.clone());
+        let limit_m = GROSS * upper_median(&mut distances.clone()).unwrap_or(0.0);
         let mut gross: Vec<bool> = (0..distances.len())
             .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, &linear.residuals, i, limit_m))
             .collect();
@@ -65,9 +65,9 @@ impl RobustWeights {
         let mut sigmas: Vec<f64> = distances
             .iter()
             .zip(&linear.dataset.observations)
-            .map(|(d, observation)| d / if observation.rows(3) == 1 { 0.6745 } else { MIDDLE_OF_3D })
+            .map(|(d, observation)| d / if observation.rows(3) == 1 { MEDIAN_ABS_1D } else { MEDIAN_NORM_3D })
             .collect();
-        let sigma_m = upper_median(&mut sigmas);
+        let sigma_m = upper_median(&mut sigmas).unwrap_or(0.0);
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
         let mut outliers: Vec<bool> = (0..residuals.len())
             .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
@@ -89,7 +89,7 @@ impl RobustWeights {
 /// turned a little, would turn the sensor so, there and where it stood nearest.
 fn turns_beyond(linear: &Linearised, residuals: &[Twist], base_weights: &[f64]) -> Vec<f64> {
     let turns: Vec<f64> = residuals.iter().zip(base_weights).map(|(m, w)| turn_rad(m) * w.sqrt()).collect();
-    let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()) / MIDDLE_OF_3D;
+    let limit_rad = FALSE_TURN_SIGMAS * upper_median(&mut turns.clone()).unwrap_or(0.0) / MEDIAN_NORM_3D;
     let far: Vec<usize> = (0..turns.len()).filter(|&i| turns[i] > limit_rad).collect();
     let share = |(i, turn): (usize, &f64)| {
         let is_false = *turn > limit_rad
@@ -195,13 +195,6 @@ fn share_a_turn(linear: &Linearised, residuals: &[Twist], i: usize, k: usize) ->
                 .zip(about(k, joint))
                 .is_some_and(|(here, there)| (here - there).abs() < TURNED_ALIKE * here.abs())
         })
-}
-
-/// Upper median of the values; 0 of none.
-#[must_use]
-pub fn upper_median(values: &mut [f64]) -> f64 {
-    sorting::numbers(values);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

@@ -4,10 +4,10 @@
 //! point along its Jacobian column; an instrument scatters in all directions alike, or along its beam more or less than across it.
 
 use crate::dataset::{Dataset, Observation, Twist};
-use crate::marginal::{Marginal, NoiseIntegral, NoisePrior, log_sum};
-use crate::search::ALARM_NATS;
+use crate::marginal::{Marginal, NoiseIntegral, NoisePrior};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::robot::Axis;
+use statistics::{ALARM_NATS, log_sum};
 
 /// Scatter of a joint, seen through the residuals of the best model.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -8,8 +8,9 @@ use crate::dataset::{Dataset, Twist};
 use crate::design::{Design, SlowColumns};
 use crate::evidence::NuisanceModel;
 use crate::marginal::NoisePrior;
-use crate::search::{ALARM_NATS, ChosenCause, cause_columns};
+use crate::search::{ChosenCause, cause_columns};
 use nalgebra::DMatrix;
+use statistics::ALARM_NATS;
 use std::f64::consts::PI;
 
 /// Correlation times that are tried, shares of the measurement.

@@ -10,7 +10,7 @@ use super::timestamp::{NoTime, TimestampFormat, over_midnight};
 use super::{MeasureError, OwnNames, Rotation, own_names};
 use csv::{ReaderBuilder, Trim};
 use robot_model::units::{
-    deg_from_rad, m_from_inch, m_from_mm, min_from_h, min_from_s, mm_from_m, rad_from_deg,
+    deg_from_rad, m_from_inch, m_from_mm, min_from_days, min_from_h, min_from_s, mm_from_m, rad_from_deg,
 };
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -40,7 +40,7 @@ pub struct ColumnMap {
     /// Unit of joints: deg, rad.
     #[serde(default)]
     joint_unit: AngleUnit,
-    /// Unit of time: min, s, h.
+    /// Unit of time: min, s, h, d.
     #[serde(default)]
     time_unit: TimeUnit,
     /// Instead: how a date and time is written; minutes are then counted from the first row.
@@ -126,6 +126,7 @@ enum TimeUnit {
     Min,
     S,
     H,
+    D,
 }
 
 fn comma() -> String {
@@ -385,6 +386,7 @@ impl ColumnMap {
                 TimeUnit::Min => value,
                 TimeUnit::S => min_from_s(value),
                 TimeUnit::H => min_from_h(value),
+                TimeUnit::D => min_from_days(value),
             },
             _ => deg_from_rad(self.joint_unit.rad(value)),
         };

@@ -34,3 +34,15 @@ pub(super) fn joints(has: impl Fn(&str) -> bool) -> Result<Vec<&'static str>, &'
     let joints = last.map_or(0, |last| last + 1).max(FEWEST_JOINTS);
     (0..joints).map(|j| column(j).ok_or(JOINTS[j])).collect()
 }
+
+/// The columns of where each joint came from, as words: `dir1 to dir6`.
+#[must_use]
+pub fn direction_columns(joints: usize) -> String {
+    format!("dir1 to dir{joints}")
+}
+
+/// The columns of the joints' temperatures, as words: `temp_j1_c to temp_j6_c`.
+#[must_use]
+pub fn temperature_columns(joints: usize) -> String {
+    format!("temp_j1_c to temp_j{joints}_c")
+}

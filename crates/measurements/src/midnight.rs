@@ -1,8 +1,9 @@
 //! Minutes of the day that pass midnight: they begin at 0 again, and the measurement goes on.
 
-use super::{MeasurementRow, median};
+use super::MeasurementRow;
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
 use robot_model::units::min_from_days;
+use statistics::median;
 
 /// Over midnight no more time passes than so many usual gaps between rows, and at least and at most so many minutes: what begins anew after longer
 /// is another session.

@@ -5,13 +5,14 @@ use super::register::with_turns_by_their_scatter;
 use super::station::pose_numbers;
 use super::{
     FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
-    Stations, check_cycles, from_sound_file, gather, median, register, register_with, tool_apart,
+    Stations, check_cycles, from_sound_file, gather, register, register_with, tool_apart,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::{Diagnostic, first_few, plural};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Joints, SerialArm};
 use robot_model::units::mm_from_m;
+use statistics::median;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 

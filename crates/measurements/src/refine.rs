@@ -1,8 +1,8 @@
 //! A registration refined: Gauss and Newton's steps over base, targets, fixed points and sensor, robust by re-weighting.
 
-use super::repeats::median;
 use super::{Registration, Station};
 use nalgebra::{DMatrix, DVector, Isometry3, Translation3, UnitQuaternion, Vector3};
+use statistics::{MEDIAN_NORM_3D, median};
 
 /// What a registration may fit; fixed points always.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,8 +15,6 @@ pub enum FreeParameters {
     Nothing(Isometry3<f64>),
 }
 
-/// The middle distance of 3-D normal noise, over its standard deviation: the root of the median of chi-square with three degrees of freedom.
-pub const MIDDLE_OF_3D: f64 = 1.54;
 const ITERATIONS: usize = 60;
 /// A step shorter than this, metres and radians together, ends the fit.
 const LAST_STEP: f64 = 1e-9;
@@ -147,7 +145,7 @@ pub(super) fn gauss_newton(
         }
     }
     fit.median_m = median_distance(&fit, stations, poses);
-    fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / MIDDLE_OF_3D;
+    fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / MEDIAN_NORM_3D;
     fit
 }
 

@@ -2,13 +2,14 @@
 
 use super::MeasurementRow;
 use nalgebra::Vector3;
+use statistics::{UPPER_QUARTILE_NORM_3D, median, variance_ratio};
 
 /// A repeat this many sigmas from its fellows is false and takes no part in the mean.
 const FALSE_REPEAT: f64 = 7.0;
-/// Repeats scatter by more than the others allow where that happens once in a thousand pairs (normal quantile), and not without
-/// so many degrees of freedom of the others.
+/// Repeats scatter by more than the others allow where that happens once in a thousand pairs (normal quantile).
 const NO_REPEAT: f64 = 3.090;
-const FEWEST_FREEDOM: usize = 6;
+/// Repeats with fewer degrees of freedom than this say nothing of the noise.
+pub const FEWEST_FREEDOM: usize = 6;
 /// A sigma that is only stated is worth so many degrees of freedom: statements are 1.4 times off.
 pub const STATED_FREEDOM: usize = 20;
 
@@ -44,8 +45,7 @@ pub(super) fn false_repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> V
     // The middle value itself often lies at distance 0 in one coordinate: the 75 % quantile is steadier.
     sorting::numbers(&mut pool);
     let Some(&scale) = pool.get(pool.len() * 3 / 4) else { return Vec::new() };
-    // 75 % of a 3-D normal distance lie within 2.03 sigma.
-    let limit = FALSE_REPEAT * scale / 2.03 * 3.0_f64.sqrt();
+    let limit = FALSE_REPEAT * scale / UPPER_QUARTILE_NORM_3D * 3.0_f64.sqrt();
     let mut false_rows: Vec<usize> =
         distances.into_iter().filter(|(_, d)| scale > 0.0 && *d > limit).map(|(i, _)| i).collect();
     sorting::ascending(&mut false_rows);
@@ -119,19 +119,6 @@ fn scatter(rows: &[MeasurementRow], group: &[usize]) -> GroupScatter {
     GroupScatter { squares_m2: squares, freedom: numbers * group.len().saturating_sub(1) }
 }
 
-/// The ratio of two estimates of one variance, of `above` and `below` degrees of freedom, that is exceeded as often as a
-/// normal variate exceeds `z` (Paulson 1942, An approximate normalization of the analysis of variance distribution).
-pub fn variance_ratio(z: f64, above: f64, below: f64) -> f64 {
-    let (a, b) = (2.0 / (9.0 * above), 2.0 / (9.0 * below));
-    let square = (1.0 - b).powi(2) - z * z * b;
-    if square <= 0.0 {
-        return f64::INFINITY; // so few repeats tell nothing of the noise
-    }
-    let middle = (1.0 - a) * (1.0 - b);
-    let root = (middle * middle - square * ((1.0 - a).powi(2) - z * z * a)).max(0.0).sqrt();
-    ((middle + root) / square).powi(3)
-}
-
 /// The noise that the repeats show; `None` where nothing was repeated.
 pub(super) fn repeats(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Repeats> {
     let mut squares = 0.0;
@@ -158,19 +145,8 @@ pub(super) fn coordinates_m(row: &MeasurementRow) -> Vector3<f64> {
     row.reading.coordinates().map_or_else(Vector3::zeros, |read| read.value_m)
 }
 
-/// Middle value; 0 of nothing.
-pub fn median(values: &mut [f64]) -> f64 {
-    sorting::numbers(values);
-    match values.len() {
-        0 => 0.0,
-        n if n % 2 == 1 => values[n / 2],
-        n => 0.5 * (values[n / 2 - 1] + values[n / 2]),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::{Measurements, gather};
     use robot_model::units::m_from_mm;
 
@@ -224,20 +200,5 @@ mod tests {
         assert_eq!(freedom(None), (2, Some(6)));
         assert_eq!(freedom(Some(0.02)), (3, Some(3)));
         assert_eq!(freedom(Some(1.0)), (2, Some(6)));
-    }
-
-    /// Upper 1 % and 5 % points of F as tables of the distribution give them.
-    #[test]
-    fn ratios_are_those_of_the_f_tables() {
-        for (z, above, below, table) in [
-            (2.326_348, 120.0, 20.0, 2.52),
-            (2.326_348, 10.0, 10.0, 4.85),
-            (2.326_348, 60.0, 120.0, 1.66),
-            (1.644_854, 20.0, 30.0, 1.93),
-        ] {
-            let found = variance_ratio(z, above, below);
-            assert!((found / table - 1.0).abs() < 0.015, "{above} {below}: {found}");
-        }
-        assert_eq!(variance_ratio(2.878, 100.0, 1.0), f64::INFINITY);
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn time_unit(stops: impl Iterator<Item = TimedStop>) -> Option<Diagno
             )
         })
     })?;
-    Some(Diagnostic::warning("measure::time-unit", text).help("write minutes since the cold start; --columns MAP.toml with time_unit = \"s\" or \"h\" converts them"))
+    Some(Diagnostic::warning("measure::time-unit", text).help("write minutes since the cold start; --columns MAP.toml with time_unit = \"s\", \"h\" or \"d\" converts them"))
 }
 
 /// What speaks for hours, days or seconds in `stops`, which are in order of time.
@@ -46,7 +46,7 @@ fn other_unit(stops: &[TimedStop]) -> Option<String> {
         return None;
     }
     let nights = gaps_min.iter().filter(|gap_min| **gap_min >= NIGHT_MIN).count() as f64;
-    let usual_min = super::median(&mut gaps_min);
+    let usual_min = statistics::median(&mut gaps_min);
     let span_min = stops.last()?.clock_min - stops.first()?.clock_min;
     let days = span_min / min_from_days(1.0);
     if usual_min < QUICKEST_MIN && span_min > 0.0 {

@@ -3,9 +3,10 @@
 use super::thermal_run::{
     ColdReference, FirstTouchOutlier, LEAST_M, PlacedTouch, StateOptions, ThermalRun, TouchedPoints,
 };
-use measurements::{Touches, median};
+use measurements::Touches;
 use nalgebra::Vector3;
 use robot_model::deform::thermal_filter::{FIRST_CORRELATION, GATE, GATE_ACROSS, ThermalFilter};
+use statistics::median;
 use std::f64::consts::FRAC_PI_2;
 
 /// What is left of warmth in an arm that is said to be cold, one standard deviation of a lag.

@@ -11,13 +11,12 @@ use super::plausible;
 use super::point::Point;
 use super::posterior::{Posterior, Sums, log_evidence, log_evidence_of_none, log_weight_of_sizes, posterior};
 use super::touch_residuals::{MOST_ASIDE, accident_lines, false_lines, touch_residuals};
-use inference::marginal::log_sum;
-use inference::search::ALARM_NATS;
 use measurements::Touches;
 use nalgebra::{DMatrix, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::GrowthLaw;
 use robot_model::robot::Robot;
+use statistics::{ALARM_NATS, log_sum};
 use std::collections::BTreeSet;
 
 /// Histories this much less likely than the likeliest do not count.

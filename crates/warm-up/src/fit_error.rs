@@ -1,9 +1,9 @@
 //! Why touches give no fit of a warm-up, and what helps.
 
-use inference::search::ALARM_NATS;
 use measurements::{Fault, RegisterError};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::min_from_days;
+use statistics::ALARM_NATS;
 
 /// Nobody touches points for longer, days.
 const LONGEST_DAYS: f64 = 3.0;

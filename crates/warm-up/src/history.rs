@@ -2,6 +2,7 @@
 
 use measurements::Touches;
 use robot_model::deform::{GrowthLaw, Warmth};
+use statistics::upper_median;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -182,8 +183,7 @@ pub(super) fn readings(touches: &Touches) -> Vec<TimedReading> {
 pub fn pauses(readings: &[TimedReading]) -> Vec<Standstill> {
     let times: Vec<f64> = readings.iter().map(|reading| reading.0).collect();
     let mut between: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
-    sorting::numbers(&mut between);
-    let usual_min = between.get(between.len() / 2).copied().unwrap_or(0.0);
+    let usual_min = upper_median(&mut between).unwrap_or(0.0);
     let is_stop = |s: &Standstill| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN);
     let longest = times.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
     let long = rounds_apart(readings).into_iter().filter_map(|[from_min, to_min]| {
@@ -207,8 +207,7 @@ fn rounds_apart(readings: &[TimedReading]) -> Vec<[f64; 2]> {
     let is_long = |&k: &usize| {
         let about = k.saturating_sub(ROUNDS_ABOUT)..(k + ROUNDS_ABOUT + 1).min(apart.len());
         let mut others: Vec<f64> = about.filter(|i| *i != k).map(|i| apart[i]).collect();
-        sorting::numbers(&mut others);
-        others.get(others.len() / 2).is_some_and(|usual_min| apart[k] > USUAL_PAUSES * usual_min)
+        upper_median(&mut others).is_some_and(|usual_min| apart[k] > USUAL_PAUSES * usual_min)
     };
     (0..apart.len()).filter(is_long).map(|k| [minutes[k], minutes[k + 1]]).collect()
 }

@@ -35,6 +35,7 @@ pub use fitted::{KnockedPoint, TouchedPoint, WarmUp};
 pub use history::{Standstill, TimedReading, pauses, warm_minutes};
 pub use moving_point::moving_points;
 pub use parameters::{PARAMETERS, signature};
+pub use plausible::is_late_start;
 pub use targets::{SuggestedPoint, TargetForecast, WorkTarget, forecast_at_targets};
 pub use thermal_run::{FirstTouchOutlier, StateOptions, TouchState};
 pub use thermal_state::{

@@ -3,6 +3,7 @@
 
 use super::common_motion::{CommonStep, MovedBody};
 use super::common_step::{self, FoundStep, MOST_STEPS};
+use super::course::FEWEST_TOUCHES;
 use super::fit_error::FitError;
 use super::history::Standstill;
 use super::parameters::{signature, tip_m};
@@ -20,8 +21,6 @@ use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// A pose that moved by more than this between two touches of one point is another pose, radians.
 const SAME_POSE_RAD: f64 = 0.02;
-/// Points that are touched less often tell no course.
-const FEWEST_TOUCHES: usize = 6;
 
 /// What touches show of the arm's drift, and of what moved beside it.
 pub(super) struct Observed {

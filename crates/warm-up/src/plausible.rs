@@ -4,22 +4,21 @@ use super::doubtful::SLOWEST_TAU_MIN;
 use super::fitted::WarmUp;
 use super::parameters::tip_m;
 use measurements::{
-    Fault, FaultKind, OUT_OF_RANGE_SHARE, Station, Touch, Touches, find_fault, find_in_stamps, median,
-    out_of_range, register, tool_apart,
+    Fault, FaultKind, OUT_OF_RANGE_SHARE, Station, Touch, Touches, find_fault, find_in_stamps, out_of_range,
+    register, tool_apart,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::{Chain, SerialChain};
 use robot_model::robot::{Robot, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m, rad_from_deg};
+use statistics::median;
 use std::collections::BTreeSet;
 use std::f64::consts::TAU as TURN;
 
 /// Poses of two points are apart where a joint is by more than this, degrees: poses in radians are, and no two points are touched in the
 /// zero pose.
 const APART_DEG: f64 = 0.5;
-/// A cold start that lies further before the first touch than this share of the time constant is extrapolated.
-const LATE_START: f64 = 0.5;
 /// Angles are written to one of these, degrees; finer ones move no tip that could be seen.
 const DECIMALS_DEG: [f64; 6] = [1.0, 0.5, 0.1, 0.05, 0.02, 0.01];
 /// The same with those that move it by a few micrometres.
@@ -28,6 +27,12 @@ const FINE_DECIMALS_DEG: [f64; 9] = [1.0, 0.5, 0.1, 0.05, 0.02, 0.01, 0.005, 0.0
 const MOST_ROUNDING: f64 = 0.5;
 /// Joints that change between the touches of a point, beside one that does not.
 const FEWEST_MOVING: usize = 3;
+
+/// Whether a first reading lies so far behind the cold start, against the time constant, that how the arm warmed before is extrapolated.
+#[must_use]
+pub fn is_late_start(first_min: f64, tau_min: f64) -> bool {
+    first_min > 0.5 * tau_min
+}
 
 /// What no arm could have done, by joints and minutes alone.
 pub(super) fn find_in_joints(touches: &Touches, robot: &Robot) -> Option<Fault> {
@@ -96,7 +101,7 @@ pub(super) fn warnings(
     let tau_min = warm_up.growth.tau_min().unwrap_or_default();
     let first_min = warm_up.span_min[0];
     let mut all = Vec::new();
-    let is_late = first_min > LATE_START * tau_min.min(SLOWEST_TAU_MIN);
+    let is_late = is_late_start(first_min, tau_min.min(SLOWEST_TAU_MIN));
     if tau_min > SLOWEST_TAU_MIN && !is_late {
         all.push(
             Diagnostic::warning(
@@ -132,7 +137,7 @@ pub(super) fn state_warnings(touches: &Touches, tau_min: f64) -> Vec<Diagnostic>
     let Some(&first_min) = minutes.first() else { return Vec::new() };
     let mut gaps_min: Vec<f64> = minutes.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let mut all = Vec::new();
-    if first_min > LATE_START * tau_min {
+    if is_late_start(first_min, tau_min) {
         let message = format!(
             "the first touch is at minute {first_min:.0}, and is taken for the cold arm's; this arm settles with a time constant of \
              {tau_min:.0} min"

@@ -4,11 +4,10 @@ use super::history::{Standstill, ThermalHistory, warmth};
 use super::parameters::PARAMETERS;
 use super::point::Point;
 use nalgebra::{SVector, Vector3};
+use statistics::{MEDIAN_NORM_3D, upper_median};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// The median length of a vector of three normal coordinates, in their standard deviation (the root of chi-square's median at 3).
-const MEDIAN_LENGTH: f64 = 1.538_172_3;
 /// Longer than so many standard deviations of one coordinate a touch looks false: by chance one of 65,000 is.
 pub(super) const FALSE_SIGMAS: f64 = 5.0;
 /// Where more of the touches than this are false, all of them count.
@@ -160,9 +159,7 @@ fn false_ones(lengths_m: &[f64]) -> Vec<bool> {
 
 /// One standard deviation of a coordinate by the middle one of lengths, metres.
 pub(super) fn typical_sigma_m(lengths_m: &[f64]) -> f64 {
-    let mut sorted = lengths_m.to_vec();
-    sorting::numbers(&mut sorted);
-    sorted.get(sorted.len() / 2).map_or(0.0, |middle_m| middle_m / MEDIAN_LENGTH)
+    upper_median(&mut lengths_m.to_vec()).map_or(0.0, |middle_m| middle_m / MEDIAN_NORM_3D)
 }
 
 #[cfg(test)]

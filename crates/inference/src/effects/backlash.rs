@@ -4,6 +4,7 @@ use super::effect::{Candidate, Effect, EffectVariant, GravityHold};
 use super::rigid::{Motion, of_arm};
 use crate::dataset::{DataPoint, Dataset};
 use crate::size_unit::SizeUnit;
+use measurements::direction_columns;
 use robot_model::deform::EffectKind;
 
 /// J_j times half the gap times the sign of the last motion, less than 0 where the joint lags as play leaves it; where gravity's torque is
@@ -29,8 +30,9 @@ impl Effect for Backlash {
         "Ahmad 1988, Analysis of robot drive train errors, their static effects, and their compensations"
     }
     fn untestable(&self, dataset: &Dataset) -> Option<String> {
-        (!dataset.channels.direction)
-            .then(|| "the file has no directions of approach (dir1 to dir6)".to_owned())
+        (!dataset.channels.direction).then(|| {
+            format!("the file has no directions of approach ({})", direction_columns(dataset.joints()))
+        })
     }
     fn candidates(&self, dataset: &Dataset) -> Vec<Candidate> {
         let mut all = Vec::new();

@@ -8,13 +8,13 @@ use crate::size_unit::SizeUnit;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 /// J_j times a sine and a cosine of n q_j, n scanned; refined, of 2 n q_j too.
 pub(super) struct GearMesh;
 
 /// Periods per turn that are tried.
-const LOWEST: u32 = 3;
-const HIGHEST: u32 = 320;
+pub const PERIODS: RangeInclusive<u32> = 3..=320;
 
 impl Effect for GearMesh {
     fn kind(&self) -> EffectKind {
@@ -36,9 +36,9 @@ impl Effect for GearMesh {
             let low = values.clone().fold(f64::INFINITY, f64::min);
             let high = values.fold(f64::NEG_INFINITY, f64::max);
             // Less than 0.6 periods over the joint's range is a bend, not a line of its own.
-            let lowest = (0.6 * TAU / (high - low).max(1e-3)).ceil().max(f64::from(LOWEST));
-            let lowest = if lowest > f64::from(HIGHEST) { continue } else { lowest as u32 };
-            for n in lowest..=HIGHEST {
+            let lowest = (0.6 * TAU / (high - low).max(1e-3)).ceil().max(f64::from(*PERIODS.start()));
+            let lowest = if lowest > f64::from(*PERIODS.end()) { continue } else { lowest as u32 };
+            for n in lowest..=*PERIODS.end() {
                 // Low orders are commoner than high ones.
                 all.push(Candidate { weight: 1.0 / f64::from(n), ..line(Axis::at(j), n) });
             }
@@ -51,7 +51,7 @@ impl Effect for GearMesh {
     fn factors(&self, variant: &EffectVariant, at: DataPoint<'_>, out: &mut Vec<f64>) {
         let q_rad = at.observation.q_rad[of_arm(variant.joint, at.observation)];
         for overtone in 1..=if variant.refined { 2 } else { 1 } {
-            let order = f64::from(overtone * variant.n.unwrap_or(LOWEST));
+            let order = f64::from(overtone * variant.n.unwrap_or(*PERIODS.start()));
             out.extend(<[f64; 2]>::from((order * q_rad).sin_cos()));
         }
     }

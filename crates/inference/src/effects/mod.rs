@@ -32,7 +32,7 @@ pub use backlash::held_above_n_m;
 pub use base_tilt::base_tilt_per_kg;
 pub use effect::{Candidate, CauseKey, EffectVariant, GravityHold};
 pub use gear_harmonic::OVERTONE_WEIGHT;
-pub use gear_mesh::{line, line_with_overtone};
+pub use gear_mesh::{PERIODS, line, line_with_overtone};
 pub use library::{UntestableEffect, effect, testable_effects};
 pub use link_bending::one_beam_with;
 pub use link_geometry::along_link;

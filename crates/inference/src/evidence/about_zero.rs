@@ -3,8 +3,8 @@
 
 use super::candidate::{Projected, ReducedProducts};
 use super::{EvidencePeak, NuisanceModel};
-use crate::marginal::log_sum;
 use nalgebra::DMatrix;
+use statistics::log_sum;
 
 /// Sizes that the average goes over, to either side of the middle, and how far, standard deviations.
 const HALF: i32 = 40;

@@ -29,11 +29,12 @@ pub use screening::{Screened, ScreeningPoint};
 pub use sum::EvidencePeak;
 
 use super::design::{Design, SlowColumns};
-use super::marginal::{Marginal, NoiseIntegral, NoisePrior, log_sum};
+use super::marginal::{Marginal, NoiseIntegral, NoisePrior};
 use elimination::{Direction, RANK};
 use nalgebra::{DMatrix, DVector};
 use principal::SizeTerm;
 use prior::{MOST_OF_TOUCHES, NO_GEOMETRY, RatioGrids, geometry_prior, geometry_signal, size_prior};
+use statistics::log_sum;
 use std::ops::Range;
 use sum::EvidenceSum;
 

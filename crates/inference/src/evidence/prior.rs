@@ -1,7 +1,8 @@
 //! What is believed of sizes before the data are seen, and the grids over which they are summed.
 
-use crate::marginal::{NoisePrior, SIGMA_M, normal_pdf};
+use crate::marginal::{NoisePrior, SIGMA_M};
 use nalgebra::DVector;
+use statistics::normal_pdf;
 
 /// Prior weight of geometry exactly as drawn.
 pub(super) const NO_GEOMETRY: f64 = 0.25;

@@ -1,6 +1,7 @@
 //! Sums of exponentials over the grids of ratios, in logarithms, with their largest term.
 
-use crate::marginal::{SIGMA_M, log_add};
+use crate::marginal::SIGMA_M;
+use statistics::log_add;
 
 /// What a candidate reaches; `S` is the size of one, or those of several.
 #[derive(Clone, Copy, Debug)]

@@ -6,12 +6,13 @@ use super::*;
 use crate::dataset::{Dataset, Observation, Twist, scaled};
 use crate::design::{Whitening, registration};
 use crate::effects::{Candidate, testable_effects};
-use crate::marginal::{SIGMA_M, log_add};
+use crate::marginal::SIGMA_M;
 use crate::split_mix::SplitMix64;
 use measurements::{Channels, Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Joints, SerialArm};
+use statistics::log_add;
 use std::collections::BTreeSet;
 use std::f64::consts::LN_2;
 

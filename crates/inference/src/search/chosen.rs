@@ -1,11 +1,13 @@
 //! Causes that the search has chosen, and the odds that a cause must pass.
 
+use statistics::ALARM_NATS;
+
 /// Prior probability that nothing is there, and that something outside the library is.
 pub const NULL_PRIOR: f64 = 0.5;
 /// Prior probability that something outside the library is there.
 pub const UNEXPLAINED_PRIOR: f64 = 0.1;
-/// An effect is added when it is this much likelier than nothing, nats.
-pub const ALARM_NATS: f64 = 5.0;
+/// What an effect must gain to be named, nats: the alarm, and what a parameter more costs beside it.
+pub const NAMED_NATS: f64 = ALARM_NATS + 3.0;
 /// A chosen effect is dropped when it is no more than this likelier than nothing, nats.
 pub const DROP_NATS: f64 = 3.0;
 

@@ -9,6 +9,6 @@ mod library;
 mod pairs;
 mod ranking;
 
-pub use chosen::{ALARM_NATS, ChosenCause, DROP_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
+pub use chosen::{ChosenCause, DROP_NATS, NAMED_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
 pub use library::{Library, NearTop};
 pub use ranking::{Hypothesis, HypothesisRanking, RankedHypothesis};

@@ -3,7 +3,7 @@
 use super::chosen::NULL_PRIOR;
 use super::library::{AT_ONCE, Library, TrackedCandidate};
 use crate::evidence::{EvidencePeak, NuisanceModel, Projected, Screened, ScreeningPoint};
-use crate::marginal::{log_sum, normal_cdf};
+use statistics::{log_sum, normal_cdf};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Candidates that are looked at after their upper bounds.

@@ -2,10 +2,12 @@
 //! no pose.
 
 use super::{Fault, FaultKind, frozen};
+use crate::temperature_columns;
 use crate::{MeasurementRow, Measurements, Reading};
 use robot_model::deform::gravity::links;
 use robot_model::robot::{JointKind, SerialArm};
 use robot_model::units::{celsius_from_fahrenheit, celsius_from_kelvin, kg_from_g, min_from_s};
+use statistics::upper_median;
 use std::collections::BTreeMap;
 
 /// Fewer rows than this with one point may be a copied line; they are set aside by the search.
@@ -108,9 +110,7 @@ fn seconds(rows: &[&MeasurementRow]) -> Option<Fault> {
 pub fn find_in_stamps(stamps: &[(f64, u64)]) -> Option<Fault> {
     let step = |k: usize| stamps[k].0 - stamps[k - 1].0;
     let usual = |steps: std::ops::Range<usize>| {
-        let mut steps: Vec<f64> = steps.map(step).filter(|step| *step > 0.0).collect();
-        sorting::numbers(&mut steps);
-        steps.get(steps.len() / 2).copied()
+        upper_median(&mut steps.map(step).filter(|step| *step > 0.0).collect::<Vec<f64>>())
     };
     let n = stamps.len();
     let leaps = |from: &usize| {
@@ -164,9 +164,8 @@ fn temperatures(rows: &[&MeasurementRow]) -> Option<Fault> {
         units.iter().find_map(|(name, celsius)| {
             let wrong = |row: &&&MeasurementRow| {
                 row.joint_temperature_c.is_some_and(|all| {
-                    let mut others: Vec<f64> = (0..joints).filter(|k| *k != j).map(|k| all[k]).collect();
-                    sorting::numbers(&mut others);
-                    let middle = others[others.len() / 2];
+                    let others = (0..joints).filter(|k| *k != j).map(|k| all[k]);
+                    let Some(middle) = upper_median(&mut others.collect::<Vec<f64>>()) else { return false };
                     (all[j] - middle).abs() > APART_K && (celsius(all[j]) - middle).abs() < NEAR_K
                 })
             };
@@ -205,7 +204,7 @@ fn hot_arm(rows: &[&MeasurementRow]) -> Option<Fault> {
     (which.len() >= FEWEST_ROWS && jumps).then(|| {
         let joints = which.first().and_then(|row| row.joint_temperature_c).map_or(0, |all| all.len());
         let lines = which.iter().map(|row| row.line).collect();
-        let column = format!("temp_j1_c to temp_j{joints}_c");
+        let column = temperature_columns(joints);
         Fault::in_rows(FaultKind::ColumnUnits, &column, lines, |count, which| {
             let unit = unit.map_or("in another unit, or have lost a decimal point,".to_owned(), |name| format!("in {name}"));
             format!("the joints are {least:.0} °C warm or more in {count} rows ({which}), as no arm is: the columns {column} are {unit} there")

@@ -1,9 +1,10 @@
 //! One of several targets on the flange that was knocked: it shows between the targets of one visit, whatever the arm does.
 
 use super::far_rows::PosedRow;
-use crate::{Reading, Registration, Standing, Station, median, register};
+use crate::{Reading, Registration, Standing, Station, register};
 use nalgebra::{Isometry3, Matrix3, Vector3};
 use robot_model::units::mm_from_m;
+use statistics::median;
 
 /// Fewer visits before or after the knock tell no place.
 const FEWEST_VISITS: usize = 4;

@@ -2,10 +2,11 @@
 
 use super::far_rows::{FarRows, PartFault, PosedRow};
 use crate::rows::SAME_POSE;
-use crate::{FreeParameters, Reading, Station, median, register_with};
+use crate::{FreeParameters, Reading, Station, register_with};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::robot::Joints;
 use robot_model::units::{deg_from_rad, mm_from_m};
+use statistics::median;
 use std::ops::Range;
 
 /// Fewer poses register no second stand of the instrument, of 6 unknowns.

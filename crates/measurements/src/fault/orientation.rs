@@ -9,6 +9,7 @@ use super::{Fault, FaultKind};
 use crate::{Registration, Rotation, Station, register};
 use nalgebra::{Isometry3, Quaternion, UnitQuaternion, Vector3};
 use robot_model::units::deg_from_rad;
+use statistics::upper_median;
 
 /// Points spread less than this about every line do not say how the base is turned, metres.
 const SPREAD_M: f64 = 0.03;
@@ -175,9 +176,8 @@ struct Sensor {
 impl Sensor {
     fn new(flange_from_sensor: UnitQuaternion<f64>, off_rad: Vec<f64>) -> Self {
         let mut near_rad: Vec<f64> = off_rad.iter().copied().filter(|off_rad| *off_rad < NEAR_RAD).collect();
-        sorting::numbers(&mut near_rad);
-        let (near, middle_rad) =
-            (near_rad.len(), near_rad.get(near_rad.len() / 2).copied().unwrap_or(NEAR_RAD));
+        let middle_rad = upper_median(&mut near_rad).unwrap_or(NEAR_RAD);
+        let near = near_rad.len();
         Self { flange_from_sensor, off_rad, near, middle_rad }
     }
 
@@ -248,9 +248,8 @@ impl Oriented {
             .chain(late)
             .reduce(|best, next| if next.0.beats(&best.0) { next } else { best })
             .filter(|(sensor, _)| sensor.near as f64 >= MOST * self.rows.len() as f64);
-        let mut off_rad = as_read.off_rad.clone();
-        sorting::numbers(&mut off_rad);
-        let scatters = off_rad.get(off_rad.len() / 2).is_some_and(|middle_rad| *middle_rad < SCATTER_RAD);
+        let middle_rad = upper_median(&mut as_read.off_rad.clone());
+        let scatters = middle_rad.is_some_and(|middle_rad| middle_rad < SCATTER_RAD);
         if found.is_none() && scatters {
             return None;
         }

@@ -9,11 +9,12 @@ use super::frozen;
 use super::late::{all_late, column_late};
 use super::whole::find_in_columns;
 use super::{FURTHEST_ZERO_RAD, Fault, FaultKind};
-use crate::{Station, median};
+use crate::Station;
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::{deg_from_rad, mm_from_m};
+use statistics::median;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 

@@ -5,11 +5,12 @@ use super::change::{Change, DEG_PER_GON, LENGTHS, TURN_RAD, changes};
 use super::trials::{few, left_m, most_m, trial};
 use super::{Fault, FaultKind, frozen, pasted, scale};
 use crate::register::register_from_usual_starts;
-use crate::{MIDDLE_OF_3D, Reading, Registration, Station};
+use crate::{Reading, Registration, Station};
 use nalgebra::Vector3;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Robot, SerialArm};
 use robot_model::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
+use statistics::MEDIAN_NORM_3D;
 use std::f64::consts::{PI, TAU};
 
 /// A registered robot leaves less than this in the middle, however badly calibrated.
@@ -124,7 +125,7 @@ pub fn tool_apart(
     }
     let fitted_m = *registration.tools_m.first()?;
     let apart_m = (fitted_m - tool_m?).norm();
-    let per_noise = registration.tool_sigma_m / (registration.median_m.max(1e-12) / MIDDLE_OF_3D);
+    let per_noise = registration.tool_sigma_m / (registration.median_m.max(1e-12) / MEDIAN_NORM_3D);
     let held_m = apart_m / (per_noise * (stations as f64).sqrt());
     // Base and target are fitted: what is left is smaller than the noise by the root of the share that they take.
     let poses = stations as f64;

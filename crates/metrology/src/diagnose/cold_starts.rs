@@ -79,8 +79,7 @@ impl ColdStarts {
         let is_likelier = |(anew, written): (&FoundModel, &FoundModel)| {
             anew.warms_up && anew.log_evidence - written.log_evidence > LIKELIER_NATS
         };
-        let is_named =
-            matches!(anew.diagnosis.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+        let is_named = anew.diagnosis.verdict.names_causes();
         if !is_named || !both.is_some_and(is_likelier) {
             return as_written;
         }

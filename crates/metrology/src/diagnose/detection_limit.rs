@@ -6,12 +6,9 @@ use super::visible::INVISIBLE;
 use inference::design::Products;
 use inference::effects::Candidate;
 use inference::evidence::NuisanceModel;
-use inference::search::{ALARM_NATS, cause_columns};
+use inference::search::{NAMED_NATS, cause_columns};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
-
-/// What a parameter more costs beside the alarm, ln of a probability.
-const PARAMETER_NATS: f64 = 3.0;
 
 /// What of each effect and joint would have been seen.
 pub(super) struct DetectionLimits {
@@ -87,7 +84,7 @@ impl<'a> Sight<'a> {
     fn limit(&self, candidate: &Candidate, products: &Products) -> Option<Limit> {
         let peak = &self.fitted.model.peak;
         // Half the squared signal over noise must pass the alarm and the price of its parameters.
-        let needed = (2.0 * (ALARM_NATS + PARAMETER_NATS)).sqrt() * peak.sigma_m;
+        let needed = (2.0 * NAMED_NATS).sqrt() * peak.sigma_m;
         let sums = products.sum(&self.groups);
         let sigmas_beside = |nuisance: &NuisanceModel| {
             let strength = nuisance.strength(&nuisance.project(&sums), peak.geometry_ratio);

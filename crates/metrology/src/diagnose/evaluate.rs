@@ -16,7 +16,7 @@ use super::next_measurements::next_measurements;
 use super::no_model::{NoModel, only_cause_beyond};
 use super::noise_fault::noise_beyond_stated;
 use super::options::DiagnosisOptions;
-use super::outcome::{ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Verdict, Warning};
+use super::outcome::{ErrorReduction, Findings, NoiseEstimate, RowResidual, Untestable, Warning};
 use super::play_ahead::play_ahead;
 use super::rounding::{self, FaultPrior};
 use super::stated_noise::understated_noise;
@@ -272,7 +272,7 @@ fn too_many_false(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) -> Opti
 /// The instrument's scale, where it hides in the links' lengths.
 fn hidden_scale(diagnosis: &Findings, fitted: &FittedModel<'_>) -> Option<Untestable> {
     // Under another verdict it is the nearest candidate at best.
-    let names = matches!(diagnosis.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+    let names = diagnosis.verdict.names_causes();
     let is_named = names && diagnosis.causes.iter().any(|cause| cause.effect == EffectKind::InstrumentScale);
     (fitted.model.peak.geometry_ratio > 0.0 && !is_named).then(|| Untestable {
         effect: EffectKind::InstrumentScale,

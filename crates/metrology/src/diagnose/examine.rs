@@ -181,7 +181,7 @@ fn too_few(stations: &Stations) -> Unusable {
 
 /// Whether a diagnosis names causes that change over time, and no other.
 fn changes_over_time(diagnosis: &Findings) -> bool {
-    let is_named = matches!(diagnosis.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+    let is_named = diagnosis.verdict.names_causes();
     is_named && diagnosis.causes.iter().all(|cause| effect(cause.effect).time() != TimeCourse::Constant)
 }
 

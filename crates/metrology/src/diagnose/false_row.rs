@@ -8,11 +8,11 @@ use super::model::FittedModel;
 use super::outcome::FalseRow;
 use inference::dataset::{ObservationKind, Twist};
 use inference::linearise::{Linearised, shift_m, turn_rad};
-use inference::robust_weights::upper_median;
 use measurements::{Reading, Stations};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
+use statistics::upper_median;
 
 /// A likeness leaves at most this share of the distance.
 const LEFT: f64 = 0.1;
@@ -26,7 +26,8 @@ pub(super) fn false_rows(measured: MeasuredRobot<'_>, fitted: &FittedModel<'_>) 
     let MeasuredRobot { measurements, stations, .. } = measured;
     let FittedModel { linear, model, .. } = fitted;
     let mut all = Vec::new();
-    let middle_m = upper_median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>());
+    let middle_m =
+        upper_median(&mut model.residuals.iter().map(shift_m).collect::<Vec<f64>>()).unwrap_or(0.0);
     for (i, station) in stations.stations.iter().enumerate().filter(|(i, _)| model.outliers[*i]) {
         let off_m = shift_m(&model.residuals[i]);
         for row in station.rows.iter().filter_map(|&r| measurements.rows.get(r)) {

@@ -5,9 +5,10 @@ use super::outcome::{ErrorReduction, HeldOutBlock};
 use inference::dataset::{Dataset, Observation};
 use inference::linear_fit::solve;
 use inference::linearise::shift_m;
-use inference::search::{ALARM_NATS, ChosenCause, Library};
+use inference::search::{ChosenCause, Library};
 use inference::split_mix::SplitMix64;
 use robot_model::units::mm_from_m;
+use statistics::ALARM_NATS;
 use std::collections::{BTreeMap, BTreeSet};
 
 const FOLDS: usize = 5;

@@ -11,10 +11,11 @@ use inference::evidence::NuisanceModel;
 use inference::linear_fit::solve;
 use inference::linearise::{Linearised, shift_m, turn_rad};
 use inference::marginal::NoisePrior;
-use inference::robust_weights::{FALSE_SIGMAS, RobustWeights, upper_median};
-use inference::search::{ALARM_NATS, ChosenCause, Library, NearTop, cause_columns};
+use inference::robust_weights::{FALSE_SIGMAS, RobustWeights};
+use inference::search::{ChosenCause, Library, NearTop, cause_columns};
 use inference::slow_noise::{self, SlowNoise};
 use inference::time_course::TimeCourse;
+use statistics::{ALARM_NATS, upper_median};
 use std::collections::BTreeMap;
 
 const ROUNDS: usize = 4;
@@ -311,7 +312,8 @@ fn characteristic_length_m(linear: &Linearised, residuals: &[Twist]) -> Option<f
     }
     let mut place: Vec<f64> = residuals.iter().map(shift_m).collect();
     let mut turn: Vec<f64> = residuals.iter().map(turn_rad).collect();
-    let ratio = upper_median(&mut place) / upper_median(&mut turn).max(1e-12);
+    let [place_m, turn_rad] = [&mut place, &mut turn].map(|all| upper_median(all).unwrap_or(0.0));
+    let ratio = place_m / turn_rad.max(1e-12);
     Some(ratio.clamp(1e-3, 10.0))
 }
 

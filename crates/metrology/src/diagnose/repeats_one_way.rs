@@ -9,10 +9,11 @@
 use super::outcome::Warning;
 use inference::linearise::Linearised;
 use inference::marginal::NoisePrior;
-use measurements::{Measurements, Repeats, Station, Stations, alone, median};
+use measurements::{Measurements, Repeats, Station, Stations, alone};
 use nalgebra::{Matrix3, Vector3};
 use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
+use statistics::median;
 use std::collections::BTreeMap;
 
 /// Beyond chance, normal quantile: with six joints once in five thousand files.

@@ -5,8 +5,9 @@ use super::options::DiagnosisOptions;
 use super::outcome::{Verdict, Warning};
 use super::verdict::Judgement;
 use inference::marginal::NoisePrior;
-use measurements::{MIDDLE_OF_3D, Reading, Registration, Stations};
+use measurements::{Reading, Registration, Stations};
 use robot_model::units::mm_from_m;
+use statistics::MEDIAN_NORM_3D;
 
 /// Noise that is stated as so many times what is left without any cause is none.
 const OVERSTATED: f64 = 2.0;
@@ -40,7 +41,7 @@ pub(super) fn overstated_noise(
 ) -> Option<Warning> {
     let stated_m = options.sigma_m.filter(|_| stations.repeats.is_none())?;
     let are_points = stations.stations.iter().all(|s| matches!(s.reading, Reading::Point { .. }));
-    let left_m = registration.median_m / MIDDLE_OF_3D;
+    let left_m = registration.median_m / MEDIAN_NORM_3D;
     (are_points && OVERSTATED * left_m < stated_m).then(|| {
         let [stated_mm, left_mm] = [stated_m, left_m].map(mm_from_m);
         Warning {

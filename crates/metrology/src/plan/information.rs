@@ -6,11 +6,9 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Separations below this do not tell two effects of usual size apart.
 pub(super) const APART: f64 = 20.0;
-/// Nats that an effect must gain to be named, alarm and the price of its parameters.
-pub(super) const NAMED_NATS: f64 = 8.0;
 /// An alternative may be this many times as large as usual.
-const RIVAL: f64 = 3.0;
-/// A whisper on flat directions.
+pub(super) const RIVAL: f64 = 3.0;
+/// A whisper on flat directions, as a share of their own information and by itself.
 const FLAT: f64 = 1e-9;
 
 /// Information of all columns, in units of the noise.
@@ -71,12 +69,7 @@ impl Information {
     #[must_use]
     pub(super) fn reduced<'a>(&'a self, signatures: &'a Signatures) -> Option<Reduced<'a>> {
         let n = signatures.registration + signatures.geometry;
-        let mut inner = self.gram.view((0, 0), (n, n)).into_owned();
-        for i in 0..n {
-            let own = FLAT * inner[(i, i)] + FLAT;
-            inner[(i, i)] += if i < signatures.registration { own } else { 1.0 };
-        }
-        let nuisance = inner.cholesky()?;
+        let nuisance = nuisance(self.gram.view((0, 0), (n, n)).into_owned(), signatures)?;
         let e = signatures.width - n;
         let cross = self.gram.view((0, n), (n, e));
         let solved = nuisance.solve(&cross);
@@ -95,6 +88,17 @@ impl Information {
             .collect();
         Some(Reduced { signatures, nuisance, gram: &self.gram, own, alternatives })
     }
+}
+
+/// Base, tool, nests and geometry to be eliminated: `inner` is their information in units of the noise, to which geometry's prior comes;
+/// `None` where that is not possible.
+#[must_use]
+pub(super) fn nuisance(mut inner: DMatrix<f64>, signatures: &Signatures) -> Option<Cholesky<f64, Dyn>> {
+    for i in 0..inner.nrows() {
+        let own = FLAT * inner[(i, i)] + FLAT;
+        inner[(i, i)] += if i < signatures.registration { own } else { 1.0 };
+    }
+    inner.cholesky()
 }
 
 impl Reduced<'_> {

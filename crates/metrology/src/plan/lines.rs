@@ -1,21 +1,15 @@
 //! What can be expected of the lines of a gear, 3 to 320 per turn of each joint: how exactly one will be known, and which
 //! periods look like another over the angles that are planned.
 
-use super::information::{APART, NAMED_NATS};
+use super::information::{APART, RIVAL, nuisance};
 use crate::diagnose::SizeUnit;
+use inference::effects::PERIODS;
+use inference::normal_equations::LINE_RAD;
+use inference::search::NAMED_NATS;
 use inference::signature::Signatures;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
 use robot_model::robot::{Axis, Joints};
-
-/// Periods per turn, as the diagnosis tries them.
-pub(super) const PERIODS: std::ops::RangeInclusive<u32> = 3..=320;
-/// Usual size of a sine or cosine, radians.
-const USUAL_RAD: f64 = 1e-4;
-/// An alternative may be this many times as large as usual.
-const RIVAL: f64 = 3.0;
-/// A whisper on flat directions.
-const FLAT: f64 = 1e-9;
 
 /// The lines of one joint's gear.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
@@ -45,19 +39,17 @@ pub struct GearLines {
 #[must_use]
 pub(super) fn lines(signatures: &Signatures, q_rad: &[Joints], sigma_m: f64) -> Vec<GearLines> {
     let width = signatures.width;
-    let nuisance = signatures.registration + signatures.geometry;
     let rows = q_rad.len() * 3;
-    let surroundings = DMatrix::from_fn(rows, nuisance, |r, c| signatures.rows[r * width + c] / sigma_m);
-    let mut inner = surroundings.transpose() * &surroundings;
-    for i in 0..nuisance {
-        inner[(i, i)] += if i < signatures.registration { FLAT * inner[(i, i)] + FLAT } else { 1.0 };
-    }
-    let Some(inner) = inner.cholesky() else { return Vec::new() };
+    let columns = signatures.registration + signatures.geometry;
+    let surroundings = DMatrix::from_fn(rows, columns, |r, c| signatures.rows[r * width + c] / sigma_m);
+    let Some(inner) = nuisance(surroundings.transpose() * &surroundings, signatures) else {
+        return Vec::new();
+    };
     let joint = |j: usize| {
         let columns = DMatrix::from_fn(rows, 2 * PERIODS.count(), |r, c| {
             let n = f64::from(*PERIODS.start()) + (c / 2) as f64;
             let (sin, cos) = (n * q_rad[r / 3][j]).sin_cos();
-            let turn_m = signatures.turns[r / 3][j][r % 3] * USUAL_RAD / sigma_m;
+            let turn_m = signatures.turns[r / 3][j][r % 3] * LINE_RAD / sigma_m;
             turn_m * if c % 2 == 0 { sin } else { cos }
         });
         let cross = surroundings.transpose() * &columns;
@@ -93,12 +85,12 @@ fn of_joint(j: usize, own: &DMatrix<f64>) -> Option<GearLines> {
     sorting::numbers(&mut sorted);
     let middle = sorted.get(count / 2).copied().filter(|m| *m > 1e-6)?;
     let seen = alone.iter().filter(|a| **a >= APART).count();
-    let sigma = USUAL_RAD / middle.sqrt();
+    let sigma = LINE_RAD / middle.sqrt();
     Some(GearLines {
         effect: EffectKind::GearMesh,
         joint: Axis::at(j),
         unit: SizeUnit::Radian,
-        usual: USUAL_RAD,
+        usual: LINE_RAD,
         sigma,
         seen_from: sigma * (2.0 * NAMED_NATS).sqrt(),
         told_apart: seen - confounded.len(),

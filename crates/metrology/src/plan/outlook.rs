@@ -1,8 +1,9 @@
 //! What can be expected of a plan: how exactly each effect will be known, and which pairs stay confounded.
 
-use super::information::{APART, Information, NAMED_NATS, Reduced};
+use super::information::{APART, Information, Reduced};
 use super::lines::GearLines;
 use crate::diagnose::SizeUnit;
+use inference::search::NAMED_NATS;
 use inference::signature::{Signature, Signatures};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;

@@ -11,13 +11,13 @@ use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::{Findings, Verdict};
 use measurements::{
     Fault, Measurements, OneStand, Reading, RegisterError, Registration, STATED_FREEDOM, Station, Stations,
-    TOOL_M, ToolApart, check_rows, describe_false_repeats, from_sound_file, gather, median, register,
-    tool_apart,
+    TOOL_M, ToolApart, check_rows, describe_false_repeats, from_sound_file, gather, register, tool_apart,
 };
 use nalgebra::{Isometry3, Point3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
+use statistics::{MEDIAN_NORM_3D, median};
 
 /// Fewer poses in both say nothing.
 const FEWEST: usize = 12;
@@ -27,9 +27,6 @@ const SURE: f64 = 4.0;
 const SAME_M: f64 = 1e-9;
 /// A point that has moved by more than so many standard deviations of a coordinate has not moved by noise: one in 65,000 does by chance.
 const FURTHEST: f64 = 5.0;
-/// The median length of three coordinates of noise, in standard deviations of one: the root of the median of chi-square with three degrees of
-/// freedom.
-const MEDIAN_LENGTH: f64 = 1.538_172;
 /// Pairs with the largest change that are listed.
 const LISTED: usize = 10;
 
@@ -399,7 +396,7 @@ impl Noise {
     fn new(known_m: Option<f64>, degrees_of_freedom: Option<usize>, left: &[Vector3<f64>]) -> Self {
         let pairs = left.len() as f64;
         let Some(sigma_m) = known_m else {
-            let sigma_m = median(&mut left.iter().map(Vector3::norm).collect::<Vec<f64>>()) / MEDIAN_LENGTH;
+            let sigma_m = median(&mut left.iter().map(Vector3::norm).collect::<Vec<f64>>()) / MEDIAN_NORM_3D;
             // The median of n lengths is known to about 1 / the root of 2 n, as a share.
             return Self { sigma_m, error: 1.0 / (2.0 * pairs).sqrt(), is_known: false, pairs };
         };

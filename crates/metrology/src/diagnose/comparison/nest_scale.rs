@@ -1,11 +1,10 @@
 //! By how much the distances between nests have changed: the scale of the instrument, for no arm carries them.
 
-use measurements::{Measurements, Reading, median};
+use measurements::{Measurements, Reading};
 use nalgebra::Vector3;
+use statistics::{MEDIAN_SCATTER, median};
 use std::collections::BTreeMap;
 
-/// A median of three and more scatters by so much more than their mean: the root of half of pi.
-const MEDIAN_LOSS: f64 = 1.253_314;
 /// Degrees of freedom without which nests do not tell their own noise.
 const FEWEST_DEGREES: usize = 9;
 
@@ -70,7 +69,7 @@ impl Constellation {
         let places_m: Vec<Vector3<f64>> = of_nests.iter().map(|readings| middle_m(readings)).collect();
         let centre_m = places_m.iter().sum::<Vector3<f64>>() / n;
         let variance_m2 = |readings: &&Readings| {
-            let loss = if readings.len() > 2 { MEDIAN_LOSS } else { 1.0 };
+            let loss = if readings.len() > 2 { MEDIAN_SCATTER } else { 1.0 };
             (loss * sigma_m).powi(2) / readings.len() as f64
         };
         Self {

@@ -6,10 +6,10 @@ use super::base_shift::moved_by;
 use super::nest_scale::NestScale;
 use crate::diagnose::outcome::{Findings, Verdict};
 use inference::cause::Cause;
-use measurements::median;
 use nalgebra::{DVector, Isometry3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::units::{ppm_from_ratio, ratio_from_ppm};
+use statistics::median;
 
 /// A scale beyond so many standard deviations is one.
 const SURE: f64 = 4.0;
@@ -98,8 +98,7 @@ impl FittedScale {
         rms_m: f64,
         nests: Option<NestScale>,
     ) -> Option<ScaleChange> {
-        let is_cause =
-            matches!(diagnosis.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+        let is_cause = diagnosis.verdict.names_causes();
         let is_open = matches!(
             diagnosis.verdict,
             Verdict::Geometry | Verdict::UnexplainedStructure | Verdict::UnexplainedScatter

@@ -2,9 +2,11 @@
 //! one have none in the other.
 
 use super::pose_pairs::SAME_RAD;
+use measurements::direction_columns;
 use measurements::{MeasurementRow, Measurements};
 use rapid_syntax::diagnostic::{Diagnostic, counted};
 use robot_model::units::deg_from_rad;
+use statistics::upper_median;
 use std::collections::BTreeSet;
 
 /// Poses so near in all joints were meant as one: read from the encoders in one file and commanded in the other, or rounded, radians.
@@ -120,7 +122,8 @@ pub fn why_unpaired(before: &Measurements, after: &Measurements) -> Option<Strin
         a.payload_kg.is_some() && b.payload_kg.is_some() && a.payload_kg != b.payload_kg
     })
     .or_else(|| {
-        differ("dir1 to dir6", |a, b| {
+        let joints = same.first().map_or(0, |(a, _)| a.q_rad.len());
+        differ(&direction_columns(joints), |a, b| {
             a.direction.is_some() && b.direction.is_some() && a.direction != b.direction
         })
     })
@@ -138,9 +141,7 @@ fn nearest<'a>(row: &MeasurementRow, file: &'a Measurements) -> Option<&'a Measu
 }
 
 fn joints_differ(apart_rad: &[f64]) -> Option<String> {
-    let mut sorted = apart_rad.to_vec();
-    sorting::numbers(&mut sorted);
-    let middle_rad = *sorted.get(sorted.len() / 2)?;
+    let middle_rad = upper_median(&mut apart_rad.to_vec())?;
     let by = format!("{:.3} deg", deg_from_rad(middle_rad));
     Some(if middle_rad < MEANT_RAD {
         format!(

@@ -57,7 +57,7 @@ impl Judgement {
     /// Takes the verdict back where causes that explain the gap at the poses measured leave it as it is at poses held out: a shape that no
     /// effect has is taken by any dozen of gear lines, pose by pose. The gap there without and with them, 3-D rms, mm.
     pub(crate) fn hold_against(&mut self, shrink: &ErrorReduction) -> Option<[f64; 2]> {
-        let names = matches!(self.verdict, Verdict::Explained | Verdict::Several | Verdict::Ambiguous);
+        let names = self.verdict.names_causes();
         let [before_mm, after_mm] = does_not_carry(shrink).filter(|_| names && !is_firm(&self.causes))?;
         self.verdict = Verdict::UnexplainedStructure;
         self.reason = format!(

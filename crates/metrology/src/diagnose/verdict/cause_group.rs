@@ -4,11 +4,11 @@ use crate::diagnose::model::{FittedModel, Workspace};
 use inference::effects::CauseKey;
 use inference::evidence::NuisanceModel;
 use inference::gear_lines::{AngleSpectra, is_one_bend};
-use inference::marginal::log_sum;
 use inference::search::{
     ChosenCause, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis, cause_columns,
 };
 use robot_model::deform::EffectKind;
+use statistics::log_sum;
 
 /// An alternative this likely, against the likeliest, cannot be told apart.
 const RIVAL: f64 = 0.03;

@@ -4,8 +4,8 @@
 //! spectrum round it (Thomson 1982, Spectrum estimation and harmonic analysis, sec. XIII), and what is white or merely slow has none.
 
 use inference::dataset::{Dataset, Twist};
-use measurements::variance_ratio;
 use nalgebra::{DMatrix, DVector};
+use statistics::variance_ratio;
 use std::f64::consts::PI;
 
 /// Half cycles over the measurement: fewer are a drift, more than these nobody samples.

@@ -10,12 +10,12 @@ use inference::dataset::{Dataset, scaled};
 use inference::effects::give_per_kg;
 use inference::evidence::NuisanceModel;
 use inference::gp_features::compress;
-use inference::marginal::log_sum;
 use inference::missing_channel::MissingChannel;
 use inference::search::{ChosenCause, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
 use inference::time_course::TimeCourse;
 use nalgebra::DMatrix;
 use robot_model::deform::EffectKind;
+use statistics::log_sum;
 
 /// Share of loads that change and are not recorded in structure of no named cause.
 const WEIGHT: f64 = 0.1;

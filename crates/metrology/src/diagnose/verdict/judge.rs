@@ -10,8 +10,8 @@ use super::with_causes::with_causes;
 use super::without_cause::without_cause;
 use crate::diagnose::model::FittedModel;
 use crate::diagnose::outcome::Verdict;
-use inference::search::ALARM_NATS;
 use inference::time_course::TimeCourse;
+use statistics::ALARM_NATS;
 
 /// Judges the best model of the data.
 #[must_use]

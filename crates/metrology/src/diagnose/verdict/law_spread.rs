@@ -5,8 +5,8 @@ use super::fitted_size::size_of;
 use crate::diagnose::model::{FittedModel, Workspace};
 use inference::evidence::NuisanceModel;
 use inference::linear_fit::solve;
-use inference::marginal::log_sum;
 use inference::search::{ChosenCause, cause_columns};
+use statistics::log_sum;
 
 /// Laws that are less likely do not count.
 const NEGLIGIBLE: f64 = 0.003;

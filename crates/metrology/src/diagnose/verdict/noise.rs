@@ -11,7 +11,7 @@ use inference::marginal::{KnownNoise, NoisePrior};
 use inference::scatter::{self, JointScatter, Residuals};
 use inference::search::{ChosenCause, cause_columns};
 use inference::smoothness::smooth_over_rough_nats;
-use measurements::variance_ratio;
+use statistics::variance_ratio;
 
 /// A reduced chi-square above this against the repeats is scatter that the model does not know.
 const SCATTER: f64 = 1.5;

@@ -6,10 +6,10 @@ use inference::effects::{OVERTONE_WEIGHT, line, line_with_overtone};
 use inference::evidence::NuisanceModel;
 use inference::linear_fit::{LinearFit, solve};
 use inference::linearise::Linearised;
-use inference::marginal::log_sum;
 use inference::search::{ChosenCause, NULL_PRIOR};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
+use statistics::log_sum;
 
 /// Largest size of a double frequency that is the gear's own, over the line's: the upper end of what is usual, see
 /// `OVERTONE` in `effects/gear_harmonic.rs`.

@@ -5,9 +5,9 @@ use super::cause_group::{CauseGroup, SHAPE_KNOWN_TO};
 use super::structure::causes_log_odds;
 use crate::diagnose::model::{FittedModel, Workspace};
 use inference::evidence::NuisanceModel;
-use inference::marginal::log_sum;
 use inference::search::{ChosenCause, cause_columns};
 use robot_model::deform::EffectKind;
+use statistics::log_sum;
 
 /// A cause less likely than this in its place is no question.
 const ASKED: f64 = 0.01;

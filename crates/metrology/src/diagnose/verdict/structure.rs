@@ -13,15 +13,14 @@ use inference::gp_over_time;
 use inference::gp_tool;
 use inference::linear_fit::solve;
 use inference::linearise::{Linearised, shift_m};
-use inference::marginal::log_sum;
 use inference::search::{
-    ALARM_NATS, ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis,
-    UNEXPLAINED_PRIOR,
+    ChosenCause, DROP_NATS, Hypothesis, HypothesisRanking, NULL_PRIOR, RankedHypothesis, UNEXPLAINED_PRIOR,
 };
 use inference::time_course::TimeCourse;
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
 use robot_model::units::mm_from_m;
+use statistics::{ALARM_NATS, log_sum};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// More lines of one joint than this are many gears, not one shape.

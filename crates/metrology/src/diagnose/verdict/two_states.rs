@@ -9,9 +9,10 @@
 use crate::diagnose::model::FittedModel;
 use inference::dataset::{Observation, Twist};
 use inference::effects::{RigidBody, base_tilt_per_kg, give_per_kg};
-use inference::marginal::{Marginal, NoiseIntegral, log_sum};
+use inference::marginal::{Marginal, NoiseIntegral};
 use nalgebra::Vector3;
 use robot_model::robot::Axis;
+use statistics::log_sum;
 
 /// Half distances of the two states that are tried: of a joint, radians or metres, of a load, kilograms of usual compliance, of a body
 /// metres.

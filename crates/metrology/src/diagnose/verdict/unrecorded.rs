@@ -13,8 +13,9 @@ use inference::evidence::NuisanceModel;
 use inference::linear_fit::solve;
 use inference::missing_channel::MissingChannel;
 use inference::search::{
-    ALARM_NATS, ChosenCause, DROP_NATS, HypothesisRanking, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns,
+    ChosenCause, DROP_NATS, HypothesisRanking, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns,
 };
+use statistics::ALARM_NATS;
 
 /// Two states of what was taken for noise gain so much, nats: rows of slow noise lie on either side of its middle, too.
 const HIDDEN_NATS: f64 = 20.0;

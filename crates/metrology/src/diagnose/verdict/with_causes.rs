@@ -28,9 +28,10 @@ use inference::evidence::NuisanceModel;
 use inference::gear_lines::AngleSpectra;
 use inference::gp_alternative::GpAlternative;
 use inference::missing_channel::MissingChannel;
-use inference::search::{ALARM_NATS, ChosenCause, Hypothesis, HypothesisRanking};
+use inference::search::{ChosenCause, Hypothesis, HypothesisRanking};
 use robot_model::deform::EffectKind;
 use robot_model::robot::Axis;
+use statistics::ALARM_NATS;
 
 /// Structure of no cause that is this likely beside the causes makes them uncertain; likelier than they, it wins.
 const GP_ALTERNATIVE_SHARE: f64 = 0.2;

@@ -15,7 +15,7 @@ use crate::diagnose::outcome::{Location, Verdict};
 use inference::gp_alternative::GpAlternative;
 use inference::linearise::rms_m;
 use inference::missing_channel::MissingChannel;
-use inference::search::ALARM_NATS;
+use statistics::ALARM_NATS;
 
 /// Judges what is left where the search chose nothing.
 pub(super) fn without_cause(fitted: &mut FittedModel<'_>, rest: &SlotScan, scatter: Scatter) -> Judgement {

@@ -6,6 +6,7 @@ use inference::dataset::Dataset;
 use inference::effects::{Candidate, RigidBody};
 use inference::gp_alternative::GpAlternative;
 use inference::missing_channel::MissingChannel;
+use measurements::{direction_columns, temperature_columns};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::plural;
 use robot_model::deform::EffectKind;
@@ -153,7 +154,8 @@ pub(super) fn two_states_reason(states: &TwoStates, dataset: &Dataset) -> String
             };
             format!(
                 "joint {joint} stands now on one side and now on the other, {gap} apart, whatever its angle, as a gear with play does: a \
-                 channel is missing: the direction of approach (dir1 to dir6) is not in the file"
+                 channel is missing: the direction of approach ({}) is not in the file",
+                direction_columns(dataset.joints())
             )
         }
         State::Load(joint) => format!(
@@ -199,14 +201,15 @@ pub(super) fn one_beam_reason([before, link]: &[Axis; 2]) -> String {
 }
 
 /// Channels that are not in the file and could tell what scatters, with their names for people.
-fn missing(dataset: &Dataset) -> Vec<(MissingChannel, &'static str)> {
+fn missing(dataset: &Dataset) -> Vec<(MissingChannel, String)> {
     let channels = &dataset.channels;
     let with_warmth = channels.joint_temperature || channels.time;
-    let warmth = "temperature or time (temp_j1_c to temp_j6_c, t_min)";
+    let (directions, temperatures) =
+        (direction_columns(dataset.joints()), temperature_columns(dataset.joints()));
     let all = [
-        (channels.direction, MissingChannel::Direction, "the direction of approach (dir1 to dir6)"),
-        (channels.payload, MissingChannel::Payload, "the payload (payload_kg)"),
-        (with_warmth, MissingChannel::Time, warmth),
+        (channels.direction, MissingChannel::Direction, format!("the direction of approach ({directions})")),
+        (channels.payload, MissingChannel::Payload, "the payload (payload_kg)".to_owned()),
+        (with_warmth, MissingChannel::Time, format!("temperature or time ({temperatures}, t_min)")),
     ];
     all.into_iter().filter(|(there, ..)| !there).map(|(_, channel, name)| (channel, name)).collect()
 }
@@ -214,7 +217,7 @@ fn missing(dataset: &Dataset) -> Vec<(MissingChannel, &'static str)> {
 /// The same as a phrase.
 #[must_use]
 pub(super) fn missing_channels(dataset: &Dataset) -> String {
-    let names: Vec<&str> = missing(dataset).into_iter().map(|(_, name)| name).collect();
+    let names: Vec<String> = missing(dataset).into_iter().map(|(_, name)| name).collect();
     match names.as_slice() {
         [] => "something is missing that is no column of such files".to_owned(),
         [one] => format!("a channel is missing: {one} is not in the file"),

@@ -41,6 +41,12 @@ impl Verdict {
         Self::DataFault,
     ];
 
+    /// Whether it is that causes are there, told apart or not.
+    #[must_use]
+    pub fn names_causes(self) -> bool {
+        matches!(self, Self::Explained | Self::Ambiguous | Self::Several)
+    }
+
     /// The word in every file.
     #[must_use]
     pub fn name(self) -> &'static str {
