@@ -41,7 +41,9 @@ pub(super) fn time_unit(stops: impl Iterator<Item = TimedStop>) -> Option<Diagno
 /// What speaks for hours, days or seconds in `stops`, which are in order of time.
 fn other_unit(stops: &[TimedStop]) -> Option<String> {
     let changes = stops.windows(2).filter(|pair| pair[0].stand != pair[1].stand);
-    let mut gaps_min: Vec<f64> = changes.map(|pair| pair[1].clock_min - pair[0].clock_min).collect();
+    // Rounds of several points are often written with one minute.
+    let mut gaps_min: Vec<f64> =
+        changes.map(|pair| pair[1].clock_min - pair[0].clock_min).filter(|gap_min| *gap_min > 0.0).collect();
     if gaps_min.len() < FEWEST_GAPS {
         return None;
     }
@@ -49,7 +51,7 @@ fn other_unit(stops: &[TimedStop]) -> Option<String> {
     let usual_min = statistics::median(&mut gaps_min);
     let span_min = stops.last()?.clock_min - stops.first()?.clock_min;
     let days = span_min / min_from_days(1.0);
-    if usual_min < QUICKEST_MIN && span_min > 0.0 {
+    if usual_min < QUICKEST_MIN {
         let usual_s = 60.0 * usual_min;
         return Some(format!(
             "t_min goes on by {usual_s:.2} seconds from one pose to the next, and by {span_min:.2} minutes in all: are these hours or days?"
@@ -109,6 +111,13 @@ mod tests {
             (0..5).map(move |k| TimedStop { t_min: reading(k), clock_min: reading(k), stand })
         });
         assert_eq!(time_unit(rows), None);
+    }
+
+    #[test]
+    fn points_of_one_round_may_have_one_minute() {
+        let rounds = (0..20).flat_map(|round| (0..8).map(move |stand| (5.0 * f64::from(round), stand)));
+        let stops = rounds.map(|(t_min, stand)| TimedStop { t_min, clock_min: t_min, stand });
+        assert_eq!(time_unit(stops), None);
     }
 
     #[test]

@@ -181,6 +181,72 @@ fn numbers_in_six_digits_are_what_they_were_in_any_form() {
     }
 }
 
+/// `text` with all its numbers as a controller saves them: six significant digits, exponents of two digits with their sign.
+fn saved_by_controller(text: &str) -> String {
+    let is_comment = |line: &str| line.trim_start().starts_with('!');
+    let in_digits = |word: &str| {
+        // In single precision, as it holds them.
+        let number = word.parse::<f32>().ok().filter(|_| word.starts_with(|c: char| c.is_ascii_digit()));
+        let Some(number) = number.filter(|number| *number != 0.0) else { return word.to_owned() };
+        let rounded: f64 = format!("{number:.5e}").parse().unwrap();
+        match rounded {
+            small if small < 1e-4 => format!("{small:.5e}").replace("e-", "E-0"),
+            large if large >= 1e6 => format!("{large:e}").replace('e', "E+0"),
+            plain => plain.to_string(),
+        }
+    };
+    let line = |line: &str| {
+        let (mut out, mut word) = (String::new(), String::new());
+        for c in line.chars().chain(['\n']) {
+            let exponent = c == '-' && word.ends_with('E') && word.starts_with(|c: char| c.is_ascii_digit());
+            if c.is_ascii_alphanumeric() || c == '.' || c == '_' || exponent {
+                word.push(c);
+                continue;
+            }
+            out += &in_digits(&std::mem::take(&mut word));
+            out.push(c);
+        }
+        out
+    };
+    text.lines().map(|of| if is_comment(of) { format!("{of}\n") } else { line(of) }).collect()
+}
+
+/// A controller writes all that it saves in six digits: arrays, corrections, functions and originals. A point that was touched up before
+/// that is told by what the other elements say.
+#[test]
+fn a_module_that_a_controller_has_saved_is_what_it_was() {
+    let bench = Bench::default();
+    let source = module(
+        "CONST robtarget p20:=[[430,60,300],@;\nCONST robtarget p30:=[[440.123,65,305.5],@;\nVAR num i:=1;",
+        "MoveL p20,v100,fine,tGun;\nMoveL Offs(p30,0,0,20),v100,fine,tGun;\nMoveC p30,p20,v100,fine,tGun;\n\
+         MoveL [[450,61,310],@,v100,fine,tGun;",
+    );
+    for form in ["schedule", "ramp", "live", "auto"] {
+        let text = compensated(&bench, &source, form);
+        let saved = saved_by_controller(&text);
+        assert!(saved != text && !saved.contains("0.9961947"), "{form}");
+        let (message, back) = restored(&bench, &saved, 0);
+        assert!(is_silent(&message), "{form}: {message}");
+        assert_eq!(back, saved_by_controller(&source), "{form}");
+    }
+    // The tenth of p20's elements by 2 mm in y.
+    let saved = saved_by_controller(&compensated(&bench, &source, "schedule"));
+    let begin = saved.find("tcp20{").unwrap();
+    let element = begin + saved[begin..].match_indices("\n").nth(9).unwrap().0;
+    let y = element + saved[element..].find(',').unwrap() + 1;
+    let end = y + saved[y..].find(',').unwrap();
+    let moved: f64 = saved[y..end].parse::<f64>().unwrap() + 2.0;
+    let touched = format!("{}{moved:.4}{}", &saved[..y], &saved[end..]);
+    let (message, back) = restored(&bench, &touched, 1);
+    let by = message.split("touched up on the controller by ").nth(1).unwrap_or_else(|| panic!("{message}"));
+    let by_mm: f64 = by.split(' ').next().unwrap().parse().unwrap();
+    assert!((by_mm - 2.0).abs() < 0.003 && message.matches("touched up").count() == 1, "{message}");
+    assert!(
+        back.contains("p20:=[[430,62") || back.contains("p20:=[[430.00") || back.contains("p20:=[[429.99"),
+        "{back}"
+    );
+}
+
 /// Strings and comments name nothing.
 #[test]
 fn a_string_with_a_name_that_was_added_is_no_use_of_it() {

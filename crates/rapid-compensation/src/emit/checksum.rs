@@ -6,6 +6,7 @@
 
 use super::aggregate::{Singles, singles};
 use super::insertion::white;
+use super::six_digits::six_digits;
 
 /// What every line of a comment block begins with that is read back.
 pub(super) const MARK: &str = "! driftpost ";
@@ -68,11 +69,17 @@ pub(super) fn number_of(text: &[u8]) -> Option<u64> {
     })
 }
 
-/// A checksum of three characters for an aggregate's numbers, however they are spelled.
+/// A checksum of three characters for an aggregate's numbers to the six digits that a controller saves, however they are spelled.
 #[must_use]
 pub(super) fn of_numbers(text: &[u8]) -> [u8; 3] {
     let numbers = singles(text).unwrap_or_default();
-    of_singles(&numbers)
+    of_singles(&numbers.into_iter().map(six_digits).collect::<Vec<f32>>())
+}
+
+/// Whether `made` is of these numbers: to six digits, or, in a module that was made before that, to all.
+#[must_use]
+pub(super) fn is_of_numbers(made: &[u8], text: &[u8]) -> bool {
+    made == of_numbers(text) || singles(text).is_some_and(|numbers| made == of_singles(&numbers))
 }
 
 /// The checksum of three characters for numbers that were read already.
@@ -108,16 +115,35 @@ impl Chained {
     }
 }
 
-/// Checksums of arrays' elements, of one array after another: three characters for all, then two for each.
-#[derive(Debug, Default)]
+/// Checksums of arrays' elements, of one array after another: three characters for all, then two for each. Of the numbers those six digits
+/// count that a controller saves.
+#[derive(Debug)]
 pub(super) struct Elements {
     all: Fnv,
     each: Vec<u8>,
     reader: Singles,
     tail: Tail,
+    digits: fn(f32) -> f32,
+}
+
+impl Default for Elements {
+    fn default() -> Self {
+        Self {
+            all: Fnv::default(),
+            each: Vec::new(),
+            reader: Singles::default(),
+            tail: Tail::default(),
+            digits: six_digits,
+        }
+    }
 }
 
 impl Elements {
+    /// Checksums in which all digits count, as modules have them that were made before six did.
+    pub(super) fn of_all_digits() -> Self {
+        Self { digits: |value| value, ..Self::default() }
+    }
+
     /// Begins with the next array.
     pub(super) fn begin(&mut self) {
         self.all = Fnv::new();
@@ -133,7 +159,7 @@ impl Elements {
     pub(super) fn add(&mut self, element: &[u8]) {
         let mut own = Fnv::new();
         if let Some(values) = self.reader.of(element) {
-            values.for_each(|value| {
+            values.map(self.digits).for_each(|value| {
                 self.all.add_single(value);
                 own.add_single(value);
             });
@@ -144,11 +170,11 @@ impl Elements {
     /// The same by its numbers: its own, and those with which it ends as others do.
     pub(super) fn add_numbers(&mut self, own: &[f32], tail: &[f32]) {
         let mut hash = Fnv::new();
-        for &value in own {
+        for value in own.iter().copied().map(self.digits) {
             self.all.add_single(value);
             hash.add_single(value);
         }
-        self.tail.set(tail);
+        self.tail.set(tail, self.digits);
         self.all = self.tail.behind(self.all);
         self.each.extend(self.tail.behind(hash).checksum::<2>());
     }
@@ -176,7 +202,10 @@ impl Elements {
 /// byte changes no other, so that the rest of the hash is but multiplied.
 #[derive(Debug)]
 struct Tail {
+    /// As they are.
     values: Vec<f32>,
+    /// Those digits of them that count.
+    counted: Vec<f32>,
     /// The prime to the power of their bytes.
     power: u64,
     /// By the lowest byte what a hash of that byte alone becomes.
@@ -185,15 +214,17 @@ struct Tail {
 
 impl Default for Tail {
     fn default() -> Self {
-        Self { values: Vec::new(), power: 1, of_byte: [None; 256] }
+        Self { values: Vec::new(), counted: Vec::new(), power: 1, of_byte: [None; 256] }
     }
 }
 
 impl Tail {
-    fn set(&mut self, values: &[f32]) {
+    fn set(&mut self, values: &[f32], digits: fn(f32) -> f32) {
         if self.values != values {
             self.values.clear();
             self.values.extend_from_slice(values);
+            self.counted.clear();
+            self.counted.extend(values.iter().copied().map(digits));
             self.power = PRIME.wrapping_pow(4 * values.len() as u32);
             self.of_byte = [None; 256];
         }
@@ -203,7 +234,7 @@ impl Tail {
         let byte = hash.0 & 0xff;
         let of_byte = *self.of_byte[byte as usize].get_or_insert_with(|| {
             let mut alone = Fnv(byte);
-            self.values.iter().for_each(|&value| alone.add_single(value));
+            self.counted.iter().for_each(|&value| alone.add_single(value));
             alone.0
         });
         Fnv((hash.0 - byte).wrapping_mul(self.power).wrapping_add(of_byte))
@@ -214,6 +245,17 @@ impl Tail {
 /// without the value of a PERS, which moves on.
 #[must_use]
 pub(super) fn of_code(text: &[u8]) -> [u8; 3] {
+    code_checksum(text, true)
+}
+
+/// Whether `made` is of this declaration or routine; modules that were made before count all digits, and `9E+09` as a sum.
+#[must_use]
+pub(super) fn is_of_code(made: &[u8], text: &[u8]) -> bool {
+    made == of_code(text) || made == code_checksum(text, false)
+}
+
+/// With `as_saved` numbers count as a controller saves them: with signed exponents, to six digits.
+fn code_checksum(text: &[u8], as_saved: bool) -> [u8; 3] {
     let mut hash = Fnv::new();
     let mut rest = text;
     let (mut persistent, mut value) = (false, false);
@@ -224,6 +266,9 @@ pub(super) fn of_code(text: &[u8]) -> [u8; 3] {
             b if word(b) => rest.iter().position(|b| !word(*b)).unwrap_or(rest.len()),
             _ => 1,
         };
+        let number = byte.is_ascii_digit() || byte == b'.';
+        let exponent = if number && as_saved { exponent_length(&rest[..length], &rest[length..]) } else { 0 };
+        let length = length + exponent;
         let (token, after) = rest.split_at(length);
         rest = after;
         match byte {
@@ -235,8 +280,8 @@ pub(super) fn of_code(text: &[u8]) -> [u8; 3] {
             continue;
         }
         persistent |= token.eq_ignore_ascii_case(b"pers");
-        let number = byte.is_ascii_digit() || byte == b'.';
         match fast_float2::parse::<f64, _>(token).ok().filter(|_| number) {
+            Some(number) if as_saved => hash.add_single(six_digits(number as f32)),
             Some(number) => hash.add_single(number as f32),
             None if byte == b'"' => hash.add(token),
             None => hash.add(&token.to_ascii_lowercase()),
@@ -244,6 +289,16 @@ pub(super) fn of_code(text: &[u8]) -> [u8; 3] {
         hash.add(b" ");
     }
     hash.checksum()
+}
+
+/// How much of `behind` belongs to the number that `text` begins: the sign and digits of its exponent (`8.9E` and `+09`).
+fn exponent_length(text: &[u8], behind: &[u8]) -> usize {
+    match behind {
+        [b'+' | b'-', digits @ ..] if text.last().is_some_and(|last| last.eq_ignore_ascii_case(&b'e')) => {
+            1 + digits.iter().take_while(|byte| byte.is_ascii_digit()).count()
+        }
+        _ => 0,
+    }
 }
 
 /// A checksum of six characters for lines of the comment block.

@@ -70,6 +70,6 @@ pub(super) fn altered_code(
         return vec![named(module, module)];
     }
     let pairs = code.iter().zip(checksums.chunks(3));
-    let changed = pairs.filter(|((_, range), checksums)| checksum::of_code(range.of(bytes)) != **checksums);
+    let changed = pairs.filter(|((_, range), checksums)| !checksum::is_of_code(checksums, range.of(bytes)));
     changed.map(|((name, range), _)| named(*name, *range)).collect()
 }

@@ -113,8 +113,7 @@ impl<'w> Remover<'w> {
                 self.corrections.push(data.name.of(self.bytes).to_ascii_lowercase());
                 let (own, rest) = checksums.split_at_checked(3).unwrap_or((checksums, &[]));
                 checksums = rest;
-                let now = init.map(|init| checksum::of_numbers(init.range.of(self.bytes)));
-                if now.as_ref().map(<[u8; 3]>::as_slice) != Some(own) {
+                if !init.is_some_and(|init| checksum::is_of_numbers(own, init.range.of(self.bytes))) {
                     let line = self.lines.line(data.range.start);
                     self.altered.push(Altered::Code { name: self.text(data.name), line });
                 }
@@ -151,13 +150,12 @@ impl<'w> Remover<'w> {
             });
             if let (Some(()), Some(first)) = (read, first) {
                 let own = made(count);
-                if now.are(own) {
-                    return Ok((Rows::AsMade(first), own));
-                }
                 let ranges = vec![elements(self.bytes, init, 1)];
-                return Ok((Rows::All { ranges, checksums: now.checksums() }, own));
+                let checksums = if now.are(own) { own.to_vec() } else { self.checksums(&ranges[0], own) };
+                let as_made = checksums == own;
+                let rows = if as_made { Rows::AsMade(first) } else { Rows::All { ranges, checksums } };
+                return Ok((rows, own));
             }
-            now.begin();
         }
         let rows = elements(self.bytes, init, dims.saturating_sub(1)).len();
         let elements = elements(self.bytes, init, dims);
@@ -167,9 +165,24 @@ impl<'w> Remover<'w> {
             .filter(|columns| columns * rows == elements.len() && *columns > 0);
         let columns = columns
             .ok_or_else(|| self.damaged(data.range, "the rows of an array are not as long as each other"))?;
-        elements.iter().for_each(|element| now.add(element.of(self.bytes)));
+        let own = made(elements.len());
         let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
-        Ok((Rows::All { ranges, checksums: now.checksums() }, made(elements.len())))
+        Ok((Rows::All { ranges, checksums: self.checksums(&elements, own) }, own))
+    }
+
+    /// The checksums of `elements` as they are now: of as many digits as those are of that were made of them, which older modules have of all.
+    fn checksums(&self, elements: &[TextRange], made: &[u8]) -> Vec<u8> {
+        let of = |mut now: Elements| {
+            now.begin();
+            elements.iter().for_each(|element| now.add(element.of(self.bytes)));
+            now.checksums()
+        };
+        let as_made = |now: &Vec<u8>| {
+            let each = |all: &[u8]| all.get(3..).unwrap_or_default().to_vec();
+            each(now).chunks(2).zip(each(made).chunks(2)).filter(|(now, made)| now == made).count()
+        };
+        let (short, all) = (of(Elements::default()), of(Elements::of_all_digits()));
+        if as_made(&all) > as_made(&short) { all } else { short }
     }
 
     /// The module's own routines, and what takes out those behind them.

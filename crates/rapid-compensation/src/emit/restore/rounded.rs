@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     fn fingerprint(text: &[u8]) -> Vec<u8> {
-        checksum::of_numbers(text).to_vec()
+        checksum::of_singles(&singles(text).unwrap()).to_vec()
     }
 
     #[test]
