@@ -65,6 +65,6 @@ pub use repeats::{FEWEST_FREEDOM, Repeats, STATED_FREEDOM};
 pub use rotation::Rotation;
 pub use rounds::ROUND_SHARE;
 pub use rows::{Channels, MeasurementRow, Measurements};
-pub use station::{Standing, Station, Stations, alone, gather};
+pub use station::{Standing, Station, Stations, alone, gather, gather_about};
 pub use table::{Line, Table};
 pub use touch::{Touch, Touches};

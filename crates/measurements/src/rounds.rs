@@ -1,9 +1,9 @@
-//! Repeats of a pose that stand all over a file without times: the order of its rows is the clock, and a pose that was come back to in a
-//! later round is another station.
+//! Repeats of a pose that stand all over a file: where it has no times the order of its rows is the clock, and a pose that was come back to in a
+//! later round is another station; where it has, rounds that follow each other quickly are told apart where something changed between them.
 
 use super::MeasurementRow;
 use super::repeats::centre;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::collections::BTreeMap;
 
 /// Rows of one pose with more than this share of the file between them are of different rounds.
@@ -19,22 +19,33 @@ pub(super) struct Rounds {
     pub changed: bool,
 }
 
+/// How an instrument's axes stand to a row's flange, `flange_from_instrument`; `None` of a row without an arm's point.
+pub(super) type FlangeTurn<'a> = &'a dyn Fn(&MeasurementRow) -> Option<UnitQuaternion<f64>>;
+
 impl Rounds {
-    /// Of a file; `None` where its rows have times, where nothing was come back to, or where most poses were, as often as need be for their
-    /// mean, and nothing changed meanwhile.
-    pub(super) fn of(rows: &[MeasurementRow], groups: &[Vec<usize>]) -> Option<Self> {
+    /// Of a file; `None` where nothing was come back to, where its rows have times and nothing changed meanwhile, or where most poses were
+    /// come back to, as often as need be for their mean, and nothing changed. What changes moves all poses alike in the instrument's axes, as
+    /// a base does, or, where `flange` tells these, in the flange's, as a target does.
+    pub(super) fn of(
+        rows: &[MeasurementRow],
+        groups: &[Vec<usize>],
+        flange: Option<FlangeTurn<'_>>,
+    ) -> Option<Self> {
         let mut used: Vec<usize> = groups.iter().flatten().copied().collect();
         sorting::ascending(&mut used);
-        if used.iter().filter_map(|&row| rows.get(row)).any(|row| row.t_min.is_some()) {
-            return None;
-        }
+        let is_timed = used.iter().filter_map(|&row| rows.get(row)).any(|row| row.t_min.is_some());
         let place = used.into_iter().enumerate().map(|(place, row)| (row, place)).collect();
         let rounds = Self { place, changed: false };
         let parts: Vec<Vec<Vec<usize>>> = groups.iter().map(|group| rounds.parts(group)).collect();
         let come_back_to = parts.iter().filter(|parts| parts.len() > 1).count();
-        let changed = has_changed(rows, groups, &parts);
-        let mostly_once = 2 * come_back_to <= groups.len();
-        (come_back_to > 0 && (changed || mostly_once)).then_some(Self { changed, ..rounds })
+        if come_back_to == 0 || is_timed && flange.is_none() {
+            return None;
+        }
+        let in_instrument = |_: &MeasurementRow| Some(UnitQuaternion::identity());
+        let changed = has_changed(rows, groups, &parts, &in_instrument)
+            || flange.is_some_and(|flange| has_changed(rows, groups, &parts, flange));
+        let mostly_once = 2 * come_back_to <= groups.len() && !is_timed;
+        (changed || mostly_once).then_some(Self { changed, ..rounds })
     }
 
     /// Each group's rows of each round, in the order of their first rows.
@@ -52,8 +63,13 @@ impl Rounds {
     }
 }
 
-/// Whether the rounds' deviations from their poses' means point the same way in rows near each other.
-fn has_changed(rows: &[MeasurementRow], groups: &[Vec<usize>], parts: &[Vec<Vec<usize>>]) -> bool {
+/// Whether the rounds' deviations from their poses' means, in axes that `turn` gives, point the same way in rows near each other.
+fn has_changed(
+    rows: &[MeasurementRow],
+    groups: &[Vec<usize>],
+    parts: &[Vec<Vec<usize>>],
+    turn: FlangeTurn<'_>,
+) -> bool {
     let mut deviations: Vec<(usize, usize, Vector3<f64>)> = Vec::new();
     let mut coordinates = 0;
     for (pose, (group, parts)) in
@@ -67,7 +83,7 @@ fn has_changed(rows: &[MeasurementRow], groups: &[Vec<usize>], parts: &[Vec<Vec<
             coordinates = coordinates.max(row.reading.coordinates().map_or(0, |read| read.count));
             // Directions alone: one false reading says no more than another row.
             let off = (centre(rows, part) - middle).try_normalize(0.0);
-            deviations.extend(off.map(|off| (first, pose, off)));
+            deviations.extend(off.zip(turn(row)).map(|(off, turn)| (first, pose, turn * off)));
         }
     }
     sorting::by_key(&mut deviations, |(first, ..)| *first);
@@ -81,7 +97,10 @@ fn has_changed(rows: &[MeasurementRow], groups: &[Vec<usize>], parts: &[Vec<Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Measurements, gather};
+    use crate::{Measurements, gather, gather_about};
+    use nalgebra::Point3;
+    use robot_model::kinematics::SerialChain;
+    use robot_model::robot::{Joints, SerialArm};
 
     /// Poses in two rounds, the second `step_mm` further along x; scatter without a pattern.
     fn two_rounds(poses: usize, again: usize, step_mm: f64, times: bool) -> Measurements {
@@ -131,7 +150,30 @@ mod tests {
     fn times_decide_where_there_are_any() {
         let timed = two_rounds(20, 20, 0.0, true);
         let groups: Vec<Vec<usize>> = (0..20).map(|pose| vec![pose, pose + 20]).collect();
-        assert!(Rounds::of(&timed.rows, &groups).is_none());
+        assert!(Rounds::of(&timed.rows, &groups, None).is_none());
         assert_eq!(stations_and_freedom(&timed), (40, None));
+    }
+
+    /// Sixteen poses of an IRB 140 in two rounds, between which a target moves by 0.1 mm along x of the flange: anywhere in the instrument's axes.
+    #[test]
+    fn what_turns_with_the_flange_is_told_in_its_axes() {
+        let chain = SerialChain::nominal(&SerialArm::built_in("irb140").unwrap());
+        let mut text = "t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n".to_owned();
+        for k in 0..32 {
+            let (pose, moved_mm) = (f64::from(k % 16), if k < 16 { 0.0 } else { 0.1 });
+            let q_deg = [11.0, -7.0, 5.0, 83.0, 37.0, 61.0].map(|step: f64| (step * pose) % 90.0 - 20.0);
+            let flange = chain.forward(&Joints::from(q_deg.map(f64::to_radians)));
+            let noise = |axis: i32| 0.01 * (f64::from(7 * k + axis) * 12.9898).sin();
+            let at = flange * Point3::new(0.05 + 1e-3 * moved_mm, 0.02, 0.1);
+            let xyz = [at.x, at.y, at.z].map(|m| 1e3 * m);
+            let cells: Vec<String> = q_deg.iter().map(f64::to_string).collect();
+            let [x, y, z] = [0, 1, 2].map(|axis: i32| xyz[axis as usize] + noise(axis));
+            text.push_str(&format!("{},{},{x},{y},{z}\n", 0.3 * f64::from(k), cells.join(",")));
+        }
+        let measured = Measurements::from_csv(text.as_bytes()).unwrap();
+        let used: Vec<usize> = (0..32).collect();
+        let axes = UnitQuaternion::identity();
+        assert_eq!(gather(&measured, &used, None).stations.len(), 16);
+        assert_eq!(gather_about(&measured, &used, None, (&chain, &axes)).stations.len(), 32);
     }
 }

@@ -1,7 +1,7 @@
 //! Stations: rows that repeat one pose under the same conditions, as one mean; their scatter is the noise.
 
 use super::repeats::{Repeats, apart_where_contradictory, centre, false_repeats, repeats};
-use super::rounds::Rounds;
+use super::rounds::{FlangeTurn, Rounds};
 use super::rows::JointTolerance;
 use super::{Channels, MeasurementRow, Measurements, Reading};
 use nalgebra::{Isometry3, UnitQuaternion, Vector3};
@@ -113,6 +113,31 @@ type Condition = (usize, usize, Option<usize>, Option<Joints<i8>>, u64);
 /// contradict each other.
 #[must_use]
 pub fn gather(measurements: &Measurements, used: &[usize], stated_m: Option<f64>) -> Stations {
+    gathered(measurements, used, stated_m, None)
+}
+
+/// As [`gather`], where the arm tells what turns with its flange: rounds between which a target moved are no repeats. `base_from_flange` of each
+/// row comes from `chain`, and the axes from the rotation of `instrument_from_base`.
+#[must_use]
+pub fn gather_about(
+    measurements: &Measurements,
+    used: &[usize],
+    stated_m: Option<f64>,
+    (chain, instrument_from_base): (&SerialChain, &UnitQuaternion<f64>),
+) -> Stations {
+    let turn = |row: &MeasurementRow| {
+        let has_point = matches!(row.reading, Reading::Point { .. });
+        has_point.then(|| (instrument_from_base * chain.forward(&row.q_rad).rotation).inverse())
+    };
+    gathered(measurements, used, stated_m, Some(&turn))
+}
+
+fn gathered(
+    measurements: &Measurements,
+    used: &[usize],
+    stated_m: Option<f64>,
+    flange: Option<FlangeTurn<'_>>,
+) -> Stations {
     let rows = &measurements.rows;
     let poses = pose_numbers(measurements, used);
     let mut open: BTreeMap<Condition, usize> = BTreeMap::new();
@@ -132,7 +157,7 @@ pub fn gather(measurements: &Measurements, used: &[usize], stated_m: Option<f64>
         }
     }
     let pose_of: BTreeMap<usize, usize> = used.iter().copied().zip(poses).collect();
-    let rounds = Rounds::of(rows, &groups);
+    let rounds = Rounds::of(rows, &groups, flange);
     if let Some(rounds) = rounds.as_ref().filter(|rounds| rounds.changed) {
         groups = rounds.apart(&groups);
     }

@@ -320,7 +320,7 @@ mod tests {
                 vec![Vector3::new(m_from_mm(apart_mm), 0.0, 0.0)],
                 Vec::new(),
             );
-            registration.median_m = 1.54e-4;
+            registration.median_m = 1e-4 * MEDIAN_NORM_3D;
             registration.tool_sigma_m = m_from_mm(sigma_mm);
             tool_apart(&registration, 1, Some(Vector3::zeros()), 100)
         };
@@ -340,7 +340,7 @@ mod tests {
                 vec![Vector3::new(m_from_mm(apart_mm), 0.0, 0.0)],
                 Vec::new(),
             );
-            registration.median_m = 1.54e-4;
+            registration.median_m = 1e-4 * MEDIAN_NORM_3D;
             registration.tool_sigma_m = 1e-4;
             tool_apart(&registration, 1, Some(Vector3::zeros()), stations).is_some()
         };

@@ -2,12 +2,14 @@
 //!
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
-use super::cold_starts::ColdStarts;
+use super::clock_reading::ClockReading;
+use super::cold_starts::cold_starts;
 use super::evaluate::{Evaluation, Prepared, evaluate};
 use super::measured_robot::MeasuredRobot;
 use super::options::DiagnosisOptions;
 use super::outcome::{Findings, Verdict, Warning};
 use super::repeats_one_way::one_way;
+use super::standstills::standstills;
 use super::stated_noise::{contradicted_noise, overstated_noise};
 use inference::effects::effect;
 use inference::linearise::linearise;
@@ -15,9 +17,11 @@ use inference::marginal::NoisePrior;
 use inference::time_course::TimeCourse;
 use measurements::{
     Fault, Measurements, OneStand, RegisterError, RowCheck, StandError, Stations, check_rows,
-    find_pose_names, from_one_stand, gather, turned,
+    find_pose_names, from_one_stand, gather, gather_about, register, turned,
 };
+use nalgebra::Isometry3;
 use robot_model::deform::identified::{FoundBy, Identified};
+use robot_model::kinematics::SerialChain;
 use robot_model::robot::SerialArm;
 use robot_model::units::mm_from_m;
 use std::collections::BTreeSet;
@@ -71,13 +75,15 @@ fn examine_in_pool(
     let seen = from_one_stand(measurements, robot, &checked, options.tool_m).map_err(Unusable::from);
     let evaluation = seen.and_then(|seen| {
         warnings.extend(seen.warnings.iter().map(Warning::from));
-        let stations = usable_stations(&seen, &checked, options.sigma_m)?;
+        let stations = usable_stations(&seen, &checked, robot, options)?;
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
         let mut evaluation = evaluated(measured, &seen, options, wants_model)?;
-        if let Some(cold) = ColdStarts::of(&stations).filter(|_| ColdStarts::may_tell(&evaluation)) {
-            let measured = MeasuredRobot { stations: &cold.stations, ..measured };
-            if let Ok(anew) = evaluated(measured, &seen, options, wants_model) {
-                evaluation = cold.likelier(evaluation, anew);
+        if ClockReading::may_tell(&evaluation) {
+            for reading in cold_starts(&stations).into_iter().chain(standstills(&stations)) {
+                let measured = MeasuredRobot { stations: &reading.stations, ..measured };
+                if let Ok(anew) = evaluated(measured, &seen, options, wants_model) {
+                    evaluation = reading.likelier(evaluation, anew);
+                }
             }
         }
         match poses(&stations) < FEWEST_POSES && !changes_over_time(&evaluation.diagnosis) {
@@ -142,12 +148,13 @@ impl Unusable {
 fn usable_stations(
     seen: &OneStand<'_>,
     checked: &RowCheck,
-    stated_m: Option<f64>,
+    robot: &SerialArm,
+    options: &DiagnosisOptions,
 ) -> Result<Stations, Unusable> {
     if let Some(fault) = find_pose_names(&seen.measurements, &seen.used) {
         return Err(fault.into());
     }
-    let mut stations = gather(&seen.measurements, &seen.used, stated_m);
+    let mut stations = in_rounds(seen, robot, options);
     stations.channels.time &= checked.time_usable;
     if !stations.channels.time {
         stations.stations.iter_mut().for_each(|s| s.t_min = None);
@@ -159,6 +166,22 @@ fn usable_stations(
         return Err(too_few(&stations));
     }
     Ok(stations)
+}
+
+/// The stations of the rows that are used; rounds between which a target moved on the flange stand apart, as those do between which the base
+/// did. Where nothing can be registered yet nobody knows how the flange stood to the instrument.
+fn in_rounds(seen: &OneStand<'_>, robot: &SerialArm, options: &DiagnosisOptions) -> Stations {
+    let stations = gather(&seen.measurements, &seen.used, options.sigma_m);
+    if stations.stations.len() + stations.false_rows.len() == seen.used.len() {
+        return stations;
+    }
+    let chain = SerialChain::nominal(robot);
+    let flange: Vec<Isometry3<f64>> = stations.stations.iter().map(|station| station.pose(&chain)).collect();
+    let fit = register(&stations.stations, &flange, stations.targets, options.tool_m);
+    let axes = fit.map(|fit| fit.instrument_from_base.rotation);
+    axes.map_or(stations, |axes| {
+        gather_about(&seen.measurements, &seen.used, options.sigma_m, (&chain, &axes))
+    })
 }
 
 /// How many poses stations stand in.

@@ -5,6 +5,7 @@
 
 mod angle_grid;
 mod balancing;
+mod clock_reading;
 mod cold_starts;
 mod comparison;
 mod detection_limit;
@@ -32,6 +33,7 @@ mod play_ahead;
 mod repeats_one_way;
 mod rounded_scatter;
 mod rounding;
+mod standstills;
 mod stated_noise;
 mod step_fault;
 mod terms;

@@ -12,6 +12,9 @@ const CARRIED: f64 = 0.25;
 /// A gap that is so many times as large is larger, and no rounding.
 const WORSE: f64 = 1.005;
 
+/// The same of one block, whose noise is that of some dozen readings.
+const CLEARLY_WORSE: f64 = 1.1;
+
 /// A size of so many of its standard deviations does not rest on a few poses.
 const FIRM: f64 = 10.0;
 
@@ -35,7 +38,7 @@ fn does_not_carry(shrink: &ErrorReduction) -> Option<[f64; 2]> {
 
 /// The gap at poses held out without and with a model that makes it larger there, 3-D rms, mm, whatever chance does: among all poses, or both
 /// in the last part of the time and in a region of the workspace that are held out whole. Where the gap is not explained all that does not
-/// carry is as bad: lines and springs that stand for a channel that is missing.
+/// carry is as bad, and one such block is enough: lines and springs that stand for a channel that is missing, or for a shape of no cause.
 #[must_use]
 pub(crate) fn worse_elsewhere(
     shrink: &ErrorReduction,
@@ -47,10 +50,16 @@ pub(crate) fn worse_elsewhere(
         [time, region].iter().all(|block| block.after_rms_mm > WORSE * block.before_rms_mm)
     });
     let is_open = matches!(verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
+    let of_one = || {
+        let mut blocks = [shrink.time_block, shrink.region_block].into_iter().flatten();
+        blocks.find(|block| block.after_rms_mm > CLEARLY_WORSE * block.before_rms_mm)
+    };
     let of_all = (after > WORSE * before).then_some([before, after]);
     let of_blocks = || blocks.map(|(_, region)| [region.before_rms_mm, region.after_rms_mm]);
     let of_open = || does_not_carry(shrink).filter(|_| is_open);
-    of_all.or_else(of_blocks).or_else(of_open).filter(|_| !is_firm(causes))
+    let of_open_block =
+        || of_one().filter(|_| is_open).map(|block| [block.before_rms_mm, block.after_rms_mm]);
+    of_all.or_else(of_blocks).or_else(of_open).or_else(of_open_block).filter(|_| !is_firm(causes))
 }
 
 impl Judgement {

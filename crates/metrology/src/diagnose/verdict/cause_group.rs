@@ -284,10 +284,12 @@ fn raise_alternatives(probabilities: &mut [f64], shared: &[bool], s: f64, gain_n
     probabilities.iter_mut().for_each(|p| *p *= before / after);
 }
 
-/// The likeliest groups that together make up nearly all of the causes' probability.
+/// The likeliest groups that together make up nearly all of the causes' probability; the likeliest alone where structure is likelier than all of
+/// them by more than a double holds.
 #[must_use]
 pub(super) fn credible(cause_groups: &[CauseGroup]) -> Vec<&CauseGroup> {
-    cause_groups.iter().take(credible_shares(cause_groups.iter().map(|g| g.probability))).collect()
+    let count = credible_shares(cause_groups.iter().map(|g| g.probability));
+    cause_groups.iter().take(count.max(1)).collect()
 }
 
 /// How many of these probabilities, the largest first, together make up nearly all.

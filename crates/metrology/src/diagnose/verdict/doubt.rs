@@ -11,7 +11,7 @@ use robot_model::robot::Axis;
 /// A cause that is alone in its place and less likely than this is not told apart from what is not in the library.
 pub(in crate::diagnose) const LIKELIER_THAN_NOT: f64 = 0.5;
 /// Of a cause and what has its shape: one is as likely as the other.
-const EVEN: f64 = 0.5;
+pub(super) const EVEN: f64 = 0.5;
 
 /// What may as well stand in the place of a cause.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

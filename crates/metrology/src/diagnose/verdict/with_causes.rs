@@ -3,7 +3,7 @@
 use super::cause_group::{
     CauseGroup, OpenSlot, cause_groups, credible, doubt_shapes, join_nested, line_among_many, scan,
 };
-use super::doubt::{Doubt, LIKELIER_THAN_NOT, beam, share_beam};
+use super::doubt::{Doubt, EVEN, LIKELIER_THAN_NOT, beam, share_beam};
 use super::hidden_load::{HiddenLoad, in_place_of_steps};
 use super::judgement::{Decision, Judgement};
 use super::listing::{listed, rejected};
@@ -57,6 +57,10 @@ pub(super) fn with_causes(
         load.doubt(&mut found.causes);
         found.has_open_slot |= load.is_in_doubt();
     }
+    let structure = StructureBeside::of(fitted, chosen, rest, &found);
+    if !structure.overrules {
+        found.share_with_structure();
+    }
     let causes = listed(std::mem::take(&mut found.causes));
     let alternatives = rejected(std::mem::take(&mut found.alternatives), &causes);
     let moved_m = moved_m(fitted, chosen);
@@ -65,7 +69,6 @@ pub(super) fn with_causes(
         time: causes.first().map(|c| c.time),
         region: region_of(fitted.linear, &moved_m),
     };
-    let structure = StructureBeside::of(fitted, chosen, rest, &found);
     let slowness = slowness(fitted, chosen);
     let outcome = load
         .as_ref()
@@ -171,6 +174,22 @@ impl CausesFound {
         self.share_beams(fitted, &near, i + 1);
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
+        }
+    }
+
+    /// Where structure of no cause could stand in the place of causes that stay in the model, it and they are as likely as each other: a list
+    /// without them would not say what the model holds.
+    fn share_with_structure(&mut self) {
+        for slot in self.replaceable.iter().map(|i| i + 1) {
+            let mut of_slot: Vec<&mut Cause> = self.causes.iter_mut().filter(|c| c.slot == slot).collect();
+            let sum: f64 = of_slot.iter().map(|cause| cause.posterior).sum();
+            if sum < EVEN {
+                let each = EVEN / of_slot.len() as f64;
+                // Probabilities that a double does not hold tell none of them from the others.
+                let share = |own: f64| if sum > f64::MIN_POSITIVE { own * (EVEN / sum) } else { each };
+                of_slot.iter_mut().for_each(|cause| cause.posterior = share(cause.posterior));
+                self.has_open_slot = true;
+            }
         }
     }
 

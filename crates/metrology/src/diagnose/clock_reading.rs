@@ -1,0 +1,45 @@
+//! Another reading of a file's minutes: the diagnosis is made of it too, and the likelier of the two stands.
+
+use super::evaluate::{Evaluation, FoundModel};
+use super::outcome::{Verdict, Warning};
+use measurements::Stations;
+
+/// A second diagnosis of more stations takes minutes.
+pub(super) const MOST_STATIONS: usize = 2000;
+/// Another reading is taken where it is so much likelier, nats: as much as a cause has to gain.
+const LIKELIER_NATS: f64 = 5.0;
+
+/// The stations of a file at minutes that are read otherwise than they are written.
+pub(super) struct ClockReading {
+    /// The stations at these minutes.
+    pub stations: Stations,
+    /// What is said where they are taken.
+    pub warning: Warning,
+}
+
+impl ClockReading {
+    /// Whether a second reading may say more than `as_written`: where something changes over time, or is not explained.
+    #[must_use]
+    pub(super) fn may_tell(as_written: &Evaluation) -> bool {
+        let is_open = matches!(
+            as_written.diagnosis.verdict,
+            Verdict::UnexplainedStructure | Verdict::UnexplainedScatter
+        );
+        as_written.found.as_ref().is_some_and(|found| is_open || found.changes)
+    }
+
+    /// Of the diagnosis as it was before and of that of these minutes the likelier one: the second where something warms up in it, which then
+    /// says so.
+    #[must_use]
+    pub(super) fn likelier(self, before: Evaluation, mut anew: Evaluation) -> Evaluation {
+        let both = anew.found.as_ref().zip(before.found.as_ref());
+        let is_likelier = |(anew, before): (&FoundModel, &FoundModel)| {
+            anew.warms_up && anew.log_evidence - before.log_evidence > LIKELIER_NATS
+        };
+        if !anew.diagnosis.verdict.names_causes() || !both.is_some_and(is_likelier) {
+            return before;
+        }
+        anew.diagnosis.warnings.insert(0, self.warning);
+        anew
+    }
+}
