@@ -6,7 +6,6 @@ use super::page::ReportArgs;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files, idle};
-use crate::report::LocatedDiagnostic;
 use driftpost::application::AccuracyCheck;
 use measurements::ComparisonFrame;
 use nalgebra::Vector3;
@@ -81,18 +80,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
-    console.explain(
-        &LocatedDiagnostic::all(
-            measurements.warnings.iter().cloned().map(|warning| given.named(warning)),
-            &[],
-        ),
-        true,
-    );
+    given.report(&measurements.warnings, console);
     let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
-    console.explain(
-        &LocatedDiagnostic::all(found.warnings().iter().cloned().map(|warning| given.named(warning)), &[]),
-        true,
-    );
+    given.report(found.warnings(), console);
     let takes_standard_output = json.is_standard();
     let (mut data, mut text) = (found.json(), Vec::new());
     console.add_warnings(&mut data);

@@ -5,7 +5,6 @@ use super::page::ReportArgs;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured, model};
 use crate::application::sha256;
-use crate::report::LocatedDiagnostic;
 use driftpost::application::ChangeCheck;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::io::Write;
@@ -61,15 +60,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
     let (before, given) = measured::of_file(&args.before, args.columns.as_deref())?;
     let (after, _) = measured::of_file(&args.after, args.columns.as_deref())?;
-    let warnings = before.warnings.iter().chain(&after.warnings).cloned();
-    console.explain(&LocatedDiagnostic::all(warnings.map(|warning| given.named(warning)), &[]), true);
+    given.report(before.warnings.iter().chain(&after.warnings), console);
     let found = job.run(&before, &after).map_err(|error| given.named(error.into()))?;
-    let remarks = found.remarks.iter().cloned().map(|remark| given.named(remark));
-    console.explain(&LocatedDiagnostic::all(remarks, &[]), true);
+    given.report(&found.remarks, console);
     for (warnings, path) in found.comparison.warnings.iter().zip([&args.before, &args.after]) {
         let shown = path.display().to_string();
         let of_file = warnings.iter().cloned().map(|warning| given.named(model::in_file(&shown, warning)));
-        console.explain(&LocatedDiagnostic::all(of_file, &[]), true);
+        console.report(of_file);
     }
     let takes_standard_output = json.is_standard();
     let (mut data, mut text) = (found.json(), Vec::new());

@@ -133,6 +133,11 @@ impl Console {
         let _ = report::write_messages(&mut self.err, messages, color_mode, all); // as in `note`
     }
 
+    /// Messages about no place in a file to standard error, each of them.
+    pub fn report(&mut self, messages: impl IntoIterator<Item = Diagnostic>) {
+        self.explain(&LocatedDiagnostic::all(messages, &[]), true);
+    }
+
     /// Brings out what is still to be written, as far as there is a reader.
     pub fn flush(&mut self) {
         let _ = self.out.flush(); // told at the end

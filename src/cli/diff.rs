@@ -5,7 +5,6 @@ use super::inspect::Format;
 use super::program_input::ProgramInput;
 use super::shared::ProgramSettings;
 use super::{Console, Outcome, emitted_settings, model};
-use crate::report::LocatedDiagnostic;
 use driftpost::application::ProgramComparison;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -55,7 +54,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     (job.tools, job.wobjs) = (tool.clone(), wobj.clone());
     job.start_rad = start_joints.map(|joints| joints.0);
     job.joints_hint = args.joints_hint.as_deref().map(model::joints_hint).transpose()?.map(Arc::new);
-    console.explain(&LocatedDiagnostic::all(job.order_warning(), &[]), true);
+    console.report(job.order_warning());
     let found = job.run(|emitted_settings| {
         let robot = emitted_settings::robot(emitted_settings, robot.as_deref())?;
         // A model that is not at hand is no reason to compare nothing: the figures are left out.

@@ -8,7 +8,6 @@ use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::{RobotName, no_tool, tool};
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
-use crate::report::LocatedDiagnostic;
 use driftpost::application::{Fit, Fitted};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::targets;
@@ -78,7 +77,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     };
     let (touches, given) = args.source.touches(console)?;
     args.stop.check_before(touches.span_min()[1])?;
-    console.explain(&LocatedDiagnostic::all(no_tool(args.tool.as_deref(), &touches), &[]), true);
+    console.report(no_tool(args.tool.as_deref(), &touches));
     if let Some(table) = args.table_out.as_deref().filter(|_| !args.force) {
         overwriting::check_table(table)?;
     }
@@ -89,10 +88,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
 
     let fitted = job.run(&touches).map_err(|error| given.named(error.into()))?;
-    console.explain(
-        &LocatedDiagnostic::all(fitted.warnings().iter().cloned().map(|warning| given.named(warning)), &[]),
-        true,
-    );
+    given.report(fitted.warnings(), console);
     let found = at_work(args, fitted)?;
 
     if let Some(file) = table_out {

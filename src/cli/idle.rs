@@ -1,7 +1,6 @@
 //! Options that change nothing beside the others: said, and nothing else comes of them.
 
 use super::Console;
-use crate::report::LocatedDiagnostic;
 use rapid_syntax::diagnostic::Diagnostic;
 
 /// An option as it is written, whether it is given and changes nothing, and why that is.
@@ -9,9 +8,7 @@ pub type IdleOption = (&'static str, bool, &'static str);
 
 /// Tells each of `options` that is idle.
 pub fn tell(options: impl IntoIterator<Item = IdleOption>, console: &mut Console) {
-    let idle: Vec<LocatedDiagnostic> =
-        warnings(options).into_iter().map(|warning| LocatedDiagnostic::new(warning, &[])).collect();
-    console.explain(&idle, true);
+    console.report(warnings(options));
 }
 
 /// A warning for each of `options` that is idle.

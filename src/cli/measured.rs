@@ -2,7 +2,6 @@
 
 use super::model::in_file;
 use super::{Console, files, model};
-use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
 use measurements::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -78,6 +77,11 @@ impl MeasurementInput {
         let rename = |text: &str| self.table.own_names.rename(text);
         Diagnostic { message: rename(&message.message), help: message.help.as_deref().map(rename), ..message }
     }
+
+    /// Tells what a person should look at in these measurements, with the file's own names of its columns.
+    pub fn report<'w>(&self, warnings: impl IntoIterator<Item = &'w Diagnostic>, console: &mut Console) {
+        console.report(warnings.into_iter().map(|warning| self.named(warning.clone())));
+    }
 }
 
 impl MeasurementArgs {
@@ -108,7 +112,7 @@ impl MeasurementArgs {
                 format!("{} and {}: {error}", points.display(), joints.display()),
             )
         })?;
-        console.explain(&LocatedDiagnostic::all(unmatched(&joined, points, joints), &[]), true);
+        console.report(unmatched(&joined, points, joints));
         whole.sha256 = crate::application::sha256(format!("{}{}", whole.sha256, other.sha256).as_bytes());
         whole.name = format!("{} and {}", whole.name, other.name);
         whole.table = joined.table;
@@ -136,7 +140,7 @@ impl MeasurementArgs {
             .map_err(|error| input.named(in_file(&input.name, error.into())))?;
         let warnings =
             touches.warnings.iter().cloned().map(|warning| input.named(in_file(&input.name, warning)));
-        console.explain(&LocatedDiagnostic::all(warnings, &[]), true);
+        console.report(warnings);
         Ok((touches, input))
     }
 }

@@ -324,7 +324,7 @@ fn run_on(words: &[OsString], console: &mut Console) -> Outcome {
         Err(error) => return console.usage(&error),
     };
     console.set_quiet(cli.quiet);
-    console.explain(&LocatedDiagnostic::all(settings.warning(), &[]), false);
+    console.report(settings.warning());
     let shown = matches.subcommand().filter(|_| cli.show_settings);
     let outcome = match shown.and_then(|(name, given)| Some((command.find_subcommand(name)?, given))) {
         Some((command, given)) => write!(console.out(), "{}", settings.table(command, given))

@@ -2,7 +2,6 @@
 
 use super::Console;
 use crate::application::{default_table_of_another_robot, model_of_another_robot, refusal};
-use crate::report::LocatedDiagnostic;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
@@ -33,8 +32,7 @@ impl OtherRobotArgs {
             return Err(refusal(message));
         }
         let of_table = default_table_of_another_robot(robot).filter(|_| is_default_table);
-        let messages: Vec<Diagnostic> = of_model.or(of_table).into_iter().collect();
-        console.explain(&LocatedDiagnostic::all(messages, &[]), false);
+        console.report(of_model.or(of_table));
         Ok(())
     }
 }

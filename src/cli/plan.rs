@@ -4,7 +4,6 @@ use super::number::positive;
 use super::sealed::{Language, Sealed};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, overwriting};
-use crate::report::LocatedDiagnostic;
 use driftpost::application::Planning;
 use metrology::plan::{PlanOptions, Space, Sweeps};
 use nalgebra::Vector3;
@@ -111,7 +110,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
     let job = Planning { robot, options: options(args)?, with_rapid: args.rapid_out.is_some() };
     job.check().map_err(Diagnostic::from)?;
-    console.explain(&LocatedDiagnostic::all(job.warnings(), &[]), true);
+    console.report(job.warnings());
     if let Some(sheet) = args.template_out.as_deref().filter(|_| !args.force) {
         overwriting::check_sheet(sheet)?;
     }

@@ -4,7 +4,6 @@ use super::destination::{is_folder, is_pgf};
 use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
 use super::program_input::ProgramInput;
 use super::{Console, Outcome, overwriting};
-use crate::report::LocatedDiagnostic;
 use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
 use rapid_compensation::emit::{Altered, ModifiedIn, ModifiedTarget, Restored};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -169,7 +168,7 @@ fn note_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
 fn warn(path: &str, altered: &[Altered], console: &mut Console) {
     let message =
         |what: &Altered| Diagnostic::warning(what.code(), format!("{path}:{}: {what}", what.line()));
-    console.explain(&LocatedDiagnostic::all(altered.iter().map(message), &[]), true);
+    console.report(altered.iter().map(message));
 }
 
 /// Where an original goes.

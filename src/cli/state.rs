@@ -6,7 +6,6 @@ use super::other_robot::OtherRobotArgs;
 use super::shared::{RobotName, no_tool, tool};
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
-use crate::report::LocatedDiagnostic;
 use driftpost::application::StateEstimation;
 use nalgebra::Vector3;
 use robot_model::units::m_from_mm;
@@ -92,16 +91,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     job.tau_cool_min = args.tau_cool.or(job.tau_cool_min);
     let (touches, given) = args.source.touches(console)?;
     args.stop.check_before(touches.span_min()[1])?;
-    console.explain(&LocatedDiagnostic::all(no_tool(args.tool.as_deref(), &touches), &[]), true);
+    console.report(no_tool(args.tool.as_deref(), &touches));
     let json = files::Output::new(args.json.as_deref())?;
     let found = job.run(&touches).map_err(|error| given.named(error.into()))?;
-    console.explain(
-        &LocatedDiagnostic::all(
-            found.state.warnings.iter().cloned().map(|warning| given.named(warning)),
-            &[],
-        ),
-        true,
-    );
+    given.report(&found.state.warnings, console);
     let takes_standard_output = json.is_standard();
     let mut data = found.json();
     console.add_warnings(&mut data);

@@ -10,7 +10,6 @@ use super::minutes::Minutes;
 use super::other_robot::OtherRobotArgs;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
-use crate::report::LocatedDiagnostic;
 use anyhow::Context;
 use driftpost::application::Tabulation;
 use nalgebra::UnitQuaternion;
@@ -87,7 +86,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if orientation.is_some() && targets::have_orientation(&bytes) {
         let text = format!("{file} has orientations of its own: --orient-deg is passed over");
         let message = Diagnostic::warning("targets::own-orientation", text).help("leave it out");
-        console.explain(&LocatedDiagnostic::all([message], &[]), true);
+        console.report([message]);
     }
     let in_file = |error: Diagnostic| model::in_file(&file, error);
     let targets = targets::read(&bytes, orientation.as_ref()).map_err(|error| in_file(error.into()))?;

@@ -5,7 +5,6 @@ use super::number::positive;
 use super::shared::RobotName;
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
-use crate::report::LocatedDiagnostic;
 use clap::ValueEnum;
 use driftpost::application::ModelCheck;
 use metrology::diagnose::RefitScope;
@@ -78,15 +77,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let Some(last_min) = times_min.reduce(f64::max) {
         args.stop.check_before(last_min)?;
     }
-    console.explain(
-        &LocatedDiagnostic::all(job.warning().into_iter().chain(job.seen_before(&given.sha256)), &[]),
-        false,
-    );
+    console.report(job.warning().into_iter().chain(job.seen_before(&given.sha256)));
     let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
-    console.explain(
-        &LocatedDiagnostic::all(found.warnings.iter().cloned().map(|warning| given.named(warning)), &[]),
-        true,
-    );
+    given.report(&found.warnings, console);
     let takes_standard_output = json.is_standard();
     let mut data = found.json();
     console.add_warnings(&mut data);

@@ -21,7 +21,7 @@ use super::program_input::ProgramInput;
 use super::writing::Writing;
 use super::{Console, Outcome};
 use crate::application::{TaskOutcome, TaskOutcomes, check_tasks};
-use crate::report::{LocatedDiagnostic, SourceReview};
+use crate::report::SourceReview;
 use driftpost::application::{Compensated, Compensation, ProgramFiles, Refusal};
 use rapid_syntax::diagnostic::Diagnostic;
 use results::{Results, note_written, recording};
@@ -124,10 +124,9 @@ fn settle(
     let named: Vec<&str> = args.task.iter().map(|of| of.task.as_str()).collect();
     check_tasks(&named, program)?;
     if let Some(moved) = given.paths.first().map(|path| model::base_beside(path)).transpose()?.flatten() {
-        console.explain(&[LocatedDiagnostic::new(moved, &[])], true);
+        console.report([moved]);
     }
-    let idle = args.idle_options().into_iter().map(|idle| LocatedDiagnostic::new(idle, &[]));
-    console.explain(&idle.collect::<Vec<_>>(), true);
+    console.report(args.idle_options());
     let beside = other_tasks::beside(&given.paths);
     jobs.iter_mut().for_each(|job| job.overrides.other_tasks.clone_from(&beside));
     Ok(())
