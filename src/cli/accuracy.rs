@@ -3,6 +3,7 @@
 use super::measured::MeasurementArgs;
 use super::number::positive;
 use super::page::ReportArgs;
+use super::results::Results;
 use super::shared::{RobotName, tool};
 use super::validate::RefitScopeName;
 use super::{Console, Outcome, files, idle};
@@ -10,7 +11,6 @@ use driftpost::application::AccuracyCheck;
 use measurements::ComparisonFrame;
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost accuracy`.
@@ -83,17 +83,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     given.report(&measurements.warnings, console);
     let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
     given.report(found.warnings(), console);
-    let takes_standard_output = json.is_standard();
-    let (mut data, mut text) = (found.json(), Vec::new());
-    console.add_warnings(&mut data);
-    found.write(&mut text)?;
-    page.write("accuracy", &[(given.name, given.sha256)], &data, &String::from_utf8_lossy(&text))?;
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(&text)?;
-    if let Some(verdict) = found.verdict() {
-        writeln!(to, "{verdict}")?;
-    }
+    let verdict = found.verdict().map_or_else(String::new, |verdict| format!("{verdict}\n"));
+    let results = Results::written(found.json(), |out| found.write(out))?;
+    let results = results.with_warnings(console).followed_by(verdict);
+    page.write("accuracy", &[(given.name, given.sha256)], &results)?;
+    results.write(json, console)?;
     Ok(match found.is_within() {
         Some(true) => Outcome::Done,
         Some(false) => Outcome::Difference,

@@ -4,13 +4,13 @@
 use super::number::positive;
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
+use super::results::Results;
 use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
 use driftpost::application::{ChosenEffects, ClosedLoop};
 use exam::rng::Rng;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost closed-loop`.
@@ -103,10 +103,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let (mut answer, text) = (closed.json(), closed.text(args.limit));
     answer["within"] = closed.is_within(args.limit).into();
     answer["limit_of_floor"] = args.limit.into();
-    page.write("closed-loop", &hashes(&given.program()), &answer, &text)?;
-    let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{answer:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(text.as_bytes())?;
+    let results = Results::new(answer, text);
+    page.write("closed-loop", &hashes(&given.program()), &results)?;
+    results.write(json, console)?;
     Ok(if closed.is_within(args.limit) { Outcome::Done } else { Outcome::Difference })
 }

@@ -2,12 +2,12 @@
 
 use super::number::positive;
 use super::page::ReportArgs;
+use super::results::Results;
 use super::shared::{PriorKnowledgeArgs, RobotName};
 use super::{Console, Outcome, files, measured, model};
 use crate::application::sha256;
 use driftpost::application::ChangeCheck;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost compare-measurements`.
@@ -68,18 +68,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         let of_file = warnings.iter().cloned().map(|warning| given.named(model::in_file(&shown, warning)));
         console.report(of_file);
     }
-    let takes_standard_output = json.is_standard();
-    let (mut data, mut text) = (found.json(), Vec::new());
-    console.add_warnings(&mut data);
-    found.write(&mut text)?;
+    let results = Results::written(found.json(), |out| found.write(out))?.with_warnings(console);
     let hashed = |path: &PathBuf| {
         let bytes = files::read(path, "measurement file")?;
         Ok::<_, Diagnostic>((path.display().to_string(), sha256(&bytes)))
     };
     let inputs = [hashed(&args.before)?, hashed(&args.after)?];
-    page.write("compare-measurements", &inputs, &data, &String::from_utf8_lossy(&text))?;
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(&text)?;
+    page.write("compare-measurements", &inputs, &results)?;
+    results.write(json, console)?;
     Ok(if found.is_changed { Outcome::Difference } else { Outcome::Done })
 }

@@ -29,9 +29,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let exam = Exam::open(&truth, &String::from_utf8_lossy(&stated), |set| read(&args.dir.join(set)))?;
     let json = files::Output::new(args.json.as_deref())?;
     let scored = exam.run().map_err(Diagnostic::from)?;
-    let to_standard_output = matches!(json, files::Output::Standard);
-    json.write(console, || Ok(format!("{:#}\n", scored.json()).into_bytes()))?;
-    if !to_standard_output {
+    let takes_standard_output = json.is_standard();
+    json.write_json(console, &scored.json())?;
+    if !takes_standard_output {
         write!(console.out(), "{}", scored.text())?;
     }
     Ok(Outcome::Done)

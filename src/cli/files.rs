@@ -206,6 +206,14 @@ impl Output {
         }
     }
 
+    /// Writes `data` as JSON, indented, with a line's end behind it.
+    ///
+    /// # Errors
+    /// Whatever keeps the result from being written.
+    pub fn write_json(self, console: &mut Console, data: &serde_json::Value) -> anyhow::Result<()> {
+        self.write(console, || Ok(format!("{data:#}\n").into_bytes()))
+    }
+
     /// Has a file written bit by bit (it may be large) beside its place; what goes to standard output, or nowhere, is left.
     ///
     /// # Errors

@@ -4,6 +4,7 @@ use super::measured::MeasurementArgs;
 use super::overwriting;
 use super::page::ReportArgs;
 use super::program_input::ProgramInput;
+use super::results::Results;
 use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::{RobotName, no_tool, tool};
 use super::stops::StopArgs;
@@ -12,7 +13,6 @@ use driftpost::application::{Fit, Fitted};
 use nalgebra::Vector3;
 use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
-use std::io::Write;
 use std::path::PathBuf;
 use warm_up::FitOptions;
 
@@ -97,14 +97,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let Some(file) = model_out {
         file.write(&found.model(&given.name, &given.sha256).to_toml())?;
     }
-    let takes_standard_output = json.is_standard();
-    let (mut data, text) = (found.json(), found.text());
-    console.add_warnings(&mut data);
-    page.write("fit", &[(given.name, given.sha256)], &data, &text)?;
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(text.as_bytes())?;
-    hint(to, args, &found)?;
+    let results = Results::new(found.json(), found.text()).with_warnings(console);
+    let results = results.followed_by(hints(args, &found));
+    page.write("fit", &[(given.name, given.sha256)], &results)?;
+    results.write(json, console)?;
     Ok(Outcome::Done)
 }
 
@@ -124,14 +120,16 @@ fn at_work(args: &Args, found: Fitted) -> anyhow::Result<Fitted> {
 }
 
 /// How to go on.
-fn hint(to: &mut dyn Write, args: &Args, found: &Fitted) -> std::io::Result<()> {
+fn hints(args: &Args, found: &Fitted) -> String {
+    let mut hints = String::new();
     if let Some(file) = &args.table_out {
         let cool =
             found.warm_up.tau_cool_min.map_or_else(|| "MIN".to_owned(), |[tau, _]| format!("{tau:.0}"));
-        writeln!(to, "\ndriftpost compensate PROGRAM --deformation {} --tau-cool {cool}", file.display())?;
+        let file = file.display();
+        hints += &format!("\ndriftpost compensate PROGRAM --deformation {file} --tau-cool {cool}\n");
     }
     if found.forecast.is_none() {
-        writeln!(to, "\n--targets FILE or --program FILE says how well this holds where you work")?;
+        hints += "\n--targets FILE or --program FILE says how well this holds where you work\n";
     }
-    Ok(())
+    hints
 }

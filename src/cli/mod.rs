@@ -24,6 +24,7 @@ pub mod page;
 mod pending;
 mod program_at;
 pub mod program_input;
+mod results;
 mod sealed;
 mod settings;
 pub mod shared;

@@ -2,11 +2,11 @@
 
 use super::files::{Pending, unwritable};
 use super::overwriting;
+use super::results::Results;
 use crate::application::sha256;
 use crate::report::{ResultPage, write_page};
 use driftpost::application::ProgramFiles;
 use rapid_syntax::diagnostic::Diagnostic;
-use serde_json::Value;
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
 
@@ -46,7 +46,7 @@ impl PageOutput {
         Ok(page.place()?)
     }
 
-    /// Writes the page of a result: its JSON, the report as it was printed, and of each input its name and SHA-256.
+    /// Writes the page of what `command` found: its JSON, the report as it was printed, and of each input its name and SHA-256.
     ///
     /// # Errors
     /// What cannot be written, a full disk or a closed pipe.
@@ -54,13 +54,13 @@ impl PageOutput {
         self,
         command: &'static str,
         inputs: &[(String, String)],
-        data: &Value,
-        text: &str,
+        results: &Results,
     ) -> anyhow::Result<()> {
         let last = |name: &str| name.rsplit(['/', '\\']).next().unwrap_or(name).to_owned();
         let title = inputs.iter().map(|(name, _)| last(name)).collect::<Vec<_>>().join(", ");
         let provenance: Vec<(String, String)> =
             inputs.iter().map(|(name, sha256)| (name.clone(), format!("SHA-256 {sha256}"))).collect();
+        let (data, text) = (results.data(), &results.text());
         let page = ResultPage { title, data, text, provenance: &provenance };
         self.write_with(|out| write_page(out, &page.of(command)))
     }

@@ -1,6 +1,7 @@
 //! `driftpost plan`: which poses to measure.
 
 use super::number::positive;
+use super::results::Results;
 use super::sealed::{Language, Sealed};
 use super::shared::{RobotName, tool};
 use super::{Console, Outcome, files, overwriting};
@@ -135,11 +136,8 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if let (Some(file), Some(text)) = (module, planned.rapid()) {
         file.write(&text)?;
     }
-    let takes_standard_output = json.is_standard();
-    let mut data = planned.json();
-    console.add_warnings(&mut data);
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    planned.write(if takes_standard_output { console.err() } else { console.out() })?;
+    let results = Results::written(planned.json(), |out| planned.write(out))?;
+    results.with_warnings(console).write(json, console)?;
     Ok(Outcome::Done)
 }
 

@@ -127,7 +127,7 @@ fn put_in_place(
     console: &mut Console,
 ) -> anyhow::Result<Outcome> {
     let names: Vec<String> = outputs.iter().map(Output::name).collect();
-    json.write(console, || Ok(format!("{:#}\n", found.json(&names)).into_bytes()))?;
+    json.write_json(console, &found.json(&names))?;
     let mut all = copies;
     for ((_, restored), output) in found.originals().zip(outputs) {
         if output.is_standard() {

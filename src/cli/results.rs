@@ -8,7 +8,7 @@ use super::Console;
 use super::files::Output;
 use serde_json::Value;
 use std::borrow::Cow;
-use std::io::Write;
+use std::io::{self, Write};
 
 /// What was found, in its forms.
 pub struct Results {
@@ -26,6 +26,16 @@ impl Results {
     /// A result as JSON and as a report for people.
     pub fn new(data: Value, text: impl Into<Vec<u8>>) -> Self {
         Self { data, text: text.into(), closing: String::new(), is_table_shown: false }
+    }
+
+    /// The same with a report that is written piece by piece.
+    ///
+    /// # Errors
+    /// Those of `report`.
+    pub fn written(data: Value, report: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
+        let mut text = Vec::new();
+        report(&mut text)?;
+        Ok(Self::new(data, text))
     }
 
     /// With the warnings that the console has kept since [`Console::keep_warnings`].

@@ -44,7 +44,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let robot = args.robot.load_arm()?;
     let json = files::Output::new(args.json.as_deref())?;
     let takes_standard_output = json.is_standard();
-    json.write(console, || Ok(format!("{:#}\n", driftpost::application::robot_json(&robot)).into_bytes()))?;
+    json.write_json(console, &driftpost::application::robot_json(&robot))?;
     let Some(path) = &args.output else {
         if takes_standard_output {
             return Ok(Outcome::Done);

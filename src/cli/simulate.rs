@@ -7,6 +7,7 @@ use super::number::{at_least_one, positive};
 use super::other_robot::OtherRobotArgs;
 use super::page::{ReportArgs, hashes};
 use super::program_input::ProgramInput;
+use super::results::Results;
 use super::shared::{ProgramSettings, name_and_value};
 use super::{Console, Outcome, emitted_settings, model, simulate_hints as hints};
 use driftpost::application::{Course, EmittedSettings, Named, Origin, ProgramFiles, Simulation};
@@ -15,7 +16,6 @@ use robot_model::deform::Deformation;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::Robot;
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::PathBuf;
 use virtual_controller::session::SessionOptions;
 use virtual_controller::{Scenario, TrueRobot, Warming};
@@ -169,14 +169,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         .run(&program, original.as_ref(), &course)
         .map_err(|error| hints::diagnostic_of(&error, &program))?;
 
-    let takes_standard_output = [&csv, &json].into_iter().any(Output::is_standard);
+    let results = Results::written(found.json(), |out| found.write(out))?.beside(&csv);
     csv.write(console, || Ok(found.csv()?))?;
-    let (data, mut text) = (found.json(), Vec::new());
-    found.write(&mut text)?;
-    page.write("simulate", &hashes(&program), &data, &String::from_utf8_lossy(&text))?;
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(&text)?;
+    page.write("simulate", &hashes(&program), &results)?;
+    results.write(json, console)?;
     Ok(match (found.judged(), found.is_within()) {
         (0, _) => Outcome::Refused,
         (_, true) => Outcome::Done,

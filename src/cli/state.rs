@@ -3,13 +3,13 @@
 use super::measured::MeasurementArgs;
 use super::number::{minutes, positive};
 use super::other_robot::OtherRobotArgs;
+use super::results::Results;
 use super::shared::{RobotName, no_tool, tool};
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use driftpost::application::StateEstimation;
 use nalgebra::Vector3;
 use robot_model::units::m_from_mm;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost state`.
@@ -95,11 +95,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let found = job.run(&touches).map_err(|error| given.named(error.into()))?;
     given.report(&found.state.warnings, console);
-    let takes_standard_output = json.is_standard();
-    let mut data = found.json();
-    console.add_warnings(&mut data);
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(found.text(args.plan).as_bytes())?;
+    let results = Results::new(found.json(), found.text(args.plan)).with_warnings(console);
+    results.write(json, console)?;
     Ok(Outcome::Done)
 }

@@ -146,7 +146,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     }
     write_sealed(&args.out_dir, made.sealed_truth()?)?;
     let folder = args.out_dir.display();
-    json.write(console, || Ok(format!("{:#}\n", made.json(&folder.to_string())).into_bytes()))?;
+    json.write_json(console, &made.json(&folder.to_string()))?;
     console.note(format_args!(
         "{} measurement sets in {folder}; what was put into them is in sealed/truth.json, its SHA-256 in SEAL",
         made.sets.len()
@@ -175,7 +175,7 @@ fn touched(args: &Args, points: u32, json: files::Output, console: &mut Console)
     files::Pending::new(&file)?.write(made.csv.as_bytes())?;
     write_sealed(&args.out_dir, made.sealed_truth()?)?;
     let folder = args.out_dir.display().to_string();
-    json.write(console, || Ok(format!("{:#}\n", made.json(&folder)).into_bytes()))?;
+    json.write_json(console, &made.json(&folder))?;
     console.note(format_args!(
         "{points} points touched {} times in {}; tool 0,0,100",
         args.times,

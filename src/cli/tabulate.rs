@@ -8,6 +8,7 @@
 use super::files::{self, Output};
 use super::minutes::Minutes;
 use super::other_robot::OtherRobotArgs;
+use super::results::Results;
 use super::shared::RobotName;
 use super::{Console, Outcome, model};
 use anyhow::Context;
@@ -17,7 +18,6 @@ use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::Configuration;
 use robot_model::units::rad_from_deg;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost tabulate`.
@@ -95,15 +95,13 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 
     let found = job.run(targets).map_err(|error| in_file(error.into()))?;
 
-    let takes_standard_output = [&joints_csv, &json].into_iter().any(Output::is_standard);
+    let results = Results::new(found.json(), found.text()).beside(&joints_csv);
     joints_csv.write(console, || {
         let mut text = Vec::new();
         found.write_joints(&file, &mut text).context("the table of joints")?;
         Ok(text)
     })?;
-    json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(found.text().as_bytes())?;
+    results.write(json, console)?;
     Ok(Outcome::Done)
 }
 

@@ -2,13 +2,13 @@
 
 use super::measured::MeasurementArgs;
 use super::number::positive;
+use super::results::Results;
 use super::shared::RobotName;
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use clap::ValueEnum;
 use driftpost::application::ModelCheck;
 use metrology::diagnose::RefitScope;
-use std::io::Write;
 use std::path::PathBuf;
 
 /// Command line of `driftpost validate`.
@@ -80,11 +80,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     console.report(job.warning().into_iter().chain(job.seen_before(&given.sha256)));
     let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
     given.report(&found.warnings, console);
-    let takes_standard_output = json.is_standard();
-    let mut data = found.json();
-    console.add_warnings(&mut data);
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
-    let to: &mut dyn Write = if takes_standard_output { console.err() } else { console.out() };
-    to.write_all(found.text().as_bytes())?;
+    Results::new(found.json(), found.text()).with_warnings(console).write(json, console)?;
     Ok(if found.holds() { Outcome::Done } else { Outcome::Difference })
 }

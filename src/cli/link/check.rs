@@ -90,8 +90,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         writeln!(console.out(), "{robot} at {}, {}", args.connection.host, identity.dialect)?;
         write!(console.out(), "{}", checked.text(args.all))?;
     }
-    let data = checked.json_of(&args.connection.host, &identity);
-    json.write(console, || Ok(format!("{data:#}\n").into_bytes()))?;
+    json.write_json(console, &checked.json_of(&args.connection.host, &identity))?;
     Ok(match (checked.agrees(), &checked) {
         (Some(true), _) | (None, LinkChecked::NotOffered(_)) => Outcome::Done,
         (Some(false), _) => Outcome::Difference,

@@ -74,7 +74,7 @@ pub fn get(args: &GetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
         }
     }
     session.end()?;
-    json.write(console, || Ok(format!("{:#}\n", LinkDatum::all_json(&found)).into_bytes()))?;
+    json.write_json(console, &LinkDatum::all_json(&found))?;
     Ok(Outcome::Done)
 }
 
@@ -118,7 +118,7 @@ pub fn set(args: &SetArgs, console: &mut Console) -> anyhow::Result<Outcome> {
         before: Some(before),
     }
     .json();
-    json.write(console, || Ok(format!("{set:#}\n").into_bytes()))?;
+    json.write_json(console, &set)?;
     Ok(Outcome::Done)
 }
 

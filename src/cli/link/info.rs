@@ -30,6 +30,6 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if !json.is_standard() {
         found.write(console.out())?;
     }
-    json.write(console, || Ok(format!("{:#}\n", found.json()).into_bytes()))?;
+    json.write_json(console, &found.json())?;
     Ok(Outcome::Done)
 }

@@ -88,8 +88,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     if report.error.is_some() && !report.has_begun {
         return done;
     }
-    let written =
-        json.write(console, || Ok(format!("{:#}\n", report.json(&modules, loading.as_ref())).into_bytes()));
+    let written = json.write_json(console, &report.json(&modules, loading.as_ref()));
     let outcome = done?;
     written?;
     Ok(outcome)
