@@ -4,10 +4,8 @@ use super::number::positive;
 use super::page::ReportArgs;
 use super::results::Results;
 use super::shared::{PriorKnowledgeArgs, RobotName};
-use super::{Console, Outcome, files, measured, model};
-use crate::application::sha256;
+use super::{Console, Outcome, files, measured};
 use driftpost::application::ChangeCheck;
-use rapid_syntax::diagnostic::Diagnostic;
 use std::path::PathBuf;
 
 /// Command line of `driftpost compare-measurements`.
@@ -58,22 +56,18 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     job.limit_mm = args.limit_mm;
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
-    let (before, given) = measured::of_file(&args.before, args.columns.as_deref())?;
-    let (after, _) = measured::of_file(&args.after, args.columns.as_deref())?;
-    given.report(before.warnings.iter().chain(&after.warnings), console);
-    let found = job.run(&before, &after).map_err(|error| given.named(error.into()))?;
-    given.report(&found.remarks, console);
-    for (warnings, path) in found.comparison.warnings.iter().zip([&args.before, &args.after]) {
-        let shown = path.display().to_string();
-        let of_file = warnings.iter().cloned().map(|warning| given.named(model::in_file(&shown, warning)));
-        console.report(of_file);
+    let (before, of_before) = measured::of_file(&args.before, args.columns.as_deref())?;
+    let (after, of_after) = measured::of_file(&args.after, args.columns.as_deref())?;
+    of_before.report(&before.warnings, console);
+    of_after.report(&after.warnings, console);
+    // An error is of both files, or says itself of which.
+    let found = job.run(&before, &after).map_err(|error| of_before.named(error.into()))?;
+    of_before.report(&found.remarks, console);
+    for (warnings, given) in found.comparison.warnings.iter().zip([&of_before, &of_after]) {
+        console.report(warnings.iter().map(|warning| given.in_file(warning.clone())));
     }
     let results = Results::written(found.json(), |out| found.write(out))?.with_warnings(console);
-    let hashed = |path: &PathBuf| {
-        let bytes = files::read(path, "measurement file")?;
-        Ok::<_, Diagnostic>((path.display().to_string(), sha256(&bytes)))
-    };
-    let inputs = [hashed(&args.before)?, hashed(&args.after)?];
+    let inputs = [of_before, of_after].map(|given| (given.name, given.sha256));
     page.write("compare-measurements", &inputs, &results)?;
     results.write(json, console)?;
     Ok(if found.is_changed { Outcome::Difference } else { Outcome::Done })

@@ -78,6 +78,11 @@ impl MeasurementInput {
         Diagnostic { message: rename(&message.message), help: message.help.as_deref().map(rename), ..message }
     }
 
+    /// The same with the name of the file before it: an error of these measurements.
+    pub fn in_file(&self, message: impl Into<Diagnostic>) -> Diagnostic {
+        in_file(&self.name, self.named(message.into()))
+    }
+
     /// Tells what a person should look at in these measurements, with the file's own names of its columns.
     pub fn report<'w>(&self, warnings: impl IntoIterator<Item = &'w Diagnostic>, console: &mut Console) {
         console.report(warnings.into_iter().map(|warning| self.named(warning.clone())));
@@ -125,8 +130,7 @@ impl MeasurementArgs {
     /// As [`MeasurementArgs::table`].
     pub fn read(&self, console: &mut Console) -> Result<(Measurements, MeasurementInput), Diagnostic> {
         let input = self.table(console)?;
-        let measurements = Measurements::from_table(&input.table)
-            .map_err(|error| input.named(in_file(&input.name, error.into())))?;
+        let measurements = Measurements::from_table(&input.table).map_err(|error| input.in_file(error))?;
         Ok((measurements, input))
     }
 
@@ -136,23 +140,19 @@ impl MeasurementArgs {
     /// As [`MeasurementArgs::table`].
     pub fn touches(&self, console: &mut Console) -> Result<(Touches, MeasurementInput), Diagnostic> {
         let input = self.table(console)?;
-        let touches = Touches::from_table(&input.table)
-            .map_err(|error| input.named(in_file(&input.name, error.into())))?;
-        let warnings =
-            touches.warnings.iter().cloned().map(|warning| input.named(in_file(&input.name, warning)));
-        console.report(warnings);
+        let touches = Touches::from_table(&input.table).map_err(|error| input.in_file(error))?;
+        console.report(touches.warnings.iter().map(|warning| input.in_file(warning.clone())));
         Ok((touches, input))
     }
 }
 
-/// The measurements of one file, and its names.
+/// The measurements of one file of several, which goes by its path: another may be called as it is in another folder.
 ///
 /// # Errors
 /// A file that cannot be read, or what is wrong in it.
 pub fn of_file(path: &Path, columns: Option<&Path>) -> Result<(Measurements, MeasurementInput), Diagnostic> {
-    let input = input(path, columns)?;
-    let measurements = Measurements::from_table(&input.table)
-        .map_err(|error| input.named(in_file(&path.display().to_string(), error.into())))?;
+    let input = MeasurementInput { name: path.display().to_string(), ..input(path, columns)? };
+    let measurements = Measurements::from_table(&input.table).map_err(|error| input.in_file(error))?;
     Ok((measurements, input))
 }
 
