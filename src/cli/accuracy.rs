@@ -81,7 +81,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let page = args.page.open()?;
     let (measurements, given) = args.source.read(console)?;
     given.report(&measurements.warnings, console);
-    let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
+    let found = job.run(&measurements).map_err(|error| given.in_file(error))?;
     given.report(found.warnings(), console);
     let verdict = found.verdict().map_or_else(String::new, |verdict| format!("{verdict}\n"));
     let results = Results::written(found.json(), |out| found.write(out))?;

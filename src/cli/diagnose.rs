@@ -6,7 +6,7 @@ use super::page::ReportArgs;
 use super::program_at::check_no_program;
 use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::{PriorKnowledgeArgs, RobotName};
-use super::{Console, Outcome, model, overwriting};
+use super::{Console, Outcome, overwriting};
 use driftpost::application::{ControllerData, ControllerDataError, Declaration, Diagnosed, Diagnosis};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -119,8 +119,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let controller_data = controller_data(args, options.tool_m).map_err(Diagnostic::from)?;
     let identify = outputs.model.is_some() || outputs.rapid.is_some() || args.page.report.is_some();
     let job = Diagnosis { robot, options, identify };
-    let found =
-        job.run(&measurements).map_err(|error| given.named(model::in_file(&given.name, error.into())))?;
+    let found = job.run(&measurements).map_err(|error| given.in_file(error))?;
     let found = found.in_columns(&given.table.own_names);
     for warning in &found.findings.warnings {
         console.note(format_args!("warning[{}]: {}", warning.code, warning.message));

@@ -87,7 +87,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = files::Output::new(args.json.as_deref())?;
     let page = args.page.open()?;
 
-    let fitted = job.run(&touches).map_err(|error| given.named(error.into()))?;
+    let fitted = job.run(&touches).map_err(|error| given.in_file(error))?;
     given.report(fitted.warnings(), console);
     let found = at_work(args, fitted)?;
 

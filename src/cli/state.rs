@@ -9,8 +9,10 @@ use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use driftpost::application::StateEstimation;
 use nalgebra::Vector3;
+use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 use std::path::PathBuf;
+use warm_up::StateError;
 
 /// Command line of `driftpost state`.
 #[derive(Debug, clap::Args)]
@@ -93,7 +95,11 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     args.stop.check_before(touches.span_min()[1])?;
     console.report(no_tool(args.tool.as_deref(), &touches));
     let json = files::Output::new(args.json.as_deref())?;
-    let found = job.run(&touches).map_err(|error| given.named(error.into()))?;
+    let found = job.run(&touches).map_err(|error| match error {
+        // Of the deformation, whatever the touches are.
+        StateError::NoLaw => Diagnostic::from(error),
+        of_touches => given.in_file(of_touches),
+    })?;
     given.report(&found.state.warnings, console);
     let results = Results::new(found.json(), found.text(args.plan)).with_warnings(console);
     results.write(json, console)?;

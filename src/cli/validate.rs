@@ -8,7 +8,7 @@ use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use clap::ValueEnum;
 use driftpost::application::ModelCheck;
-use metrology::diagnose::RefitScope;
+use metrology::diagnose::{RefitScope, ValidateError};
 use std::path::PathBuf;
 
 /// Command line of `driftpost validate`.
@@ -78,7 +78,12 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
         args.stop.check_before(last_min)?;
     }
     console.report(job.warning().into_iter().chain(job.seen_before(&given.sha256)));
-    let found = job.run(&measurements).map_err(|error| given.named(error.into()))?;
+    let found = job.run(&measurements).map_err(|error| match error {
+        ValidateError::ModelJoints { .. } | ValidateError::NoMounting => {
+            model::in_file(&args.model.display().to_string(), error.into())
+        }
+        of_measurements => given.in_file(of_measurements),
+    })?;
     given.report(&found.warnings, console);
     Results::new(found.json(), found.text()).with_warnings(console).write(json, console)?;
     Ok(if found.holds() { Outcome::Done } else { Outcome::Difference })

@@ -148,3 +148,22 @@ mod long {
         }
     }
 }
+
+#[test]
+fn what_is_wrong_with_measurements_is_told_with_the_name_of_their_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = "q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm\n0,0,0,0,30,0,515,0,712\n";
+    let few = write(folder.path(), "few.csv", few);
+    let touched = "fixed_id,t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg\npin,0,0,0,0,0,30,0\n";
+    let touched = write(folder.path(), "touched.csv", touched);
+    let model = model(folder.path());
+    let told = |words: &[&str], file: &str| {
+        let (code, _, answer) = run(words);
+        let first = answer.lines().find(|line| line.starts_with("error[")).unwrap_or_default();
+        assert!(code == 2 && first.contains(&format!("]: {file}: ")), "{words:?}: {answer}");
+    };
+    told(&["accuracy", &few], "few.csv");
+    told(&["validate", &few, "--model", &model], "few.csv");
+    told(&["fit", &touched, "--tool", "0,0,100"], "touched.csv");
+    told(&["state", &touched, "--tool", "0,0,100"], "touched.csv");
+}
