@@ -103,8 +103,11 @@ impl Compensation {
     /// The largest corrections that are no sign of a mistake, metres and radians: with an identified model, and without.
     #[must_use]
     pub fn largest_correction(identified: bool) -> [f64; 2] {
-        let [mm, deg] = if identified { [3.0, 0.5] } else { [0.5, 0.1] };
-        [m_from_mm(mm), rad_from_deg(deg)]
+        if identified {
+            return [m_from_mm(3.0), rad_from_deg(0.5)];
+        }
+        let Options { max_correction_m, max_correction_rad, .. } = Options::default();
+        [max_correction_m, max_correction_rad]
     }
 
     /// The same with motions that ask for their targets in another form.

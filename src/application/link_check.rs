@@ -121,10 +121,16 @@ pub enum LinkChecked {
 }
 
 impl LinkCheck {
+    /// Poses further apart do not agree unless told otherwise, mm.
+    pub const TOLERANCE_MM: f64 = 0.005;
+    /// Angles and joints further apart do not agree unless told otherwise, degrees.
+    pub const TOLERANCE_DEG: f64 = 0.001;
+
     /// The originals, middles and lasts of scheduled targets, held to 0.005 mm and 0.001 degrees.
     #[must_use]
     pub fn new(unit: Unit) -> Self {
-        Self { unit, all: false, tolerance_mm: 0.005, tolerance_deg: 0.001 }
+        let (tolerance_mm, tolerance_deg) = (Self::TOLERANCE_MM, Self::TOLERANCE_DEG);
+        Self { unit, all: false, tolerance_mm, tolerance_deg }
     }
 
     /// Asks for every target of a program. `start_rad`: joints at its entry.

@@ -62,6 +62,9 @@ pub enum Course {
 }
 
 impl Simulation {
+    /// The robot is to stand this near to where it was meant to unless told otherwise, mm.
+    pub const TOLERANCE_MM: f64 = 0.006;
+
     /// A robot that starts at the program's own entry, one pass a time.
     #[must_use]
     pub fn new(robot: TrueRobot) -> Self {
@@ -74,7 +77,7 @@ impl Simulation {
             overrides: Overrides::default(),
             start_rad: None,
             set: Vec::new(),
-            tolerance_mm: 0.006,
+            tolerance_mm: Self::TOLERANCE_MM,
         }
     }
 

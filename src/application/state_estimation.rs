@@ -29,6 +29,9 @@ pub struct StateEstimation {
 }
 
 impl StateEstimation {
+    /// One standard deviation of a coordinate of a touch unless another is given, mm.
+    pub const SIGMA_MM: f64 = 0.02;
+
     /// A robot that drifts as a table says, touched by the flange's centre, and stood in long pauses alone.
     #[must_use]
     pub fn new(robot: Robot, deformation: &Deformation) -> Self {
@@ -50,7 +53,7 @@ impl StateEstimation {
     }
 
     fn between(robot: Arc<Robot>, law: Option<GrowthLaw>, arms: [DeformedArm; 2]) -> Self {
-        let (tool_m, sigma_m) = (Vector3::zeros(), m_from_mm(0.02));
+        let (tool_m, sigma_m) = (Vector3::zeros(), m_from_mm(Self::SIGMA_MM));
         Self { robot, law, arms, tool_m, stops: None, sigma_m, tau_cool_min: None }
     }
 

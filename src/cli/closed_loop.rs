@@ -8,7 +8,7 @@ use super::results::Results;
 use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::RobotName;
 use super::{Console, Outcome, files, synth};
-use driftpost::application::{ChosenEffects, ClosedLoop};
+use driftpost::application::{ChosenEffects, ClosedLoop, Synthesis};
 use exam::rng::Rng;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ pub struct Args {
     pub n: u32,
 
     /// Noise of each coordinate.
-    #[arg(long, value_name = "MM", default_value_t = 0.02)]
+    #[arg(long, value_name = "MM", default_value_t = ChosenEffects::SIGMA_MM)]
     pub sigma_mm: f64,
 
     /// Each effect's rms over the noise's rms, where it is measured.
@@ -41,7 +41,7 @@ pub struct Args {
     pub rho: f64,
 
     /// Seed: the same seed gives the same bytes.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = Synthesis::SEED)]
     pub seed: u64,
 
     /// What was found, as a model (TOML).

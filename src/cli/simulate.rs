@@ -109,7 +109,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = 0.006,
+        default_value_t = Simulation::TOLERANCE_MM,
         allow_hyphen_values = true,
         help_heading = "Results"
     )]

@@ -7,12 +7,11 @@ use super::results::Results;
 use super::shared::{RobotName, no_tool, tool};
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
-use driftpost::application::StateEstimation;
+use driftpost::application::{StateError, StateEstimation};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
 use std::path::PathBuf;
-use warm_up::StateError;
 
 /// Command line of `driftpost state`.
 #[derive(Debug, clap::Args)]
@@ -50,7 +49,7 @@ pub struct Args {
     pub tau_cool: Option<f64>,
 
     /// One standard deviation of a coordinate of a touch.
-    #[arg(long, value_name = "MM", default_value_t = 0.02, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", default_value_t = StateEstimation::SIGMA_MM, allow_negative_numbers = true)]
     pub sigma_mm: f64,
 
     /// When the robot stood.

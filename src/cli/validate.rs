@@ -7,8 +7,8 @@ use super::shared::RobotName;
 use super::stops::StopArgs;
 use super::{Console, Outcome, files, model};
 use clap::ValueEnum;
-use driftpost::application::ModelCheck;
-use metrology::diagnose::{RefitScope, ValidateError};
+use driftpost::application::{ModelCheck, ValidateError};
+use metrology::diagnose::RefitScope;
 use std::path::PathBuf;
 
 /// Command line of `driftpost validate`.

@@ -11,6 +11,7 @@ use super::option_values::{
 use super::touch::TouchArgs;
 use crate::cli::other_tasks::{OfTask, TaskRobot, joints_of_task, name_of_task, task_robot};
 use crate::cli::shared::{JointAngles, RobotName, name_and_value};
+use rapid_compensation::compensate::Options;
 use rapid_compensation::schedule::Until;
 use std::path::PathBuf;
 
@@ -18,8 +19,6 @@ use std::path::PathBuf;
 pub(super) const HOLD_MIN: f64 = 10.0;
 /// So long a temperature may stand still where `--stale-min` says nothing else, minutes.
 pub(super) const STALE_MIN: f64 = 60.0;
-/// A pause up to this is none where `--gap-min` says nothing else, minutes.
-pub(super) const GAP_MIN: f64 = 5.0;
 
 /// Command line of `driftpost compensate`.
 #[derive(Debug, clap::Args)]
@@ -71,7 +70,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = 0.005,
+        default_value_t = Options::TOLERANCE_MM,
         allow_negative_numbers = true,
         help_heading = "Corrections"
     )]
@@ -125,7 +124,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MIN",
-        default_value_t = GAP_MIN,
+        default_value_t = Options::GAP_MIN,
         allow_negative_numbers = true,
         help_heading = "Clock in the program"
     )]
@@ -181,7 +180,7 @@ pub struct Args {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = 0.01,
+        default_value_t = Options::PATH_TOLERANCE_MM,
         allow_negative_numbers = true,
         help_heading = "Corrections"
     )]

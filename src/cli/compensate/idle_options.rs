@@ -1,8 +1,9 @@
 //! Options of `compensate` that change nothing in what is asked for.
 
-use super::args::{Args, GAP_MIN, HOLD_MIN, STALE_MIN};
+use super::args::{Args, HOLD_MIN, STALE_MIN};
 use super::option_values::{ClockName, FormName};
 use crate::cli::idle::{self, IdleOption};
+use rapid_compensation::compensate::Options;
 use rapid_compensation::schedule::Until;
 use rapid_syntax::diagnostic::Diagnostic;
 
@@ -21,7 +22,7 @@ impl Args {
             ("--until", matches!(self.until, Until::Minutes(_)) && !scheduled, no_buckets),
             ("--bucket-min", self.bucket_min.is_some() && !scheduled, no_buckets),
             ("--tau-cool", self.tau_cool.is_some() && !warmth, no_cooling),
-            ("--gap-min", self.gap_min != GAP_MIN && !warmth, no_cooling),
+            ("--gap-min", self.gap_min != Options::GAP_MIN && !warmth, no_cooling),
             ("--hold-min", self.hold_min != HOLD_MIN && !measured, no_reading),
             ("--stale-min", self.stale_min != STALE_MIN && !measured, no_reading),
         ];

@@ -1,7 +1,7 @@
 //! The options of `compensate` that ask for `tcTouch`.
 
 use crate::cli::number::positive;
-use driftpost::application::TouchRequest;
+use driftpost::application::{StateEstimation, TouchRequest};
 use rapid_compensation::emit::TouchBy;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::units::m_from_mm;
@@ -9,7 +9,6 @@ use robot_model::units::m_from_mm;
 // What the options are where they are not given: `idle` tells by it which were.
 const RADIUS_MM: f64 = 15.0;
 const MARGIN_MM: f64 = 5.0;
-const SIGMA_MM: f64 = 0.02;
 
 /// Command line of `--touch` and what belongs to it.
 #[derive(Debug, clap::Args)]
@@ -57,7 +56,7 @@ pub struct TouchArgs {
     #[arg(
         long,
         value_name = "MM",
-        default_value_t = SIGMA_MM,
+        default_value_t = StateEstimation::SIGMA_MM,
         allow_negative_numbers = true,
         help_heading = "Touches"
     )]
@@ -82,7 +81,7 @@ impl TouchArgs {
         [
             ("--touch-radius-mm", self.touch_radius_mm != RADIUS_MM && !searches),
             ("--touch-margin-mm", self.touch_margin_mm != MARGIN_MM && !searches),
-            ("--touch-sigma-mm", self.touch_sigma_mm != SIGMA_MM && self.touch.is_none()),
+            ("--touch-sigma-mm", self.touch_sigma_mm != StateEstimation::SIGMA_MM && self.touch.is_none()),
         ]
     }
 

@@ -38,11 +38,11 @@ pub struct Args {
     all: bool,
 
     /// Poses further apart do not agree, mm.
-    #[arg(long, value_name = "MM", default_value_t = 0.005)]
+    #[arg(long, value_name = "MM", default_value_t = LinkCheck::TOLERANCE_MM)]
     tolerance_mm: f64,
 
     /// Angles and joints further apart do not agree, degrees.
-    #[arg(long, value_name = "DEG", default_value_t = 0.001)]
+    #[arg(long, value_name = "DEG", default_value_t = LinkCheck::TOLERANCE_DEG)]
     tolerance_deg: f64,
 
     /// All figures as JSON; - is standard output.

@@ -93,16 +93,16 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             form: FormChoice::default(),
-            tolerance_m: m_from_mm(0.005),
+            tolerance_m: m_from_mm(Self::TOLERANCE_MM),
             until: Until::Auto,
             width: Width::Tolerance,
             max_correction_m: m_from_mm(0.5),
             max_correction_rad: rad_from_deg(0.1),
-            path_tolerance_m: m_from_mm(0.01),
+            path_tolerance_m: m_from_mm(Self::PATH_TOLERANCE_MM),
             keep_moveabsj: false,
             absolute_accuracy: false,
             strict: false,
-            gap_min: Some(5.0),
+            gap_min: Some(Self::GAP_MIN),
             selection: Selection::default(),
             start_rad: None,
             joints_hint: None,
@@ -114,6 +114,13 @@ impl Default for Options {
 }
 
 impl Options {
+    /// No target is further off than this unless told otherwise, mm.
+    pub const TOLERANCE_MM: f64 = 0.005;
+    /// A linear move leaves its line by no more than this unless told otherwise, mm.
+    pub const PATH_TOLERANCE_MM: f64 = 0.01;
+    /// A longer gap between two readings of the clock is a pause unless told otherwise, minutes.
+    pub const GAP_MIN: f64 = 5.0;
+
     /// What is asked of the schedule.
     #[must_use]
     pub fn request(&self) -> Request {
