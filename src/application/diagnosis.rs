@@ -37,6 +37,8 @@ pub struct Diagnosed {
     /// The model, where one was asked for and can be made.
     pub model: Option<Identified>,
     robot: SerialArm,
+    /// What the file calls its columns.
+    names: OwnNames,
 }
 
 impl Diagnosis {
@@ -66,7 +68,7 @@ impl Diagnosis {
         } else {
             (diagnose(measurements, &self.robot, &self.options), None)
         };
-        Ok(Diagnosed { findings, model, robot: self.robot.clone() })
+        Ok(Diagnosed { findings, model, robot: self.robot.clone(), names: OwnNames::default() })
     }
 }
 
@@ -82,22 +84,15 @@ impl Diagnosed {
     /// The same with the file's own names of its columns, where a column map has given it ours.
     #[must_use]
     pub fn in_columns(mut self, names: &OwnNames) -> Self {
-        let findings = &mut self.findings;
-        let rename = |text: &mut String| *text = names.rename(text);
-        rename(&mut findings.reason);
-        findings.no_model.iter_mut().for_each(rename);
-        if let Some(fault) = &mut findings.fault {
-            fault.column.iter_mut().for_each(rename);
-            rename(&mut fault.reason);
-        }
-        findings.warnings.iter_mut().for_each(|warning| rename(&mut warning.message));
+        self.findings.visit_texts(|text| *text = names.rename(text));
+        self.names.clone_from(names);
         self
     }
 
     /// The report as people read it.
     #[must_use]
     pub fn text(&self) -> String {
-        diagnosis::text(&self.findings, &self.robot)
+        diagnosis::text(&self.findings, &self.robot, &self.names)
     }
 
     /// The JSON of the contract.
@@ -117,7 +112,7 @@ impl Diagnosed {
     fn with_notes(&self) -> DiagnosisJson<'_> {
         DiagnosisJson {
             findings: &self.findings,
-            notes: diagnosis::in_sentences(&self.findings, &self.robot),
+            notes: diagnosis::in_sentences(&self.findings, &self.robot, &self.names),
         }
     }
 
@@ -171,13 +166,14 @@ impl Diagnosed {
     /// What writing to `out` fails with.
     pub fn write_page(&self, name: &str, sha256: &str, out: &mut dyn Write) -> io::Result<()> {
         let provenance = [("measurements", format!("{name}, SHA-256 {sha256}"))];
-        let Self { findings, robot, model } = self;
+        let Self { findings, robot, model, names } = self;
         let spectra =
             model.as_ref().map(|model| gear_spectra(model, &findings.causes, robot, &findings.residuals));
         DiagnosisPage {
             title: name,
             findings,
             robot,
+            names,
             spectra: &spectra.unwrap_or_default(),
             text: &self.text(),
             provenance: &provenance,

@@ -3,17 +3,17 @@
 use super::cause_rows::plainly;
 use super::diagnosis_sections::{evidence, false_rows, limits, line, noise, zeros};
 use super::{counted, notes};
-use measurements::direction_columns;
+use measurements::{OwnNames, direction_columns};
 use metrology::diagnose::{Cause, Findings, MissingChannel, Verdict, describe};
 use robot_model::deform::EffectKind;
 use robot_model::robot::SerialArm;
 
 /// A difference under this is not worth a line.
 const WORTH_A_LINE_MM: f64 = 5e-4;
-/// The page in the terminal.
+/// The page in the terminal; `names` are what the file calls its columns, which the findings' own texts have already.
 #[must_use]
-pub fn text(d: &Findings, arm: &SerialArm) -> String {
-    let mut page = opening(d, arm);
+pub fn text(d: &Findings, arm: &SerialArm, names: &OwnNames) -> String {
+    let mut page = opening(d, arm, names);
     evidence(&mut page, d);
     false_rows(&mut page, d);
     limits(&mut page, d);
@@ -24,14 +24,14 @@ pub fn text(d: &Findings, arm: &SerialArm) -> String {
 
 /// What the text says beside its lists, sentence by sentence.
 #[must_use]
-pub fn in_sentences(d: &Findings, arm: &SerialArm) -> Vec<String> {
-    let mut page = opening(d, arm);
+pub fn in_sentences(d: &Findings, arm: &SerialArm, names: &OwnNames) -> Vec<String> {
+    let mut page = opening(d, arm, names);
     zeros(&mut page, d);
     notes(&page)
 }
 
 /// The verdict, what is left, what to do next, and how good the data are.
-fn opening(d: &Findings, arm: &SerialArm) -> String {
+fn opening(d: &Findings, arm: &SerialArm, names: &OwnNames) -> String {
     let robot = &arm.name;
     let mut page = String::new();
     if let Some(summary) = summary(d) {
@@ -39,7 +39,7 @@ fn opening(d: &Findings, arm: &SerialArm) -> String {
     }
     line(&mut page, &format!("{}: {}{}.", heading(d.verdict), d.reason, in_short_plainly(d)));
     left(&mut page, d);
-    line(&mut page, &format!("Next: {}.", next_step(d, arm)));
+    line(&mut page, &format!("Next: {}.", next_step(d, arm, names)));
     line(&mut page, "");
     line(&mut page, &format!("{robot}, {}, {}.", counted(d.rows, "row"), counted(d.stations, "station")));
     noise(&mut page, d);
@@ -124,7 +124,7 @@ fn left(page: &mut String, d: &Findings) {
 }
 
 /// How many rows where, what they decide, and what else can tell.
-fn poses_below(d: &Findings) -> String {
+fn poses_below(d: &Findings, names: &OwnNames) -> String {
     let step = &d.next_step;
     let other = step.other_means.as_deref();
     let n = d.next_measurements.len();
@@ -138,9 +138,9 @@ fn poses_below(d: &Findings) -> String {
     let cold = if step.from_cold { ", on a new warm-up from a cold start" } else { "" };
     let nests = match step.base_nests {
         0 => String::new(),
-        n => format!(
+        n => names.rename(&format!(
             ", and at each of them {n} nests on the base, as far from its axis as can be (rows with kind = base, their fixed_id and the arm's joints and payload)"
-        ),
+        )),
     };
     let decides = match d.verdict {
         Verdict::Ambiguous if step.decides => ": that is expected to decide",
@@ -155,11 +155,11 @@ fn poses_below(d: &Findings) -> String {
 }
 
 /// What to do with this verdict.
-pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
+pub(super) fn next_step(d: &Findings, arm: &SerialArm, names: &OwnNames) -> String {
     if let Some(channel) = d.missing_channel {
-        return note(channel, arm);
+        return names.rename(&note(channel, arm));
     }
-    let poses = poses_below(d);
+    let poses = poses_below(d, names);
     let write = match &d.no_model {
         Some(why) => format!("no model can be written: {why}"),
         None if arm.clone().six_axis().is_ok() => {
@@ -170,12 +170,10 @@ pub(super) fn next_step(d: &Findings, arm: &SerialArm) -> String {
     match d.verdict {
         Verdict::Explained | Verdict::Several if poses.is_empty() => write,
         Verdict::Explained | Verdict::Several => format!("{write}; to be surer {poses}"),
-        Verdict::Ambiguous if play_or_spring(d) => {
-            format!(
-                "measure again with the directions of approach ({}): play follows them, a spring does not",
-                direction_columns(arm.joints.len())
-            )
-        }
+        Verdict::Ambiguous if play_or_spring(d) => names.rename(&format!(
+            "measure again with the directions of approach ({}): play follows them, a spring does not",
+            direction_columns(arm.joints.len())
+        )),
         Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
         Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
         Verdict::NothingAboveNoise => format!("nothing to correct; {poses}"),

@@ -4,6 +4,7 @@ use super::embed::Decimals;
 use super::scene::robot;
 use super::{Page, write_page};
 use crate::report::diagnosis::{next_step, summary};
+use measurements::OwnNames;
 use metrology::diagnose::{Findings, GearLine, GearSpectrum, RowResidual};
 use robot_model::robot::SerialArm;
 use robot_model::units::{mm_from_m, mrad_from_rad};
@@ -22,6 +23,8 @@ pub struct DiagnosisPage<'a> {
     pub findings: &'a Findings,
     /// The robot as its model says, of four to seven joints.
     pub robot: &'a SerialArm,
+    /// What the file calls its columns.
+    pub names: &'a OwnNames,
     /// Lines of the gears, joint by joint, as far as a model holds them.
     pub spectra: &'a [GearSpectrum],
     /// The report as people read it on a terminal.
@@ -44,7 +47,7 @@ impl DiagnosisPage<'_> {
             "robot": robot(self.robot),
             "text": self.text,
             "mostly": summary(self.findings),
-            "next": next_step(self.findings, self.robot),
+            "next": next_step(self.findings, self.robot, self.names),
             "provenance": self.provenance,
             "spectra": self.spectra.iter().map(spectrum).collect::<Vec<_>>(),
             "rows": all.len(),

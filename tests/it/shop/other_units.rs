@@ -149,6 +149,44 @@ mod long {
     }
 }
 
+/// All texts of a result but the names of its values.
+fn texts(of: &serde_json::Value) -> Vec<String> {
+    match of {
+        serde_json::Value::String(text) => vec![text.clone()],
+        serde_json::Value::Array(all) => all.iter().flat_map(texts).collect(),
+        serde_json::Value::Object(all) => all.values().flat_map(texts).collect(),
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn what_cannot_be_told_and_what_to_do_next_name_the_columns_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let bent = robot_under_test(&[(Effect::JointCompliance { joint: 2 }, 1e-6)]);
+    let ours = file(&bent, &somewhere(), Vector3::from(TIP_M), 6);
+    // Columns that a form has and nobody filled in.
+    let rows = ours.lines().skip(1).map(|row| format!("{row},,,,,,,,\n"));
+    let theirs =
+        format!("id,J1,J2,J3,J4,J5,J6,X,Y,Z,Uhr,Last,R1,R2,R3,R4,R5,R6\n{}", rows.collect::<String>());
+    let names = [("q", "J", "_deg", 1..=6), ("dir", "R", "", 1..=6)].map(|(ours, own, unit, joints)| {
+        joints.map(|joint| format!("{ours}{joint}{unit} = \"{own}{joint}\"\n")).collect::<String>()
+    });
+    let others = "x_mm = \"X\"\ny_mm = \"Y\"\nz_mm = \"Z\"\nt_min = \"Uhr\"\npayload_kg = \"Last\"\n";
+    let map = write(folder.path(), "map.toml", &format!("[columns]\n{}{others}", names.concat()));
+    let csv = write(folder.path(), "theirs.csv", &theirs);
+    let json = folder.path().join("d.json").to_string_lossy().into_owned();
+    let (code, out, answer) = run(&["diagnose", &csv, "--columns", &map, "--json", &json]);
+    assert_eq!(code, 0, "{answer}");
+    let read: serde_json::Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let all = [texts(&read).join("\n"), out, answer].join("\n");
+    for own in ["has no payload (Last)", "directions of approach (R1 to R6)", "Uhr is empty"] {
+        assert!(all.contains(own), "{own}: {all}");
+    }
+    for ours in ["t_min", "payload_kg", "dir1", "q1_deg"] {
+        assert!(!all.contains(ours), "{ours}: {all}");
+    }
+}
+
 #[test]
 fn what_is_wrong_with_measurements_is_told_with_the_name_of_their_file() {
     let folder = tempfile::tempdir().unwrap();

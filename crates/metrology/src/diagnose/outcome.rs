@@ -288,6 +288,20 @@ impl Findings {
         }
     }
 
+    /// Hands each sentence and phrase for people to `visit`, which may change it.
+    pub fn visit_texts(&mut self, mut visit: impl FnMut(&mut String)) {
+        let Self { reason, fault, no_model, next_reason, next_step, .. } = self;
+        let Self { untestable_detail, false_rows, warnings, .. } = self;
+        let NextStep { reason: next_step_reason, other_means, .. } = next_step;
+        let fault = fault.iter_mut().flat_map(|fault| fault.column.iter_mut().chain([&mut fault.reason]));
+        let one_by_one =
+            [reason, next_reason, next_step_reason].into_iter().chain(no_model).chain(other_means);
+        let untestable = untestable_detail.iter_mut().map(|entry| &mut entry.reason);
+        let false_rows = false_rows.iter_mut().filter_map(|row| row.looks_like.as_mut());
+        let warnings = warnings.iter_mut().map(|warning| &mut warning.message);
+        one_by_one.chain(fault).chain(untestable).chain(false_rows).chain(warnings).for_each(&mut visit);
+    }
+
     /// An answer without causes.
     #[must_use]
     pub fn without_causes(verdict: Verdict, reason: impl Into<String>) -> Self {
@@ -317,5 +331,38 @@ impl Findings {
             no_model: None,
             residuals: Vec::new(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_text_for_people_is_kept_from_who_visits_them() {
+        let text = || "t_min".to_owned();
+        let mut found = Findings {
+            no_model: Some(text()),
+            next_reason: text(),
+            next_step: NextStep { reason: text(), other_means: Some(text()), ..NextStep::default() },
+            untestable_detail: vec![Untestable {
+                effect: EffectKind::Backlash,
+                joints: Vec::new(),
+                reason: text(),
+                lacks_channel: true,
+            }],
+            false_rows: vec![FalseRow {
+                line: 2,
+                id: None,
+                off_mm: None,
+                times_middle: None,
+                looks_like: Some(text()),
+            }],
+            warnings: vec![Warning { code: "measure::gaps", message: text() }],
+            ..Findings::of_fault(Fault::of_all(FaultKind::ColumnUnits, Some("t_min"), "t_min"))
+        };
+        found.visit_texts(|text| *text = text.replace("t_min", "clock"));
+        let all = format!("{found:?}");
+        assert!(!all.contains("\"t_min\"") && all.matches("\"clock\"").count() == 10, "{all}");
     }
 }
