@@ -1,4 +1,4 @@
-//! The whole loop on a virtual robot: an effect is withheld, the robot measured, the measurements diagnosed, a program
+//! The whole loop on a virtual robot: an effect is injected, the robot measured, the measurements diagnosed, a program
 //! compensated for what was found, and its targets measured again on the same robot.
 
 use super::compensation::Compensation;
@@ -30,14 +30,14 @@ pub struct ClosedLoop {
     pub robot: Named<Robot>,
     /// How the virtual robot differs from it, and how it is measured.
     pub recipe: Recipe,
-    /// The withheld effects in words, for messages.
-    pub withheld: String,
+    /// The injected effects in words, for messages.
+    pub injected: String,
 }
 
 impl ClosedLoop {
-    /// A virtual robot that differs from `robot` as `recipe` says, which `withheld` says in words.
-    pub fn new(robot: impl Into<Named<Robot>>, recipe: Recipe, withheld: impl Into<String>) -> Self {
-        Self { robot: robot.into(), recipe, withheld: withheld.into() }
+    /// A virtual robot that differs from `robot` as `recipe` says, which `injected` says in words.
+    pub fn new(robot: impl Into<Named<Robot>>, recipe: Recipe, injected: impl Into<String>) -> Self {
+        Self { robot: robot.into(), recipe, injected: injected.into() }
     }
 
     /// Measures the virtual robot, diagnoses it, compensates `program` for what is found, and measures again at its targets.
@@ -49,9 +49,9 @@ impl ClosedLoop {
         let Identification { findings, model, set } = self.identify(rng)?;
         match self.measure_again(&model, &set, program, rng) {
             Ok(MeasuredAgain { before, after, kept }) => {
-                let (withheld, n) = (self.withheld.clone(), self.recipe.n);
+                let (injected, n) = (self.injected.clone(), self.recipe.n);
                 let floor_mm = self.recipe.sigma_mm * 3.0_f64.sqrt();
-                Ok(LoopClosed { withheld, n, floor_mm, findings, model, before, after, kept })
+                Ok(LoopClosed { injected, n, floor_mm, findings, model, before, after, kept })
             }
             Err(why) => Err(LoopFailure { why, model: Some(Box::new(model)) }),
         }
@@ -67,12 +67,12 @@ impl ClosedLoop {
                 "rehearse::effect",
                 format!("{name} changes with time or is the instrument's"),
             )
-            .help("withhold effects of the arm that stay; drift over a warm-up is `fit`'s"));
+            .help("inject effects of the arm that stay; drift over a warm-up is `fit`'s"));
         }
         let set = data_set(&robot.into(), &self.robot.source.name, &self.recipe, rng).ok_or_else(|| {
             Diagnostic::error(
                 "synth::no-signal",
-                format!("{} cannot be made as large as asked", self.withheld),
+                format!("{} cannot be made as large as asked", self.injected),
             )
             .help("it lies inside the registration of base and tool, or --rho is too large for it")
         })?;
@@ -150,13 +150,13 @@ struct MeasuredAgain {
 /// A loop that was closed.
 #[derive(Clone, Debug)]
 pub struct LoopClosed {
-    /// The withheld effects in words.
-    pub withheld: String,
+    /// The injected effects in words.
+    pub injected: String,
     /// How many poses were measured.
     pub n: usize,
     /// Root mean square in space of what the instrument's noise alone leaves, mm.
     pub floor_mm: f64,
-    /// The diagnosis, which was not told what was withheld.
+    /// The diagnosis, which was not told what was injected.
     pub findings: diagnose::Findings,
     /// The model of what it found.
     pub model: Identified,
@@ -182,10 +182,10 @@ impl LoopClosed {
         self.found_and_left() + &format!("{verdict} {times} times the noise floor\n")
     }
 
-    /// What was found of what was withheld, and what is left at the targets.
+    /// What was found of what was injected, and what is left at the targets.
     fn found_and_left(&self) -> String {
-        let Self { withheld, n, floor_mm, findings, .. } = self;
-        let mut text = format!("withheld: {withheld}\nfound in {n} poses: {}\n", findings.reason);
+        let Self { injected, n, floor_mm, findings, .. } = self;
+        let mut text = format!("injected: {injected}\nfound in {n} poses: {}\n", findings.reason);
         text += &format!("noise floor {floor_mm:.4} mm, rms in space\n");
         for (when, left) in [("before", &self.before), ("after", &self.after)] {
             text += &format!(
@@ -206,7 +206,7 @@ impl LoopClosed {
     #[must_use]
     pub fn json(&self) -> Value {
         json!({
-            "notes": notes(&self.found_and_left()), "withheld": self.withheld, "verdict": self.findings.verdict,
+            "notes": notes(&self.found_and_left()), "withheld": self.injected, "verdict": self.findings.verdict,
             "causes": self.findings.causes.iter().map(diagnose::describe).collect::<Vec<_>>(),
             "targets": self.before.n, "kept": self.kept, "floor_rms_mm": self.floor_mm,
             "before": self.before.json(), "after": self.after.json(),
