@@ -56,8 +56,8 @@
 //! Without the default ones the library brings no terminal and no network.
 //!
 //! The parts stand in crates of their own: [`rapid_syntax`] (text), [`robot_model`] (the arm), [`rapid_program`] (what a program
-//! means), [`rapid_compensation`] (what it becomes), [`virtual_controller`], [`measurements`] (files of poses), [`metrology`] (what they say of
-//! the arm) and [`exam`]. What jobs take and give of them is reached through [`parts`].
+//! means), [`rapid_compensation`] (what it becomes), [`virtual_controller`], [`measurements`] (files of poses), [`warm_up`] (what touches say of
+//! how it drifts), [`metrology`] (what measurements say of the arm) and [`exam`]. What jobs take and give of them is reached through [`parts`].
 
 #![allow(unreachable_pub, reason = "modules are private, and hand out by name what is public")]
 
@@ -89,12 +89,32 @@ mod report;
 /// assert!(found.is_within());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// When a robot stood that was touched over its warm-up, where nobody touched it meanwhile:
+///
+/// ```
+/// use driftpost::application::TouchSynthesis;
+/// use driftpost::parts::nalgebra::Vector3;
+/// use driftpost::parts::warm_up::Standstill;
+/// use driftpost::{Deformation, Fit, Robot, Touches};
+///
+/// let robot = Robot::built_in("irb140").expect("it is one of the library's");
+/// let touched = TouchSynthesis::new(robot.clone(), Deformation::paper()).run()?;
+///
+/// let mut fit = Fit::new(robot);
+/// fit.options.tool_m = Vector3::new(0.0, 0.0, 0.1);
+/// fit.options.stops = Some(vec![Standstill { from_min: 120.0, to_min: 165.0 }]);
+/// let fitted = fit.run(&Touches::from_csv(touched.csv.as_bytes())?)?;
+/// let [tau_min, _] = fitted.warm_up.tau_cool_min.expect("it cooled");
+/// assert!((50.0..70.0).contains(&tau_min), "it was made with 60 minutes: {tau_min}");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub mod parts {
     #[cfg(feature = "link")]
     pub use robot_link;
     pub use {
         exam, measurements, metrology, nalgebra, rapid_compensation, rapid_program, rapid_syntax,
-        robot_model, virtual_controller,
+        robot_model, virtual_controller, warm_up,
     };
 }
 
