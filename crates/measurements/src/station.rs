@@ -31,7 +31,7 @@ pub struct Station {
     pub t_min: Option<f64>,
     /// How long before that of the file's last cold start the clock of [`Self::t_min`] began, minutes: 0 where the file has one.
     pub earlier_min: f64,
-    /// Joints; at a nest where the arm stood, 0 where its row does not say.
+    /// Joints, radians, those that slide metres; at a nest where the arm stood, 0 where its row does not say.
     pub q_rad: Joints,
     /// What was measured, the mean of the rows.
     pub reading: Reading,

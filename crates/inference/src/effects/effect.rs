@@ -13,7 +13,7 @@ use robot_model::units::mm_from_m;
 pub trait Effect: Sync {
     /// The effect's kind, which gives it its name in every output.
     fn kind(&self) -> EffectKind;
-    /// Unit of its size: mm, rad, rad/(N.m), 1, ppm, kg.
+    /// Unit of its size: mm, rad, rad/(N.m), mm/N, 1, ppm, kg.
     fn unit(&self) -> SizeUnit;
     /// The size it usually has, in words for people.
     fn usual_size(&self) -> &'static str;

@@ -129,7 +129,7 @@ impl Fault {
         Self { kind, column: column.map(str::to_owned), lines: Vec::new(), reason: reason.into() }
     }
 
-    /// One in some lines; `said` gives the sentence from their number and their names.
+    /// One in some lines; `describe` gives the sentence from their number and their names.
     #[must_use]
     pub fn in_rows(
         kind: FaultKind,

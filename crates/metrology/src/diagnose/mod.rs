@@ -1,7 +1,7 @@
 //! Why a robot does not stand where its model says: which effect, where, how far the gap shrinks once it is
 //! in the model, and when that cannot be said.
 //!
-//! One evidence engine over a library of effects (one file each in `effects`). Knows no RAPID and no files.
+//! One evidence engine over a library of effects; the engine and that library are `inference`, here is what follows for a person. Knows no RAPID and no files.
 
 mod angle_grid;
 mod balancing;

@@ -230,7 +230,7 @@ pub struct Findings {
     pub next_step: NextStep,
     /// The noise as known and as found.
     pub noise: NoiseEstimate,
-    /// Rows read and stations used.
+    /// Rows read.
     pub rows: usize,
     /// Number of stations used.
     pub stations: usize,
