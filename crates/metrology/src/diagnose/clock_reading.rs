@@ -1,6 +1,6 @@
 //! Another reading of a file's minutes: the diagnosis is made of it too, and the likelier of the two stands.
 
-use super::evaluate::{Evaluation, FoundModel};
+use super::evaluate::Evaluation;
 use super::outcome::{Verdict, Warning};
 use measurements::Stations;
 
@@ -32,14 +32,19 @@ impl ClockReading {
     /// says so.
     #[must_use]
     pub(super) fn likelier(self, before: Evaluation, mut anew: Evaluation) -> Evaluation {
-        let both = anew.found.as_ref().zip(before.found.as_ref());
-        let is_likelier = |(anew, before): (&FoundModel, &FoundModel)| {
-            anew.warms_up && anew.log_evidence - before.log_evidence > LIKELIER_NATS
-        };
-        if !anew.diagnosis.verdict.names_causes() || !both.is_some_and(is_likelier) {
+        let warms_up = anew.found.as_ref().is_some_and(|found| found.warms_up);
+        let is_likelier = gain_nats(&before, &anew) > LIKELIER_NATS;
+        if !(anew.diagnosis.verdict.names_causes() && warms_up && is_likelier) {
             return before;
         }
         anew.diagnosis.warnings.insert(0, self.warning);
         anew
     }
+}
+
+/// By how much a diagnosis is likelier than another of the same rows, nats; not at all where one of them found no model.
+#[must_use]
+pub(super) fn gain_nats(before: &Evaluation, anew: &Evaluation) -> f64 {
+    let both = anew.found.as_ref().zip(before.found.as_ref());
+    both.map_or(f64::NEG_INFINITY, |(anew, before)| anew.log_evidence - before.log_evidence)
 }

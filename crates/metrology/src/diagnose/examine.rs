@@ -2,7 +2,7 @@
 //!
 //! What is wrong with the file itself is said here; knows nothing of evidence.
 
-use super::clock_reading::ClockReading;
+use super::clock_reading::{ClockReading, gain_nats};
 use super::cold_starts::cold_starts;
 use super::evaluate::{Evaluation, Prepared, evaluate};
 use super::measured_robot::MeasuredRobot;
@@ -32,6 +32,9 @@ const FEWEST_POSES: usize = 8;
 /// Poses that are enough for what changes over time, where so many stations come back to them: each is held against itself.
 const FEWEST_POSES_OVER_TIME: usize = 5;
 const FEWEST_STATIONS_OVER_TIME: usize = 30;
+
+/// Where cooling at a usual time constant is so much less likely, no other one is likelier than none, nats.
+const HOPELESS_NATS: f64 = 20.0;
 
 /// Diagnoses `measurements` of `robot`.
 #[must_use]
@@ -79,12 +82,11 @@ fn examine_in_pool(
         let measured = MeasuredRobot { robot, measurements: &seen.measurements, stations: &stations };
         let mut evaluation = evaluated(measured, &seen, options, wants_model)?;
         if ClockReading::may_tell(&evaluation) {
-            for reading in cold_starts(&stations).into_iter().chain(standstills(&stations)) {
+            let at = |reading: &ClockReading| {
                 let measured = MeasuredRobot { stations: &reading.stations, ..measured };
-                if let Ok(anew) = evaluated(measured, &seen, options, wants_model) {
-                    evaluation = reading.likelier(evaluation, anew);
-                }
-            }
+                evaluated(measured, &seen, options, wants_model).ok()
+            };
+            evaluation = likeliest_reading(&stations, evaluation, at);
         }
         match poses(&stations) < FEWEST_POSES && !changes_over_time(&evaluation.diagnosis) {
             true => Err(too_few(&stations)),
@@ -142,6 +144,29 @@ impl Unusable {
             Self::TooLittle(reason) => Findings::without_causes(Verdict::InsufficientData, reason),
         }
     }
+}
+
+/// Of the diagnosis of minutes as they are written and of those of other readings of them, which `evaluate` makes, the likeliest.
+fn likeliest_reading(
+    stations: &Stations,
+    as_written: Evaluation,
+    evaluate: impl Fn(&ClockReading) -> Option<Evaluation>,
+) -> Evaluation {
+    let mut likeliest = as_written;
+    if let Some(reading) = cold_starts(stations)
+        && let Some(anew) = evaluate(&reading)
+    {
+        likeliest = reading.likelier(likeliest, anew);
+    }
+    for reading in standstills(stations) {
+        let Some(anew) = evaluate(&reading) else { break };
+        let gain_nats = gain_nats(&likeliest, &anew);
+        likeliest = reading.likelier(likeliest, anew);
+        if gain_nats < -HOPELESS_NATS {
+            break;
+        }
+    }
+    likeliest
 }
 
 /// The stations of the rows that can be used, where those are enough.
