@@ -32,7 +32,7 @@ impl DetectionLimits {
     /// Of each effect and joint beside the causes that were found.
     #[must_use]
     pub(super) fn of(fitted: &FittedModel<'_>) -> Self {
-        let sight = Sight::new(fitted);
+        let sight = DetectionProblem::new(fitted);
         let mut detectable: Vec<Detectable> = Vec::new();
         let mut shown: Vec<Asked> = Vec::new();
         let mut far: Vec<(Detectable, &str)> = Vec::new();
@@ -63,14 +63,14 @@ impl DetectionLimits {
 type Asked = (EffectKind, Option<Axis>);
 
 /// What the poses show of an effect beside base and target, with the causes that were found and without.
-struct Sight<'a> {
+struct DetectionProblem<'a> {
     fitted: &'a FittedModel<'a>,
     groups: Vec<usize>,
     beside_causes: NuisanceModel,
     alone: Option<NuisanceModel>,
 }
 
-impl<'a> Sight<'a> {
+impl<'a> DetectionProblem<'a> {
     fn new(fitted: &'a FittedModel<'a>) -> Self {
         let FittedModel { model, workspace, .. } = fitted;
         let groups = workspace.design.all_groups();

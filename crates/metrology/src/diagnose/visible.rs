@@ -28,13 +28,13 @@ pub(super) struct VisibleCandidates {
 }
 
 /// Base and target beside the observations of a data set, all alike: what they leave of a candidate's signal.
-struct Sight<'a> {
+struct RegistrationVisibility<'a> {
     dataset: &'a Dataset,
     design: Design,
     nuisance: NuisanceModel,
 }
 
-impl<'a> Sight<'a> {
+impl<'a> RegistrationVisibility<'a> {
     fn new(dataset: &'a Dataset, residuals: &[Twist], targets: usize, noise: NoisePrior) -> Self {
         let n = dataset.observations.len();
         let whitening = Whitening::independent(vec![1.0; n], USUAL_LENGTH_M);
@@ -69,12 +69,12 @@ impl<'a> Sight<'a> {
 /// Takes out the candidates whose signal the registration, with so many `targets`, takes whole.
 pub(super) fn visible(linear: &Linearised, targets: usize, noise: NoisePrior) -> VisibleCandidates {
     let Linearised { dataset, residuals, .. } = linear;
-    let whole = Sight::new(dataset, residuals, targets, noise);
+    let whole = RegistrationVisibility::new(dataset, residuals, targets, noise);
     // There are many candidates, and may be many rows: what some of them show all of them do.
     let step = dataset.observations.len().div_ceil(ASKED_FIRST).max(1);
     let some = (step > 1).then(|| dataset.every(step));
     let some_residuals: Vec<Twist> = residuals.iter().step_by(step).copied().collect();
-    let some = some.as_ref().map(|some| Sight::new(some, &some_residuals, targets, noise));
+    let some = some.as_ref().map(|some| RegistrationVisibility::new(some, &some_residuals, targets, noise));
     let testable = testable_effects(dataset);
     let scaled = some.as_ref().unwrap_or(&whole).scaled_shares(&testable.candidates);
     let mut candidates = Vec::new();
@@ -144,8 +144,9 @@ mod tests {
         let some = dataset.every(5);
         assert_eq!(some.observations.len(), 180);
         let noise = NoisePrior { known: None, from_repeats: false, stated_more_m: None };
-        let sight = |dataset| Sight::new(dataset, &vec![Twist([1e-4; 6]); 900], 1, noise);
-        let (whole, some) = (sight(&dataset), Sight::new(&some, &[Twist([1e-4; 6]); 180], 1, noise));
+        let sight = |dataset| RegistrationVisibility::new(dataset, &vec![Twist([1e-4; 6]); 900], 1, noise);
+        let (whole, some) =
+            (sight(&dataset), RegistrationVisibility::new(&some, &[Twist([1e-4; 6]); 180], 1, noise));
         let (mut plain, mut hidden) = (0, 0);
         for candidate in testable_effects(&dataset).candidates {
             if candidate.kind == EffectKind::GearMesh {
