@@ -6,7 +6,7 @@ const REST: &str = "[0.0871557,0,0.9961947,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E
 const HOME: &str = "MoveAbsJ [[5,10,20,5,50,5],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;";
 
 /// A module of data and motions; `@` stands for all of a robtarget behind its position.
-fn module(data: &str, motions: &str) -> String {
+pub(super) fn module(data: &str, motions: &str) -> String {
     let text = format!(
         "MODULE A\nRECORD spot\nrobtarget at;\nrobtarget next;\nnum k;\nENDRECORD\n\
          PERS tooldata tGun:=[TRUE,[[0,0,120],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];\n\
@@ -16,7 +16,7 @@ fn module(data: &str, motions: &str) -> String {
 }
 
 /// The module in a form, which gives it back byte for byte.
-fn compensated(bench: &Bench, source: &str, form: &str) -> String {
+pub(super) fn compensated(bench: &Bench, source: &str, form: &str) -> String {
     let (from, to) = (bench.file("a.mod", source), bench.path("o.mod").display().to_string());
     let made = driftpost(&["compensate", &from, "-o", &to, "--form", form, "--diff", "none", "--force"]);
     assert_eq!(made.status.code(), Some(0), "{form}: {}", err(&made));
@@ -27,7 +27,7 @@ fn compensated(bench: &Bench, source: &str, form: &str) -> String {
 }
 
 /// What is said of a changed module, and the original that is got back; it ends with `code`.
-fn restored(bench: &Bench, changed: &str, code: i32) -> (String, String) {
+pub(super) fn restored(bench: &Bench, changed: &str, code: i32) -> (String, String) {
     let (from, to) = (bench.file("changed.mod", changed), bench.path("back.mod").display().to_string());
     let output = driftpost(&["restore", &from, "-o", &to]);
     assert_eq!(output.status.code(), Some(code), "{}\n{changed}", err(&output));
@@ -44,7 +44,7 @@ fn exchanged(text: &str, from: &str, by: &str) -> String {
     text.replace(from, "\u{1}").replace(by, from).replace('\u{1}', by)
 }
 
-fn once(text: &str, from: &str, by: &str) -> String {
+pub(super) fn once(text: &str, from: &str, by: &str) -> String {
     assert_eq!(text.matches(from).count(), 1, "{from}");
     text.replace(from, by)
 }

@@ -1,5 +1,6 @@
 //! The command line as scripts rely on it: exit codes, what is written where, and every refusal.
 
+mod asked_by_hand;
 mod asked_names;
 mod bad_input;
 mod changed_by_hand;

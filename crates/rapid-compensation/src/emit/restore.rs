@@ -5,6 +5,7 @@
 //! the same program, not the same bytes.
 
 mod altered;
+mod arguments;
 mod arrays;
 mod comment_block;
 mod declared;

@@ -164,7 +164,8 @@ pub enum Altered {
     },
     /// What corrects the target is not what it was given, or what the model is asked for not what the motion goes with.
     #[error(
-        "the motion asks with another correction than it was given, or the model with another tool or work object than the motion goes with"
+        "the motion asks with another correction than it was given, the model with another tool or work object than the motion goes with, or \
+         as only the second point of an arc may (tcI, tcAtSame, tcLiveSame), so that the clock is not asked"
     )]
     Arguments {
         /// The motion's line, from 1.

@@ -146,7 +146,7 @@ impl<'w> Remover<'w> {
     where
         'w: 'a,
     {
-        if let Some(inside) = self.inside(argument) {
+        if let Some(inside) = self.arguments().inside(argument) {
             let by = corrected_by(inside.corrected_by(self.bytes));
             let range = inside.target;
             return Some((TargetText { text: range.of(self.bytes), range, is_there: true, by }, None));
@@ -154,8 +154,7 @@ impl<'w> Remover<'w> {
         if arrays.is_empty() {
             return None;
         }
-        let (name, _) = self.element(argument)?;
-        let name = self.text(name).to_ascii_lowercase();
+        let name = self.text(self.arguments().element(argument)?.name).to_ascii_lowercase();
         let at = NamedArray::find(arrays, *next, &name)?;
         *next = at + 1;
         let NamedArray { name, array, .. } = arrays.get(at)?;

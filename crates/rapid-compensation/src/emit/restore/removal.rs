@@ -1,45 +1,19 @@
 //! Takes out of a module what was added, and puts back what stood in its motions.
 
+use super::arguments::{Arguments, Element, Place};
 use super::arrays::{Array, NamedArray, Rows, Use};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
 use super::undo::{UndoEdits, UndoText};
 use crate::emit::array_reader::ArrayReader;
-use crate::emit::asks;
 use crate::emit::checksum::{self, Elements};
 use crate::emit::declarations::Declarations;
 use crate::emit::elements::elements;
 use crate::emit::header::Record;
 use crate::emit::insertion;
-use crate::emit::names::{is_name, word_length};
+use crate::emit::names::is_name;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, DataDecl, Expr, ExprKind, Module, ModuleItem, Routine, StmtKind};
-
-/// Functions that stand round a target and correct it by what is beside it.
-const BY_POSE: [&str; 4] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ"];
-/// Functions that stand round a target and ask the model, with the motion's tool and work object.
-const BY_MODEL: [&str; 3] = ["tcLive", "tcLiveSame", "tcLiveJ"];
-
-/// What a function of ours stands round.
-pub(super) struct Inside<'e> {
-    /// The target that it corrects.
-    pub(super) target: TextRange,
-    /// The tool and work object that a model is asked with.
-    asked_with: &'e [Arg],
-    /// What corrects it where no model is asked.
-    corrections: &'e [Arg],
-}
-
-impl Inside<'_> {
-    /// The name of the first correction; empty where a model is asked.
-    pub(super) fn corrected_by<'b>(&self, bytes: &'b [u8]) -> &'b [u8] {
-        let first = match self.corrections.first().map(|arg| &arg.kind) {
-            Some(ArgKind::Positional(expr)) => expr.range.of(bytes),
-            _ => b"",
-        };
-        first.split_at(word_length(first)).0
-    }
-}
+use rapid_syntax::tree::{Arg, ArgKind, DataDecl, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
 /// The module's own routines, whose motions ask, and the arrays that some of them go by, in the order in which they are looked for.
 #[derive(Clone, Copy)]
@@ -72,8 +46,9 @@ impl<'w> Remover<'w> {
         String::from_utf8_lossy(range.of(self.bytes)).into_owned()
     }
 
-    fn is_core(&self, range: TextRange, name: &str) -> bool {
-        range.of(self.bytes).eq_ignore_ascii_case(self.record.core(name).as_bytes())
+    /// What the arguments of its motions are.
+    pub(super) fn arguments(&self) -> Arguments<'w> {
+        Arguments { bytes: self.bytes, record: self.record }
     }
 
     /// Takes out the data; gives the arrays in the order in which they are looked for.
@@ -215,23 +190,7 @@ impl<'w> Remover<'w> {
         for routine in routines {
             for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
-                for arg in &call.args {
-                    let ArgKind::Positional(expr) = &arg.kind else { continue };
-                    if let Some((name, index)) = self.element(expr)
-                        && let Some(at) =
-                            NamedArray::find(arrays, next, &self.text(name).to_ascii_lowercase())
-                    {
-                        let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
-                        arrays[at].uses.push(Use { expr, index, routine });
-                        next = at + 1;
-                    } else if let Some(inside) = self.inside(expr) {
-                        let Inside { target: inner, asked_with, .. } = inside;
-                        if !(self.goes_with(&call.args, asked_with) && self.was_asked(expr, &inside)) {
-                            self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
-                        }
-                        self.uncover(expr.range, inner);
-                    }
-                }
+                self.call(&call.args, routine, (&mut *arrays, &mut next));
             }
         }
         let asking = Asking { routines, arrays, declarations: &declarations };
@@ -243,6 +202,38 @@ impl<'w> Remover<'w> {
             (next.line, &next.target, &next.value) == (kept.line, &kept.target, &kept.value)
         });
         Ok(touched)
+    }
+
+    /// Takes out what stands round the targets among the arguments of a call, and notes which arrays it goes by. `next` is the array that
+    /// is looked at first.
+    fn call(
+        &mut self,
+        args: &[Arg],
+        routine: &'w Routine,
+        (arrays, next): (&mut [NamedArray<'w>], &mut usize),
+    ) {
+        let (arguments, mut asking) = (self.arguments(), 0);
+        for arg in args {
+            let ArgKind::Positional(expr) = &arg.kind else { continue };
+            let is_in_place = if let Some(Element { name, index, place }) = arguments.element(expr)
+                && let Some(at) = NamedArray::find(arrays, *next, &self.text(name).to_ascii_lowercase())
+            {
+                let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
+                arrays[at].uses.push(Use { expr, index, routine });
+                *next = at + 1;
+                place == Place::behind(asking)
+            } else if let Some(inside) = arguments.inside(expr) {
+                self.uncover(expr.range, inside.target);
+                arguments.is_as_made(expr, &inside, args)
+                    && inside.place.is_none_or(|place| place == Place::behind(asking))
+            } else {
+                continue;
+            };
+            asking += 1;
+            if !is_in_place {
+                self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
+            }
+        }
     }
 
     /// Takes out what stands round the target in an argument.
@@ -375,73 +366,6 @@ impl<'w> Remover<'w> {
             self.edits.put(*range, UndoText::Own(new.text.clone()));
         }
         Ok(())
-    }
-
-    /// Name and own index of `name{tcK()}`, `name{tcI}` and `name{index,tcK()}`.
-    pub(super) fn element(&self, expr: &Expr) -> Option<(TextRange, Option<TextRange>)> {
-        let ExprKind::Index(element) = &expr.kind else { return None };
-        let base = &element.base;
-        if !matches!(base.kind, ExprKind::Name) {
-            return None;
-        }
-        let (last, own) = element.indices.split_last()?;
-        let asks = match &last.kind {
-            ExprKind::Name => self.is_core(last.range, "tcI"),
-            ExprKind::Call(call) => call.args.is_empty() && self.is_core(call.name, "tcK"),
-            _ => false,
-        };
-        let own = match (own.first(), own.last()) {
-            (Some(first), Some(last)) => Some(first.range.cover(last.range)),
-            _ => None,
-        };
-        asks.then_some((base.range, own))
-    }
-
-    /// What a function of ours stands round.
-    pub(super) fn inside<'e>(&self, expr: &'e Expr) -> Option<Inside<'e>> {
-        let ExprKind::Call(call) = &expr.kind else { return None };
-        let is_any = |functions: &[&str]| functions.iter().any(|function| self.is_core(call.name, function));
-        let (target, rest) = call.args.split_first()?;
-        let (asked_with, corrections): (&[Arg], &[Arg]) = match (is_any(&BY_MODEL), is_any(&BY_POSE)) {
-            (true, _) => (rest, &[]),
-            (false, true) => (&[], rest),
-            (false, false) => return None,
-        };
-        match &target.kind {
-            ArgKind::Positional(inner) => Some(Inside { target: inner.range, asked_with, corrections }),
-            _ => None,
-        }
-    }
-
-    /// Whether what corrects a target did when the module was made.
-    fn was_asked(&self, argument: &Expr, inside: &Inside<'_>) -> bool {
-        let ExprKind::Call(call) = &argument.kind else { return true };
-        if inside.corrections.is_empty() {
-            return true;
-        }
-        let behind = TextRange::new(inside.target.end, argument.range.end).of(self.bytes);
-        let arguments = behind.strip_suffix(b")").unwrap_or(behind);
-        let ask = asks::ask(call.name.of(self.bytes), inside.target.of(self.bytes), arguments);
-        ask.is_none_or(|ask| asks::was_asked(&self.record.asks, ask))
-    }
-
-    /// Whether a model is asked with the motion's own tool and work object; true where none is asked.
-    fn goes_with(&self, motion: &[Arg], asked_with: &[Arg]) -> bool {
-        let text = |range: TextRange| self.text(range).to_ascii_lowercase();
-        let tool = |arg: &Arg| match &arg.kind {
-            ArgKind::Positional(expr) => Some(text(expr.range)),
-            _ => None,
-        };
-        let wobj = |arg: &Arg| match &arg.kind {
-            ArgKind::Named { name, value } if text(*name) == "wobj" => {
-                value.as_ref().map(|value| text(value.range))
-            }
-            ArgKind::Conditional { name, param } if text(*name) == "wobj" => Some(text(*param)),
-            _ => None,
-        };
-        let Some(asked) = asked_with.first().and_then(tool) else { return asked_with.is_empty() };
-        motion.iter().filter_map(tool).any(|own| own == asked)
-            && motion.iter().find_map(wobj) == asked_with.iter().find_map(wobj)
     }
 }
 
