@@ -2,8 +2,8 @@
 
 use super::{Bench, driftpost, err};
 
-const REST: &str = "[0.0871557,0,0.9961947,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
-const HOME: &str = "MoveAbsJ [[5,10,20,5,50,5],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;";
+pub(super) const REST: &str = "[0.0871557,0,0.9961947,0],[0,-1,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]";
+pub(super) const HOME: &str = "MoveAbsJ [[5,10,20,5,50,5],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tGun;";
 
 /// A module of data and motions; `@` stands for all of a robtarget behind its position.
 pub(super) fn module(data: &str, motions: &str) -> String {

@@ -13,11 +13,13 @@ use super::choice::ChoiceData;
 use super::context::EmitContext;
 use super::correction::CorrectionData;
 use super::insertion::{self, LayoutStyle};
+use super::mentions::Mentions;
 use super::names::{MAX_NAME, Names};
 use super::options::EmitError;
 use super::originals::{TargetText, corrected_by};
 use super::point;
 use super::row_hash::RowHash;
+use super::scopes::Scopes;
 use super::target::{MAX_LINE, TargetArray};
 use crate::compensate::plan::Form;
 use rapid_program::motion::{Motion, MotionId, Origin, Path, Target, WobjArgument};
@@ -77,6 +79,14 @@ pub(super) struct Added<'p> {
     pub was: BTreeMap<String, Vec<u8>>,
     /// Originals that stay where they are, to be known again.
     pub originals: Vec<u8>,
+    /// For each array how many names of what stood in its motion the module declares: see `here`.
+    pub declared: Vec<u8>,
+    /// How often calls name the targets that motions ask for: see `mentions`.
+    pub mentions: Vec<u8>,
+    /// Where the targets stand that motions ask for.
+    edited_targets: Vec<TextRange>,
+    /// What names mean in the module.
+    scopes: Scopes<'p>,
     /// For each bucket how much of the largest correction it holds.
     pub shares: Vec<f64>,
     /// The targets whose originals those are, in their order.
@@ -105,7 +115,7 @@ impl<'p> Added<'p> {
     /// [`EmitError::NoName`], [`EmitError::PlanMismatch`].
     pub(super) fn collect(
         context: &EmitContext<'p>,
-        (file, module): (&'p SourceFile, &Module),
+        (file, module): (&'p SourceFile, &'p Module),
         motions: &[MotionId],
         style: &LayoutStyle,
     ) -> Result<Self, EmitError> {
@@ -114,6 +124,10 @@ impl<'p> Added<'p> {
             edits: Vec::new(),
             was: BTreeMap::new(),
             originals: Vec::new(),
+            declared: Vec::new(),
+            mentions: Vec::new(),
+            edited_targets: Vec::new(),
+            scopes: Scopes::new(&file.bytes, module),
             shares: Vec::new(),
             asking: Vec::new(),
             asked: Vec::new(),
@@ -127,6 +141,7 @@ impl<'p> Added<'p> {
             else {
                 return Err(mismatch(file, "a motion is missing"));
             };
+            added.edited_targets.extend(motion.targets.iter().map(|target| target.range));
             match planned.form {
                 Form::Schedule => added.schedule(context, file, (motion, planned))?,
                 Form::Ramp => added.ramp(context, file, (motion, planned), style)?,
@@ -140,7 +155,9 @@ impl<'p> Added<'p> {
             is_there,
             by,
         });
-        added.originals = point::of_targets((&file.bytes, module), targets);
+        let asked = added.edited_targets.iter().map(|range| range.of(&file.bytes));
+        added.mentions = Mentions::of_source((&file.bytes, module), asked).text();
+        added.originals = point::of_targets((&file.bytes, &added.scopes), targets);
         Ok(added)
     }
 

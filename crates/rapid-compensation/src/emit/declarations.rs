@@ -92,6 +92,18 @@ impl<'t> Declarations<'t> {
         }
     }
 
+    /// Whether a routine has data or a parameter of this name.
+    pub(super) fn is_local(&self, name: &[u8], routine: &Routine) -> bool {
+        let is_it = |own: &TextRange| own.of(self.bytes).eq_ignore_ascii_case(name);
+        let local = self.local.get(&routine.range.start).into_iter().flatten();
+        local.map(|(own, _)| own).chain(routine.params.iter().map(|param| &param.name)).any(is_it)
+    }
+
+    /// Whether a name is that of data of the module, or of what `routine` has.
+    pub(super) fn is_declared(&self, name: &[u8], routine: &Routine) -> bool {
+        self.is_local(name, routine) || self.module.contains_key(&name.to_ascii_lowercase())
+    }
+
     /// The array of a number.
     pub(super) fn array(&self, number: usize) -> Option<&DeclaredArray> {
         self.arrays.get(number)

@@ -8,7 +8,7 @@ use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 13] = [
+const KEYS: [&[u8]; 15] = [
     b"core",
     b"source",
     b"with",
@@ -19,6 +19,8 @@ const KEYS: [&[u8]; 13] = [
     b"shares",
     b"points",
     b"asks",
+    b"declared",
+    b"mentions",
     b"originals",
     b"targets",
     b"code",
@@ -54,6 +56,10 @@ pub(super) struct Record {
     pub shares: Vec<f64>,
     /// What motions ask with: see `asks`.
     pub asks: Vec<u8>,
+    /// For each array how many names of what stood in its motion the module declares: see `here`.
+    pub declared: Vec<u8>,
+    /// How often calls name the targets that motions ask for: see `mentions`.
+    pub mentions: Vec<u8>,
     /// Fingerprints of the originals that stay in place, each once, in the order of the motions.
     pub originals: Vec<u8>,
     /// The same of an older module, which do not say whose they are.
@@ -118,6 +124,8 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
     }
     for (key, checksums) in [
         ("asks", &record.asks),
+        ("declared", &record.declared),
+        ("mentions", &record.mentions),
         ("originals", &record.originals),
         ("targets", &record.checksums),
         ("code", &record.code),
@@ -319,6 +327,8 @@ impl Record {
             }
             b"points" => self.points = text,
             b"asks" => self.asks = text,
+            b"declared" => self.declared = text,
+            b"mentions" => self.mentions = text,
             b"originals" => self.originals = text,
             b"targets" => self.checksums = text,
             b"code" => self.code = text,
@@ -389,6 +399,8 @@ mod tests {
             shares: vec![0.125, 1.0],
             originals: b"ABCabc".repeat(90),
             asks: b"Qyic+p".to_vec(),
+            declared: b"BA".to_vec(),
+            mentions: b"aB+BA".to_vec(),
             points: Vec::new(),
             checksums: b"-+01".repeat(90),
             code: b"xyz".to_vec(),

@@ -45,6 +45,8 @@ pub(super) fn write(
         points: Vec::new(),
         asks: asks::record(added.asked),
         originals: added.originals,
+        declared: added.declared,
+        mentions: added.mentions,
         shares: added.shares,
         // What they are is known when the declarations are written, behind the comment block.
         checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],

@@ -3,10 +3,9 @@
 
 use super::aggregate::Singles;
 use super::checksum::{self, Chained};
-use super::declarations::Declarations;
 use super::originals::{Named, Original, Originals, TargetText};
+use super::scopes::Scopes;
 use super::six_digits::six_digits;
-use rapid_syntax::tree::{Module, Routine};
 
 /// The smallest step of a position, mm, and of a joint, degrees.
 const STEP_MM: f64 = 0.001;
@@ -49,16 +48,13 @@ impl Fingerprints {
 /// The fingerprints of the originals of `targets` of a module in `bytes`, which stand in order.
 #[must_use]
 pub(super) fn of_targets<'a>(
-    (bytes, module): (&[u8], &Module),
+    (bytes, scopes): (&[u8], &Scopes<'_>),
     targets: impl Iterator<Item = TargetText<'a>>,
 ) -> Vec<u8> {
-    let declarations = Declarations::new(bytes, module);
-    let routines: Vec<&Routine> = module.routines().collect();
     let (mut originals, mut fingerprints) =
-        (Originals::new(&declarations, Named::AsItsOwn), Fingerprints::new(Named::AsItsOwn));
+        (Originals::new(&scopes.declarations, Named::AsItsOwn), Fingerprints::new(Named::AsItsOwn));
     for target in targets {
-        let after = routines.partition_point(|routine| routine.range.start <= target.range.start);
-        let Some(routine) = after.checked_sub(1).and_then(|at| routines.get(at)) else { continue };
+        let Some(routine) = scopes.routine_at(target.range.start) else { continue };
         originals.of(target, routine, |original| _ = fingerprints.add(bytes, original));
     }
     fingerprints.text()

@@ -12,9 +12,11 @@ mod declared;
 mod findings;
 mod known_again;
 mod lines;
+mod misled;
 mod originals;
 mod removal;
 mod rounded;
+mod seen;
 mod still_named;
 mod undo;
 

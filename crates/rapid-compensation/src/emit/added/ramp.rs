@@ -65,7 +65,9 @@ impl<'p> Added<'p> {
         style: &LayoutStyle,
     ) {
         let function_name = context.names.core(function);
-        self.asked.extend(asks::ask(function_name.as_bytes(), range.of(&file.bytes), arguments));
+        let target = range.of(&file.bytes);
+        let is_own = self.scopes.is_local_at(target.trim_ascii(), range.start);
+        self.asked.extend(asks::ask(function_name.as_bytes(), (target, is_own), arguments));
         self.wrap(context, file, (function, range, arguments), style);
     }
 

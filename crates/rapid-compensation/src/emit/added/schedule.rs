@@ -6,6 +6,7 @@ use super::argument::Argument;
 use super::{Added, AskingTarget, Declaration, mismatch, parting};
 use crate::compensate::plan::{Corrected, Corrections, PlannedMotion, PlannedTarget};
 use crate::emit::context::EmitContext;
+use crate::emit::here::{self, declared_here};
 use crate::emit::options::EmitError;
 use crate::emit::originals::{corrected_by, is_expression};
 use crate::emit::target::{ArrayRow, TargetArray, as_it_is, distance, first_element};
@@ -95,6 +96,9 @@ impl<'p> Added<'p> {
         if !tells_itself {
             self.was.insert(name.clone(), was.to_vec());
         }
+        let routine = self.scopes.routine_at(target.range.start);
+        let declared = routine.map_or(0, |routine| declared_here(was, routine, &self.scopes.declarations));
+        self.declared.push(here::character(declared));
         Ok(self.declare(key, Declaration::Array(TargetArray { name, dims, rows })))
     }
 

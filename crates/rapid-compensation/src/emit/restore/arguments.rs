@@ -1,10 +1,11 @@
 //! What the arguments of an emitted module's motions are: elements of arrays that were added, and functions that stand round a target.
 
 use crate::emit::asks;
+use crate::emit::declarations::Declarations;
 use crate::emit::header::Record;
 use crate::emit::names::word_length;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind};
+use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind, Routine};
 
 /// Functions that stand round a target and correct it by what is beside it.
 const BY_POSE: [&str; 4] = ["tcAt", "tcAtSame", "tcAtOne", "tcAtJ"];
@@ -67,9 +68,17 @@ impl Inside<'_> {
 
 /// Reads the arguments of a module's motions.
 #[derive(Clone, Copy)]
-pub(super) struct Arguments<'w> {
-    pub(super) bytes: &'w [u8],
-    pub(super) record: &'w Record,
+pub(super) struct Arguments<'a> {
+    pub(super) bytes: &'a [u8],
+    pub(super) record: &'a Record,
+}
+
+/// A call, and what names mean in it.
+#[derive(Clone, Copy)]
+pub(super) struct Called<'a, 'w> {
+    pub(super) args: &'w [Arg],
+    pub(super) routine: &'w Routine,
+    pub(super) declarations: &'a Declarations<'w>,
 }
 
 impl Arguments<'_> {
@@ -118,19 +127,23 @@ impl Arguments<'_> {
     }
 
     /// Whether what corrects a target did when the module was made, and a model is asked with what the motion goes with.
-    pub(super) fn is_as_made(&self, argument: &Expr, inside: &Inside<'_>, motion: &[Arg]) -> bool {
-        self.goes_with(motion, inside.asked_with) && self.was_asked(argument, inside)
+    pub(super) fn is_as_made(&self, argument: &Expr, inside: &Inside<'_>, motion: Called<'_, '_>) -> bool {
+        self.goes_with(motion.args, inside.asked_with) && self.was_asked(argument, inside, motion)
     }
 
     /// Whether what corrects a target did when the module was made.
-    fn was_asked(&self, argument: &Expr, inside: &Inside<'_>) -> bool {
+    fn was_asked(&self, argument: &Expr, inside: &Inside<'_>, motion: Called<'_, '_>) -> bool {
         let ExprKind::Call(call) = &argument.kind else { return true };
         if inside.corrections.is_empty() {
             return true;
         }
         let behind = TextRange::new(inside.target.end, argument.range.end).of(self.bytes);
         let arguments = behind.strip_suffix(b")").unwrap_or(behind);
-        let ask = asks::ask(call.name.of(self.bytes), inside.target.of(self.bytes), arguments);
+        let target = inside.target.of(self.bytes);
+        // An older module does not tell a routine's own name from the module's.
+        let is_own = !self.record.mentions.is_empty()
+            && motion.declarations.is_local(target.trim_ascii(), motion.routine);
+        let ask = asks::ask(call.name.of(self.bytes), (target, is_own), arguments);
         ask.is_none_or(|ask| asks::was_asked(&self.record.asks, ask))
     }
 

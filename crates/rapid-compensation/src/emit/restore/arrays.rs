@@ -35,6 +35,8 @@ pub(super) struct Array<'b> {
 pub(super) struct NamedArray<'w> {
     /// The name in lower case.
     pub(super) name: String,
+    /// How many names of what stood in its motions the module declared when it was made; `None` of an older module.
+    pub(super) declared: Option<usize>,
     pub(super) array: Array<'w>,
     /// The motions that name it, in source order.
     pub(super) uses: Vec<Use<'w>>,
@@ -52,8 +54,8 @@ pub(super) struct Use<'w> {
 
 impl<'w> NamedArray<'w> {
     /// Nothing is known of it yet.
-    pub(super) fn new(name: &str, array: Array<'w>) -> Self {
-        Self { name: name.to_ascii_lowercase(), array, uses: Vec::new(), meant: Vec::new() }
+    pub(super) fn new(name: &str, array: Array<'w>, declared: Option<usize>) -> Self {
+        Self { name: name.to_ascii_lowercase(), declared, array, uses: Vec::new(), meant: Vec::new() }
     }
 
     /// Puts arrays in the order in which [`find`](Self::find) looks for them: by the length of their names, which is most often the

@@ -162,6 +162,52 @@ pub enum Altered {
         /// Its line, from 1.
         line: u32,
     },
+    /// A motion names a target that the module declared and declares no more.
+    #[error(
+        "the motion goes to {target}, whose declaration in this module was taken out or renamed: the original names what nobody declares, \
+         or goes to another module's of that name"
+    )]
+    Lost {
+        /// What stands in the motion of the original.
+        target: String,
+        /// The motion's line, from 1.
+        line: u32,
+    },
+    /// Motions go by an array that was made for one of them.
+    #[error(
+        "{array} was made for one motion, and several go by it, {}: one was copied, and goes to {target} wherever it came from",
+        listed(lines)
+    )]
+    Copied {
+        /// The name of the array.
+        array: String,
+        /// The target as the original has it in its motion.
+        target: String,
+        /// The motions' lines, from 1.
+        lines: Vec<u32>,
+    },
+    /// A motion that asked for a target names it as it is.
+    #[error(
+        "the correction of {target} was taken out of a motion: it goes to {target} as it is, {}",
+        listed(lines)
+    )]
+    Uncorrected {
+        /// The target's name.
+        target: String,
+        /// Where it is named as it is, from 1.
+        lines: Vec<u32>,
+    },
+    /// What named a target as it is asks for it corrected.
+    #[error(
+        "the correction of {target} was put in by hand where {target} stood as it is, {}: what is called there may correct it once more",
+        listed(lines)
+    )]
+    CorrectedByHand {
+        /// The target's name.
+        target: String,
+        /// Where it is asked for, from 1.
+        lines: Vec<u32>,
+    },
     /// What corrects the target is not what it was given, or what the model is asked for not what the motion goes with.
     #[error(
         "the motion asks with another correction than it was given, the model with another tool or work object than the motion goes with, or \
@@ -184,7 +230,11 @@ impl Altered {
             | Self::Expression { line, .. }
             | Self::Gone { line, .. }
             | Self::Named { line, .. }
+            | Self::Lost { line, .. }
             | Self::Arguments { line } => *line,
+            Self::Copied { lines, .. }
+            | Self::Uncorrected { lines, .. }
+            | Self::CorrectedByHand { lines, .. } => lines.first().copied().unwrap_or(1),
         }
     }
 
@@ -198,7 +248,17 @@ impl Altered {
             Self::Expression { .. } => "restore::expression",
             Self::Gone { .. } => "restore::gone",
             Self::Named { .. } => "restore::named",
+            Self::Lost { .. } => "restore::lost",
+            Self::Copied { .. } => "restore::copied",
+            Self::Uncorrected { .. } => "restore::uncorrected",
+            Self::CorrectedByHand { .. } => "restore::corrected",
             Self::Arguments { .. } => "restore::arguments",
         }
     }
+}
+
+/// Lines one after another: `lines 12, 14`.
+fn listed(lines: &[u32]) -> String {
+    let all = lines.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    format!("{} {all}", if lines.len() == 1 { "line" } else { "lines" })
 }

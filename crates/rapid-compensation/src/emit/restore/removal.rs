@@ -1,19 +1,22 @@
 //! Takes out of a module what was added, and puts back what stood in its motions.
 
-use super::arguments::{Arguments, Element, Place};
+use super::arguments::{Arguments, Called, Element, Place};
 use super::arrays::{Array, NamedArray, Rows, Use};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
+use super::seen::SeenMentions;
 use super::undo::{UndoEdits, UndoText};
 use crate::emit::array_reader::ArrayReader;
 use crate::emit::checksum::{self, Elements};
 use crate::emit::declarations::Declarations;
 use crate::emit::elements::elements;
 use crate::emit::header::Record;
+use crate::emit::here;
 use crate::emit::insertion;
+use crate::emit::mentions::named_alone;
 use crate::emit::names::is_name;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, DataDecl, ExprKind, Module, ModuleItem, Routine, StmtKind};
+use rapid_syntax::tree::{ArgKind, DataDecl, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
 /// The module's own routines, whose motions ask, and the arrays that some of them go by, in the order in which they are looked for.
 #[derive(Clone, Copy)]
@@ -72,7 +75,8 @@ impl<'w> Remover<'w> {
         self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
         let mut arrays: Vec<NamedArray<'w>> = Vec::new();
         let (mut reader, mut elements) = (ArrayReader::default(), Elements::default());
-        let mut checksums = self.record.checksums.as_slice();
+        let (mut checksums, mut declared) =
+            (self.record.checksums.as_slice(), here::counts(&self.record.declared));
         for data in ours.iter().skip(self.record.data) {
             let is_target = [b"robtarget".as_slice(), b"jointtarget"]
                 .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
@@ -83,7 +87,7 @@ impl<'w> Remover<'w> {
                 let was = self.record.was.get(&name.to_ascii_lowercase()).cloned();
                 let array = Array::new((self.bytes, data), rows, own, was)
                     .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
-                arrays.push(NamedArray::new(&name, array));
+                arrays.push(NamedArray::new(&name, array, declared.next()));
             } else {
                 self.corrections.push(data.name.of(self.bytes).to_ascii_lowercase());
                 let (own, rest) = checksums.split_at_checked(3).unwrap_or((checksums, &[]));
@@ -187,13 +191,17 @@ impl<'w> Remover<'w> {
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         let mut next = 0;
         let declarations = Declarations::new(self.bytes, self.module);
+        let mut seen = SeenMentions::new(&self.record.mentions);
         for routine in routines {
             for stmt in insertion::statements(routine) {
                 let StmtKind::Call(call) = &stmt.kind else { continue };
-                self.call(&call.args, routine, (&mut *arrays, &mut next));
+                let called = Called { args: &call.args, routine, declarations: &declarations };
+                self.call(called, (&mut *arrays, &mut next), &mut seen);
             }
         }
+        self.altered.extend(seen.altered(self.lines));
         let asking = Asking { routines, arrays, declarations: &declarations };
+        self.misled(asking);
         let mut touched = self.touched_originals(asking);
         touched.extend(self.put_back(arrays, &declarations)?);
         sorting::by_key(&mut touched, |t| t.line);
@@ -208,25 +216,32 @@ impl<'w> Remover<'w> {
     /// is looked at first.
     fn call(
         &mut self,
-        args: &[Arg],
-        routine: &'w Routine,
+        called: Called<'_, 'w>,
         (arrays, next): (&mut [NamedArray<'w>], &mut usize),
+        seen: &mut SeenMentions,
     ) {
         let (arguments, mut asking) = (self.arguments(), 0);
-        for arg in args {
+        for arg in called.args {
             let ArgKind::Positional(expr) = &arg.kind else { continue };
             let is_in_place = if let Some(Element { name, index, place }) = arguments.element(expr)
                 && let Some(at) = NamedArray::find(arrays, *next, &self.text(name).to_ascii_lowercase())
             {
                 let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
-                arrays[at].uses.push(Use { expr, index, routine });
+                if index.is_none() {
+                    seen.asked(arrays[at].array.was(), name.start);
+                }
+                arrays[at].uses.push(Use { expr, index, routine: called.routine });
                 *next = at + 1;
                 place == Place::behind(asking)
             } else if let Some(inside) = arguments.inside(expr) {
+                seen.asked(inside.target.of(self.bytes), expr.range.start);
                 self.uncover(expr.range, inside.target);
-                arguments.is_as_made(expr, &inside, args)
+                arguments.is_as_made(expr, &inside, called)
                     && inside.place.is_none_or(|place| place == Place::behind(asking))
             } else {
+                if let Some(name) = named_alone(expr, self.bytes) {
+                    seen.as_it_is(name, expr.range.start);
+                }
                 continue;
             };
             asking += 1;
@@ -281,7 +296,7 @@ impl<'w> Remover<'w> {
         let arrays = &*arrays;
         let mut touched = self.declared_otherwise(arrays, declarations)?;
         let declared = self.declare(arrays, declarations)?;
-        for NamedArray { name, array, uses, meant } in arrays {
+        for NamedArray { name, array, uses, meant, .. } in arrays {
             let into = declared.contains(&name.as_str());
             for one in uses {
                 let text = match (one.index, meant.first()) {
