@@ -35,10 +35,17 @@ fn already_compensated(program: &Program) -> Vec<Diagnostic> {
     for module in modules {
         if let Some(range) = module.compensated {
             let text = format!("module {} is already compensated", module.name);
+            // Without its comment block it is known by the names in it alone.
+            let help = match program.file(module.file).text(range).first() {
+                Some(b'!') => "give the original, or get it back with `driftpost restore`",
+                _ => {
+                    "give the original: the module's comment block is gone, without which `driftpost restore` cannot get it back"
+                }
+            };
             found.push(
                 Diagnostic::error("refuse::already-compensated", text)
                     .at(program.file(module.file).span(range))
-                    .help("give the original, or get it back with `driftpost restore`"),
+                    .help(help),
             );
         }
     }

@@ -40,6 +40,7 @@ mod model_check;
 #[cfg(feature = "link")]
 mod module_upload;
 mod named;
+mod one_run;
 mod other_files;
 mod other_robot;
 mod outside_names;

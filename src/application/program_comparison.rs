@@ -2,6 +2,7 @@
 
 use super::emitted_settings::EmittedSettings;
 use super::named::Named;
+use super::one_run::not_of_one_run;
 use super::other_files::{PlacedProgram, other_files};
 use super::program_files::check_modules;
 use crate::report::{Compared, LocatedDiagnostic, value, write_pretty};
@@ -102,7 +103,7 @@ impl<'f> ProgramComparison<'f> {
             comparison.extend(found);
         }
         let (undeclared, elsewhere) = (plain.undeclared, plain.differences);
-        let other_files = other_files(&self.before, &self.after)?;
+        let other_files = self.beside_the_modules()?;
         let modes = HeldMode::of(&after);
         Ok(ComparedPrograms {
             before,
@@ -128,6 +129,18 @@ impl<'f> ProgramComparison<'f> {
             Diagnostic::warning("diff::order", text)
                 .help("give the original first: diff ORIGINAL COMPENSATED")
         })
+    }
+
+    /// What differs among files that are no modules, and what modules of one of both say of a common one that is not theirs.
+    fn beside_the_modules(&self) -> Result<Vec<String>, Diagnostic> {
+        let mut found = other_files(&self.before, &self.after)?;
+        for program in [&self.before.files, &self.after.files] {
+            // A module by itself may be one of several.
+            let is_whole = program.iter().count() > 1;
+            found
+                .extend(not_of_one_run(program, is_whole).into_iter().map(|why| format!("{}.", why.message)));
+        }
+        Ok(found)
     }
 
     fn emitted_settings(&self, task: Option<&str>) -> EmittedSettings {

@@ -1,8 +1,11 @@
 //! Originals of emitted modules.
 
+use super::one_run::not_of_one_run;
 use super::program_files::ProgramFiles;
 use crate::report::restored as report;
-use rapid_compensation::emit::{Altered, RestoreError, Restored, altered_core, core_names, restore_beside};
+use rapid_compensation::emit::{
+    AddedToProgram, Altered, RestoreError, Restored, altered_core, core_names, restore_beside,
+};
 use rapid_program::pgf_without_module;
 use rapid_syntax::diagnostic::Diagnostic;
 use std::path::Path;
@@ -57,6 +60,7 @@ impl Restoration {
             Err(error) => Err(RestorationError::File { path: path.to_owned(), error: Box::new(error) }),
         };
         let files = self.files.iter().map(one).collect::<Result<Vec<_>, _>>()?;
+        self.check_headers(&files)?;
         // A common module alone is what a run leaves that was stopped before it exchanged the first of the others.
         let is_emitted = |file: &RestoredFile| !matches!(file, RestoredFile::Other);
         match &self.program {
@@ -64,9 +68,24 @@ impl Restoration {
                 Err(RestorationError::NoneEmitted { program: program.clone() })
             }
             _ => Ok(RestoredFiles {
+                of_other_runs: not_of_one_run(&self.files, self.program.is_some()),
                 files,
                 paths: self.files.iter().map(|(path, _)| path.to_owned()).collect(),
             }),
+        }
+    }
+
+    /// Refuses a program with a module that asks like the others and has no comment block any more: what it was cannot be told.
+    fn check_headers(&self, files: &[RestoredFile]) -> Result<(), RestorationError> {
+        if !files.iter().any(|file| matches!(file, RestoredFile::Other)) {
+            return Ok(());
+        }
+        let added = AddedToProgram::of(self.files.iter().map(|(_, bytes)| bytes));
+        let others = self.files.iter().zip(files).filter(|(_, file)| matches!(file, RestoredFile::Other));
+        let lost = others.map(|((path, bytes), _)| (path, added.named_in(bytes)));
+        match lost.filter_map(|(path, named)| Some((path.to_owned(), named?))).next() {
+            Some((path, (line, name))) => Err(RestorationError::HeaderLost { path, line, name }),
+            None => Ok(()),
         }
     }
 }
@@ -87,6 +106,8 @@ pub enum RestoredFile {
 pub struct RestoredFiles {
     /// In the order of the files that were given.
     pub files: Vec<RestoredFile>,
+    /// What is said of modules whose common module is not there, or of another run.
+    pub of_other_runs: Vec<Diagnostic>,
     paths: Vec<String>,
 }
 
@@ -112,7 +133,8 @@ impl RestoredFiles {
     #[must_use]
     pub fn is_untouched(&self) -> bool {
         let is_as_made = |restored: &Restored| restored.touched.is_empty() && restored.altered.is_empty();
-        self.originals().all(|(_, restored)| is_as_made(restored))
+        self.of_other_runs.is_empty()
+            && self.originals().all(|(_, restored)| is_as_made(restored))
             && self.cores().all(|(_, altered)| altered.is_empty())
     }
 
@@ -144,6 +166,19 @@ pub enum RestorationError {
         /// What is the matter with it.
         error: Box<RestoreError>,
     },
+    /// A module of a program asks as compensated ones do, and has no comment block.
+    #[error(
+        "{path}:{line}: {name} is named there, which was added to this program, and the comment block after MODULE is gone: what the module \
+         was cannot be told; put its original file in its place, and restore again"
+    )]
+    HeaderLost {
+        /// The module's path.
+        path: String,
+        /// The line, from 1.
+        line: u32,
+        /// What is named.
+        name: String,
+    },
     /// A program that was never compensated.
     #[error("no module of {program} is a compensated one")]
     NoneEmitted {
@@ -158,6 +193,7 @@ impl RestorationError {
     pub fn code(&self) -> &'static str {
         match self {
             Self::File { error, .. } => error.code(),
+            Self::HeaderLost { .. } => "restore::header-lost",
             Self::NoneEmitted { .. } => RestoreError::NotEmitted.code(),
         }
     }

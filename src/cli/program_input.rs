@@ -143,6 +143,23 @@ impl ProgramInput {
         self.encoded.iter().map(warning).chain(self.not_read.iter().map(not_read)).collect()
     }
 
+    /// Compensated modules that were passed over beside compensated ones that were read, as their names end as results do.
+    #[must_use]
+    pub fn results_beside(&self) -> Vec<PathBuf> {
+        let is_result = |path: &Path| fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some());
+        let emitted = self.paths.iter().zip(&self.bytes);
+        let emitted = emitted.filter(|(_, bytes)| EarlierResult::of(bytes).is_some());
+        let folders: BTreeSet<&Path> = emitted.filter_map(|(path, _)| path.parent()).collect();
+        let mut found: Vec<PathBuf> = folders
+            .into_iter()
+            .filter_map(|folder| fs::read_dir(folder).ok())
+            .flat_map(|entries| entries.filter_map(|entry| Some(entry.ok()?.path())))
+            .filter(|path| is_module(path) && is_called_a_result(path) && is_result(path))
+            .collect();
+        sorting::ascending(&mut found);
+        found
+    }
+
     /// Modules on the controller's disk: the given ones, and those of a folder `HOME` beside a given module.
     ///
     /// # Errors

@@ -68,6 +68,15 @@ fn restore_program(
 ) -> anyhow::Result<Outcome> {
     let folder = folder(program, args)?;
     let given = ProgramInput::read(std::slice::from_ref(&program.to_path_buf()))?;
+    if let Some(result) = given.results_beside().first() {
+        let text = format!(
+            "{} is compensated, and a module that is called so is not read in a folder",
+            result.display()
+        );
+        let help =
+            "give it the name of its original again, or restore it by itself and take it out of the folder";
+        return Err(Diagnostic::error("restore::not-read", text).help(help).into());
+    }
     let job = Restoration::of_program(given.program(), program.display().to_string());
     let found = job.run().map_err(Diagnostic::from)?;
     note_cores(&found, console);
@@ -116,6 +125,7 @@ fn note_cores(found: &RestoredFiles, console: &mut Console) {
         console.note(format_args!("{path}: the common module, it has no original"));
         warn(path, altered, console);
     }
+    console.explain(&LocatedDiagnostic::all(found.of_other_runs.iter().cloned(), &[]), true);
 }
 
 /// Puts originals and copies in their places, and says what was changed since they were compensated.

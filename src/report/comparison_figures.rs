@@ -84,6 +84,11 @@ pub(super) fn sentence(difference: &Difference) -> String {
         ),
         Difference::Missing(module) => format!("Module {module} is only in the first program."),
         Difference::Added(module) => format!("Module {module} is only in the second program."),
+        Difference::MadeOtherwise { before, after, what } => {
+            let shown = |(name, [a, b]): &(String, [String; 2])| format!(", {name} {a} and {b}");
+            let what: String = what.iter().map(shown).collect();
+            format!("{before} and {after} were not made alike: their clocks or corrections differ{what}.")
+        }
         Difference::Altered { file, what } => format!("{file}:{}: {what}", what.line()),
         Difference::Damaged { file, error } => format!("{file} was edited where it must not be: {error}"),
     }

@@ -97,14 +97,25 @@ fn compensated_modules(program: &Program) -> Vec<&str> {
     made.map(|module| module.name.as_str()).collect()
 }
 
+/// Whether all of them have their comment blocks, by which they are told else than by the names in them.
+fn has_headers(program: &Program) -> bool {
+    let mut made = program.facts.modules.iter().filter_map(|module| Some((module.file, module.compensated?)));
+    made.all(|(file, range)| program.file(file).text(range).first() == Some(&b'!'))
+}
+
 /// How many motions can be compensated, and in which form; of a program that is corrected already, that it is.
 fn write_verdict(out: &mut dyn Write, program: &Program) -> io::Result<()> {
     let motions = counted(program.motions.len(), "motion");
     let made = compensated_modules(program);
     if !made.is_empty() {
+        let back = if has_headers(program) {
+            "`driftpost restore` gets the original back"
+        } else {
+            "a comment block after MODULE is gone, without which `driftpost restore` cannot get the original back: take the original file"
+        };
         return writeln!(
             out,
-            "{motions}, already compensated in {}: compensate refuses it as it is\n  `driftpost restore` gets the original back\n",
+            "{motions}, already compensated in {}: compensate refuses it as it is\n  {back}\n",
             first_few(&made, 6),
         );
     }

@@ -12,6 +12,7 @@ mod other_robots;
 mod outputs;
 mod refusals;
 mod restored;
+mod restored_programs;
 mod reviewing;
 mod robots;
 mod settings;

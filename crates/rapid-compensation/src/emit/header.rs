@@ -8,7 +8,7 @@ use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 15] = [
+const KEYS: [&[u8]; 16] = [
     b"core",
     b"source",
     b"with",
@@ -24,6 +24,7 @@ const KEYS: [&[u8]; 15] = [
     b"originals",
     b"targets",
     b"code",
+    b"common",
 ];
 
 /// Longest line; RAPID takes 255.
@@ -66,6 +67,8 @@ pub(super) struct Record {
     pub points: Vec<u8>,
     /// Checksums of each array or correction, in their order.
     pub checksums: Vec<u8>,
+    /// Of a module that asks a common one, what that is known by.
+    pub common: Vec<u8>,
     /// A checksum of three characters for each of the other data, then for each routine.
     pub code: Vec<u8>,
     /// As read: the lines are as they were written.
@@ -129,6 +132,7 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
         ("originals", &record.originals),
         ("targets", &record.checksums),
         ("code", &record.code),
+        ("common", &record.common),
     ] {
         if !checksums.is_empty() {
             add(key, String::from_utf8_lossy(checksums).into_owned());
@@ -332,6 +336,7 @@ impl Record {
             b"originals" => self.originals = text,
             b"targets" => self.checksums = text,
             b"code" => self.code = text,
+            b"common" => self.common = text,
             _ => {}
         }
         Some(())
@@ -351,11 +356,47 @@ pub fn renamed(bytes: &[u8]) -> BTreeMap<String, String> {
     record_of(bytes).map(|record| record.renamed).unwrap_or_default()
 }
 
-fn record_of(bytes: &[u8]) -> Option<Record> {
+/// What the comment block of a file says of the program's common module.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CommonModule {
+    /// The file holds it, and it is known by this.
+    Is(Vec<u8>),
+    /// The file's module asks it; empty of an older module, which does not say which.
+    Asks(Vec<u8>),
+}
+
+/// The same of an emitted file; `None` of another, and of one with a clock of its own.
+#[must_use]
+pub fn common_module(bytes: &[u8]) -> Option<CommonModule> {
+    let record = any_record_of(bytes)?;
+    match record.is_core {
+        true => Some(CommonModule::Is(known_by(&record.code))),
+        false => (record.data + record.routines == 0).then_some(CommonModule::Asks(record.common)),
+    }
+}
+
+/// What a common module is known by whose data and routines have these checksums.
+#[must_use]
+pub(super) fn known_by(code: &[u8]) -> Vec<u8> {
+    checksum::of_lines(std::iter::once((&b"code"[..], code))).to_vec()
+}
+
+/// Whether two emitted files were made with different options, or with another clock: then not in one run. `None` where one is none.
+#[must_use]
+pub(super) fn is_made_otherwise(a: &[u8], b: &[u8]) -> Option<bool> {
+    let (a, b) = (any_record_of(a)?, any_record_of(b)?);
+    Some((a.settings, a.code, a.common) != (b.settings, b.code, b.common))
+}
+
+pub(super) fn record_of(bytes: &[u8]) -> Option<Record> {
+    any_record_of(bytes).filter(|record| !record.is_core)
+}
+
+fn any_record_of(bytes: &[u8]) -> Option<Record> {
     let lines = bytes.split(|byte| matches!(byte, b'\n' | b'\r')).filter(|line| !line.is_empty());
     let block = lines.skip_while(|line| !begins(line.trim_ascii()));
     let (record, _) = read(block).ok()?;
-    (record.is_whole && !record.is_core).then_some(record)
+    record.is_whole.then_some(record)
 }
 
 #[cfg(test)]
@@ -401,6 +442,7 @@ mod tests {
             asks: b"Qyic+p".to_vec(),
             declared: b"BA".to_vec(),
             mentions: b"aB+BA".to_vec(),
+            common: b"aB+BA9".to_vec(),
             points: Vec::new(),
             checksums: b"-+01".repeat(90),
             code: b"xyz".to_vec(),

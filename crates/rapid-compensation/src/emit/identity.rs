@@ -1,11 +1,13 @@
 //! Whether a program is another one but for the targets of its motions: the proof that a review of
 //! targets is a review of everything.
 
+use super::header;
 use super::restore::{Altered, ModifiedTarget, RestoreError, altered_core, restore};
 use crate::compensate::compare::is_comparable;
 use rapid_program::{FilePairs, Overrides, Program};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use rapid_syntax::{SourceFile, first_difference};
+use std::collections::BTreeSet;
 
 /// Where two programs differ beside the targets of their motions.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,6 +23,15 @@ pub enum Difference {
     Missing(String),
     /// A module of the second program is not in the first.
     Added(String),
+    /// Two compensated modules that were made with different options, or with different clocks.
+    MadeOtherwise {
+        /// The first program's.
+        before: String,
+        /// The second's.
+        after: String,
+        /// What they were made with, where that differs: name of the option, and its values.
+        what: Vec<(String, [String; 2])>,
+    },
     /// What was added to a compensated module is not as it was made.
     Altered {
         /// The file of the module.
@@ -87,7 +98,8 @@ impl WithoutAdded {
     /// The common module of a compensated program counts as what was added.
     #[must_use]
     pub fn of(before: &Program, after: &Program, pairs: &FilePairs, overrides: &Overrides) -> Self {
-        let mut differences = Vec::new();
+        let mut differences: Vec<Difference> =
+            pairs.pairs.iter().filter_map(|(a, b)| made_otherwise(before.file(*a), after.file(*b))).collect();
         let before = RestoredProgram::of(before, overrides, &mut differences);
         let after = RestoredProgram::of(after, overrides, &mut differences);
         let mut restored = FilePairs::default();
@@ -159,6 +171,25 @@ impl WithoutAdded {
     pub fn is_same_text(&self) -> bool {
         self.pairs.pairs.iter().all(|(a, b)| self.before.file(*a).bytes == self.after.file(*b).bytes)
     }
+}
+
+/// Where two files of compensated modules were made otherwise.
+fn made_otherwise(a: &SourceFile, b: &SourceFile) -> Option<Difference> {
+    if header::is_made_otherwise(&a.bytes, &b.bytes) != Some(true) {
+        return None;
+    }
+    let [first, second] = [a, b].map(|file| header::made_with(&file.bytes).unwrap_or_default());
+    let value = |all: &[(String, String)], name: &str| {
+        all.iter()
+            .find(|(known, _)| known == name)
+            .map_or_else(|| "none".to_owned(), |(_, value)| value.clone())
+    };
+    let mut names: Vec<&String> = first.iter().chain(&second).map(|(name, _)| name).collect();
+    let mut seen = BTreeSet::new();
+    names.retain(|name| seen.insert(*name));
+    let both = |name: &String| (name.clone(), [value(&first, name), value(&second, name)]);
+    let what = names.into_iter().map(both).filter(|(_, [a, b])| a != b).collect();
+    Some(Difference::MadeOtherwise { before: a.path.clone(), after: b.path.clone(), what })
 }
 
 fn text_difference((before, a): (&Program, FileId), (after, b): (&Program, FileId)) -> Option<Difference> {

@@ -46,14 +46,14 @@ mod touch;
 
 pub use digest::is_as_written;
 pub use emission::{compensated_at, emit, emit_each};
-pub use header::{made_with, renamed};
+pub use header::{CommonModule, common_module, made_with, renamed};
 pub use identity::{Difference, Undeclared, WithoutAdded};
 pub use mode::HeldMode;
 pub use not_written::NotWritten;
 pub use options::{Clock, Core, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
 pub use record_text::{write_orient, write_pos};
 pub use restore::{
-    Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, core_names, restore,
-    restore_beside,
+    AddedToProgram, Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, core_names,
+    restore, restore_beside,
 };
 pub use touch::{MAX_AMOUNT, Touch, TouchBy, TouchFrames};

@@ -12,6 +12,7 @@ use rapid_program::motion::MotionId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, Rewrite, SourceFile};
+use std::mem::take;
 
 /// Writes a file on to the last change in `module`; `motions`: the compensated ones; `source_sha256`: of the file as it was read.
 pub(super) fn write(
@@ -25,34 +26,13 @@ pub(super) fn write(
     let cannot = |error| EmitError::Edit { path: file.path.clone().into(), error };
     let end = insertion::routines(&file.bytes, module).ok_or_else(no_end)?;
     let style = LayoutStyle::of(&file.bytes, module);
-    let added = Added::collect(context, (file, module), motions, &style)?;
-    let mut edits = added.edits;
+    let mut added = Added::collect(context, (file, module), motions, &style)?;
+    let mut edits = take(&mut added.edits);
     let (data, routines): (&[String], &[String]) = match context.core {
         Core::Separate => (&[], &[]),
         Core::Embedded => (&context.data, &context.routines),
     };
-    let mut record = Record {
-        source_sha256: source_sha256.to_owned(),
-        source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
-        is_core: false,
-        settings: context.settings.clone(),
-        targets: added.declarations.len(),
-        data: declared(data),
-        routines: heads(routines).count(),
-        on_purpose: context.names.named_on_purpose(&file.bytes),
-        renamed: context.names.renamed().clone(),
-        was: added.was,
-        points: Vec::new(),
-        asks: asks::record(added.asked),
-        originals: added.originals,
-        declared: added.declared,
-        mentions: added.mentions,
-        shares: added.shares,
-        // What they are is known when the declarations are written, behind the comment block.
-        checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],
-        code: code_checksums(data, routines),
-        is_whole: true,
-    };
+    let mut record = record(context, (file, source_sha256), (data, routines), &mut added);
     let at = insertion::header(&file.bytes, module);
     let block = |record: &Record| {
         let mut block = Vec::new();
@@ -75,6 +55,46 @@ pub(super) fn write(
     edits.extend(added_routines(routines, &style, file, end));
     sorting::by_key(&mut edits, |e| (e.range.start, e.range.end)); // stable: what is put in at one place keeps its order
     edits.iter().try_for_each(|edit| text.replace(edit.range, &edit.text).map(drop)).map_err(cannot)
+}
+
+/// What the comment block says of a module; what its declarations are recognised by is not known yet.
+fn record(
+    context: &EmitContext<'_>,
+    (file, source_sha256): (&SourceFile, &str),
+    (data, routines): (&[String], &[String]),
+    added: &mut Added<'_>,
+) -> Record {
+    Record {
+        source_sha256: source_sha256.to_owned(),
+        source_name: file.path.rsplit('/').next().unwrap_or_default().to_owned(),
+        is_core: false,
+        settings: context.settings.clone(),
+        targets: added.declarations.len(),
+        data: declared(data),
+        routines: heads(routines).count(),
+        on_purpose: context.names.named_on_purpose(&file.bytes),
+        renamed: context.names.renamed().clone(),
+        was: take(&mut added.was),
+        points: Vec::new(),
+        asks: asks::record(take(&mut added.asked)),
+        originals: take(&mut added.originals),
+        declared: take(&mut added.declared),
+        mentions: take(&mut added.mentions),
+        common: common(context),
+        shares: take(&mut added.shares),
+        // What they are is known when the declarations are written, behind the comment block.
+        checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],
+        code: code_checksums(data, routines),
+        is_whole: true,
+    }
+}
+
+/// What the common module is known by, where there is one.
+fn common(context: &EmitContext<'_>) -> Vec<u8> {
+    match context.core {
+        Core::Separate => header::known_by(&code_checksums(&context.data, &context.routines)),
+        Core::Embedded => Vec::new(),
+    }
 }
 
 /// What puts routines in, behind an empty line.

@@ -14,6 +14,7 @@ mod known_again;
 mod lines;
 mod misled;
 mod originals;
+mod program_names;
 mod removal;
 mod rounded;
 mod seen;
@@ -22,6 +23,7 @@ mod undo;
 
 pub use altered::{altered_core, core_names};
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
+pub use program_names::AddedToProgram;
 
 use super::checksum::hex;
 use super::header;

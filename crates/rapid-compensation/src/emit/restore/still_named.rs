@@ -45,6 +45,11 @@ impl AddedNames {
         sorting::ascending(&mut self.ours);
     }
 
+    /// Takes in what motions ask in a module of this comment block.
+    pub(super) fn add_asked(&mut self, record: &Record) {
+        self.add(record, std::iter::empty());
+    }
+
     /// Where the public ones are named in what is left. Strings and comments, where a motion was switched off, say, name nothing.
     ///
     /// # Errors

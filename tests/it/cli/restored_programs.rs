@@ -1,0 +1,148 @@
+//! Whole programs in which a module or the common one is not what it was: what `restore`, `diff` and others say of them.
+
+use super::changed_by_hand::{REST, compensated, module};
+use super::{Bench, driftpost, err, out};
+
+/// A cell of two modules that move, compensated into the folder `tc`; gives the paths of both.
+fn cell(bench: &Bench, options: &[&str]) -> [String; 2] {
+    let a = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;\nrB;");
+    let b = format!("MODULE B\nPROC rB()\nMoveL [[440,70,310],{REST},v100,fine,tool0;\nENDPROC\nENDMODULE\n");
+    bench.file("cell/A.mod", a);
+    bench.file("cell/B.mod", b);
+    let [from, to] = ["cell", "tc"].map(|name| bench.path(name).display().to_string());
+    let _ = std::fs::remove_dir_all(&to);
+    let made = driftpost(&[&["compensate", &from, "-o", &to, "--diff", "none"], options].concat());
+    assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+    [from, to]
+}
+
+/// A text without its comments.
+fn without_comments(text: &str) -> String {
+    text.lines().filter(|line| !line.trim_start().starts_with('!')).map(|line| format!("{line}\n")).collect()
+}
+
+#[test]
+fn a_module_of_a_folder_that_lost_its_comment_block_is_no_original() {
+    for form in ["schedule", "ramp", "live"] {
+        let bench = Bench::default();
+        let [_, tc] = cell(&bench, &["--form", form]);
+        let stripped = without_comments(&bench.text("tc/B.mod"));
+        bench.file("tc/B.mod", &stripped);
+        let back = bench.path("back").display().to_string();
+        let output = driftpost(&["restore", &tc, "-o", &back]);
+        assert_eq!(output.status.code(), Some(2), "{form}: {}", err(&output));
+        let line = 1 + stripped[..stripped.find("MoveL").unwrap()].matches('\n').count();
+        let message = err(&output);
+        assert!(message.contains("restore::header-lost"), "{form}: {message}");
+        assert!(message.contains(&format!("tc/B.mod:{line}: tc")), "{form}: {message}");
+        assert!(!bench.path("back").exists(), "{form}");
+        // A module that was none of the program's motions is copied as before, and one that calls the clock by a name that a source may have.
+        bench.file("tc/B.mod", "MODULE B\nPROC rB()\ntcColdStart;\nENDPROC\nENDMODULE\n");
+        assert_eq!(driftpost(&["restore", &tc, "-o", &back]).status.code(), Some(0), "{form}");
+        assert!(bench.text("back/B.mod").contains("tcColdStart"));
+    }
+}
+
+#[test]
+fn a_compensated_module_called_as_results_are_does_not_vanish() {
+    let bench = Bench::default();
+    let [_, tc] = cell(&bench, &[]);
+    std::fs::rename(bench.path("tc/B.mod"), bench.path("tc/B_tc.mod")).unwrap();
+    let output = driftpost(&["restore", &tc, "-o", &bench.path("back").display().to_string()]);
+    assert_eq!(output.status.code(), Some(2), "{}", err(&output));
+    assert!(
+        err(&output).contains("restore::not-read") && err(&output).contains("B_tc.mod"),
+        "{}",
+        err(&output)
+    );
+    assert!(!bench.path("back").exists());
+}
+
+#[test]
+fn a_common_module_that_is_gone_or_of_another_run_is_told() {
+    for form in ["schedule", "ramp", "live"] {
+        let bench = Bench::default();
+        let [from, tc] = cell(&bench, &["--form", form, "--growth", "two-stage:20"]);
+        let other = bench.text("tc/tcCore.mod");
+        cell(&bench, &["--form", form]);
+        let own = bench.text("tc/tcCore.mod");
+        let back = bench.path("back").display().to_string();
+        let run = |code: i32, told: &str| {
+            let output = driftpost(&["restore", &tc, "-o", &back]);
+            assert_eq!(output.status.code(), Some(code), "{form}: {}", err(&output));
+            assert_eq!(err(&output).contains("warning"), code == 1, "{form}: {}", err(&output));
+            assert!(err(&output).contains(told), "{form}: {}", err(&output));
+            let compared = driftpost(&["diff", &from, &tc]);
+            assert_eq!(compared.status.code(), Some(code), "{form}: {}", out(&compared));
+        };
+        run(0, "");
+        bench.file("tc/tcCore.mod", other);
+        run(1, "restore::other-core");
+        std::fs::remove_file(bench.path("tc/tcCore.mod")).unwrap();
+        run(1, "restore::no-core");
+        // A module by itself asks a common one that need not be given.
+        let [a, b] = ["cell/A.mod", "tc/A.mod"].map(|name| bench.path(name).display().to_string());
+        assert_eq!(driftpost(&["diff", &a, &b]).status.code(), Some(0), "{form}");
+        assert_eq!(driftpost(&["restore", &b, "-o", &back]).status.code(), Some(0), "{form}");
+        // As a controller may have saved it.
+        bench.file(
+            "tc/tcCore.mod",
+            own.replace("\n", "\r\n").replace("PERS num tcMinute:=0", "PERS num tcMinute:=31"),
+        );
+        run(0, "");
+    }
+}
+
+#[test]
+fn what_helps_a_module_without_comment_block_is_its_original_file() {
+    let bench = Bench::default();
+    let source = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;");
+    let text = compensated(&bench, &source, "ramp");
+    for (text, is_whole) in [(text.clone(), true), (without_comments(&text), false)] {
+        let file = bench.file("tc.mod", text);
+        let refused = driftpost(&["compensate", &file, "-o", &bench.path("x.mod").display().to_string()]);
+        assert_eq!(refused.status.code(), Some(2));
+        let inspected = driftpost(&["inspect", &file]);
+        for said in [err(&refused), out(&inspected)] {
+            assert!(said.contains("already compensated"), "{said}");
+            assert_eq!(said.contains("comment block"), !is_whole, "{said}");
+            assert_eq!(
+                said.contains("cannot get it back") || said.contains("take the original file"),
+                !is_whole,
+                "{said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn modules_of_different_runs_are_not_the_same_but_for_their_layout() {
+    let bench = Bench::default();
+    let source = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;");
+    let from = bench.file("source.mod", source);
+    let make = |name: &str, options: &[&str]| {
+        let to = bench.path(name).display().to_string();
+        let made = driftpost(
+            &[&["compensate", &from, "-o", &to, "--form", "ramp", "--diff", "none"], options].concat(),
+        );
+        assert_eq!(made.status.code(), Some(0), "{}", err(&made));
+        to
+    };
+    let first = make("first.mod", &[]);
+    for (options, told) in [
+        (["--growth", "two-stage:60"], "growth two-stage:46 and two-stage:60"),
+        (["--clock", "elapsed"], "were not made alike"),
+        (["--gap-min", "30"], "were not made alike"),
+    ] {
+        let other = make(&format!("{}.mod", &options[1].replace(':', "")), &options);
+        let compared = driftpost(&["diff", &first, &other]);
+        assert_eq!(compared.status.code(), Some(1));
+        let text = out(&compared);
+        assert!(text.contains(told) && text.trim_end().ends_with("see the lines above."), "{text}");
+        assert!(!text.contains("The same but for its layout"), "{text}");
+    }
+    // As a controller may have saved it.
+    let saved = bench.file("saved.mod", bench.text("first.mod").replace('\n', "\r\n"));
+    let text = out(&driftpost(&["diff", &first, &saved]));
+    assert!(text.contains("The same but for its layout"), "{text}");
+}
