@@ -48,6 +48,9 @@ type Files = BTreeMap<String, Vec<u8>>;
 pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let json = Output::new(args.json.as_deref())?;
     let mut cases = Vec::new();
+    for folder in no_cases_of(&args.dir) {
+        console.note(format_args!("{} is no case: it holds no source/ and no expected/", folder.display()));
+    }
     for case in cases_of(&args.dir)? {
         let actual = result_of(&case)?;
         let folder = case.join("expected");
@@ -96,6 +99,20 @@ fn cases_of(dir: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
             .help("a case is a folder with CASE/source/ and, if needed, CASE/options.toml"));
     }
     Ok(cases)
+}
+
+/// Folders beside the cases that hold nothing of one, in order of name: a case that was emptied is seldom meant to pass.
+fn no_cases_of(dir: &Path) -> Vec<PathBuf> {
+    let is_hidden =
+        |path: &Path| path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+    let is_none = |path: &PathBuf| {
+        path.is_dir() && !is_hidden(path) && !CASE.iter().any(|part| path.join(part).exists())
+    };
+    let entries = fs::read_dir(dir).into_iter().flatten();
+    let mut folders: Vec<PathBuf> =
+        entries.filter_map(|entry| Some(entry.ok()?.path())).filter(is_none).collect();
+    sorting::ascending(&mut folders);
+    folders
 }
 
 /// What `compensate` makes of a case.

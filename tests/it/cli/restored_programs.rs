@@ -146,3 +146,18 @@ fn modules_of_different_runs_are_not_the_same_but_for_their_layout() {
     let text = out(&driftpost(&["diff", &first, &saved]));
     assert!(text.contains("The same but for its layout"), "{text}");
 }
+
+#[test]
+fn a_case_that_was_emptied_is_told() {
+    let bench = Bench::default();
+    bench.file("cases/one/source/a.mod", module("", ""));
+    std::fs::create_dir_all(bench.path("cases/two")).unwrap();
+    let cases = bench.path("cases").display().to_string();
+    let output = driftpost(&["golden", &cases]);
+    assert!(
+        err(&output).contains("two is no case: it holds no source/ and no expected/"),
+        "{}",
+        err(&output)
+    );
+    assert!(!err(&output).contains("one is no case"), "{}", err(&output));
+}
