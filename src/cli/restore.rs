@@ -171,7 +171,14 @@ fn note_touched(path: &str, touched: &ModifiedTarget, console: &mut Console) {
     } else {
         format!("by {:.4} {}", touched.moved, touched.unit)
     };
-    console.note(format_args!("{path}:{}: {} was {how} {by}; {what_now}", touched.line, touched.target));
+    let others: Vec<String> = touched.others.iter().map(u32::to_string).collect();
+    let others = match others.as_slice() {
+        [] => String::new(),
+        [line] => format!("; line {line} names it too, and goes with it"),
+        lines => format!("; lines {} name it too, and go with it", lines.join(", ")),
+    };
+    console
+        .note(format_args!("{path}:{}: {} was {how} {by}; {what_now}{others}", touched.line, touched.target));
 }
 
 /// What was changed in the emitted module and has no place in the original.

@@ -1,6 +1,6 @@
 //! Whole programs in which a module or the common one is not what it was: what `restore`, `diff` and others say of them.
 
-use super::changed_by_hand::{REST, compensated, module};
+use super::changed_by_hand::{HOME, REST, compensated, module, once, restored};
 use super::{Bench, driftpost, err, out};
 
 /// A cell of two modules that move, compensated into the folder `tc`; gives the paths of both.
@@ -160,4 +160,41 @@ fn a_case_that_was_emptied_is_told() {
         err(&output)
     );
     assert!(!err(&output).contains("one is no case"), "{}", err(&output));
+}
+
+/// The new value stands in the declaration, by which other motions go as well.
+#[test]
+fn what_goes_with_a_touched_up_target_is_named() {
+    let bench = Bench::default();
+    let data =
+        "CONST robtarget p20:=[[430,60,300],@;\nCONST robtarget pa{2}:=[[[450,60,300],@,[[450,70,300],@];";
+    let source = module(
+        data,
+        "MoveL p20,v100,fine,tGun;\nMoveL Offs(p20,0,0,5),v100,fine,tGun;\nrSub p20;\nMoveL pa{nPos},v100,fine,tGun;",
+    )
+    .replace("ENDMODULE", "PROC rSub(robtarget p)\nENDPROC\nENDMODULE");
+    assert!(source.contains(HOME));
+    let text = compensated(&bench, &source, "schedule");
+    let line = |what: &str| 1 + text[..text.find(what).unwrap()].matches('\n').count();
+    // The first element of the array is the original itself.
+    let begins = text.find("robtarget tcp20{").unwrap();
+    let touched =
+        format!("{}{}", &text[..begins], text[begins..].replacen("[[430,60,300]", "[[430,63,304]", 1));
+    let (message, back) = restored(&bench, &touched, 1);
+    let told = format!(
+        "p20 was touched up on the controller by 5.0000 mm; its new value is in the declaration; lines {}, {} name it too, and go with it",
+        line("MoveL tcp20{") + 1,
+        line("rSub p20;"),
+    );
+    assert!(message.contains(&told), "{told}\n{message}");
+    assert_eq!(back, once(&source, "[[430,60,300]", "[[430,63,304]"));
+    // An element of the program's own array.
+    let begins = text.find("robtarget tcpa{").unwrap();
+    let touched =
+        format!("{}{}", &text[..begins], text[begins..].replacen("[[450,70,300]", "[[450,73,304]", 1));
+    let (message, _) = restored(&bench, &touched, 1);
+    assert!(
+        message.contains("pa{2} was touched up on the controller by 5.0000 mm; its new value"),
+        "{message}"
+    );
 }

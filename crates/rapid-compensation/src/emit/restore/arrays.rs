@@ -1,10 +1,12 @@
 //! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
 
 use super::undo::UndoText;
-use crate::emit::aggregate::{is_plain, singles};
+use crate::emit::aggregate::{is_plain, singles, with_commas};
+use crate::emit::names::is_name;
 use crate::emit::record_text::write_orient;
 use crate::emit::six_digits::six_digits;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use rapid_program::motion::indices_of;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Expr, Routine};
 use rapid_syntax::write_num;
@@ -242,6 +244,15 @@ impl<'b> Array<'b> {
     /// What stood in the motion, without its index.
     pub(super) fn was(&self) -> &[u8] {
         self.was.of(self.bytes)
+    }
+
+    /// The target of a row as a person calls it: `pa{2}` of an array's element.
+    pub(super) fn target(&self, row: usize) -> String {
+        let was = String::from_utf8_lossy(self.was());
+        match self.dims.is_empty() || !is_name(self.was()) {
+            true => was.into_owned(),
+            false => format!("{was}{{{}}}", with_commas(&indices_of(&self.dims, row))),
+        }
     }
 
     /// The same to be put back.

@@ -3,10 +3,8 @@
 use super::arrays::{Array, NamedArray};
 use super::findings::{ModifiedIn, ModifiedTarget, RestoreError};
 use super::removal::Remover;
-use crate::emit::aggregate::with_commas;
 use crate::emit::declarations::Declarations;
 use crate::emit::elements::elements;
-use rapid_program::motion::indices_of;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, ModuleItem, Routine, StmtKind};
 use std::collections::BTreeSet;
@@ -28,13 +26,7 @@ impl<'w> Remover<'w> {
             };
             for (row, (value, new)) in values.into_iter().zip(meant).enumerate() {
                 let text = value.of(self.bytes);
-                let target = || {
-                    let was = String::from_utf8_lossy(array.was());
-                    match array.dims.is_empty() {
-                        true => was.into_owned(),
-                        false => format!("{was}{{{}}}", with_commas(&indices_of(&array.dims, row))),
-                    }
-                };
+                let target = || array.target(row);
                 match new {
                     Some(new) if !new.allows(text) => {
                         return Err(RestoreError::DeclaredOtherwise {
@@ -58,6 +50,7 @@ impl<'w> Remover<'w> {
                                 into: ModifiedIn::DeclarationAlone,
                                 moved,
                                 unit,
+                                others: Vec::new(),
                             });
                         }
                     }

@@ -17,6 +17,8 @@ pub struct ModifiedTarget {
     pub moved: f64,
     /// In `mm`, or in `deg` for joints and for a turn alone.
     pub unit: &'static str,
+    /// Lines, from 1, where the module names the target too, whose new value is in its declaration: what stood there before goes with it.
+    pub others: Vec<u32>,
 }
 
 /// Where a touched-up value went.

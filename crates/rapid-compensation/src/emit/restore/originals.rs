@@ -106,6 +106,7 @@ impl<'w> Remover<'w> {
             },
             moved,
             unit,
+            others: Vec::new(),
         }
     }
 

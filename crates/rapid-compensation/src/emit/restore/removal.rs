@@ -14,7 +14,7 @@ use crate::emit::header::Record;
 use crate::emit::here;
 use crate::emit::insertion;
 use crate::emit::mentions::named_alone;
-use crate::emit::names::is_name;
+use crate::emit::names::{is_name, words};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, DataDecl, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
@@ -203,7 +203,7 @@ impl<'w> Remover<'w> {
         let asking = Asking { routines, arrays, declarations: &declarations };
         self.misled(asking);
         let mut touched = self.touched_originals(asking);
-        touched.extend(self.put_back(arrays, &declarations)?);
+        touched.extend(self.put_back(arrays, &declarations, &seen)?);
         sorting::by_key(&mut touched, |t| t.line);
         // A target of schedule that is named by itself and within an expression.
         touched.dedup_by(|next, kept| {
@@ -276,6 +276,7 @@ impl<'w> Remover<'w> {
         &mut self,
         arrays: &mut [NamedArray<'w>],
         declarations: &Declarations<'w>,
+        seen: &SeenMentions,
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         if arrays.iter().all(NamedArray::is_as_made) {
             let uses = arrays.iter().flat_map(|of| of.uses.iter().map(|one| (one.expr, of.array.undo())));
@@ -283,16 +284,7 @@ impl<'w> Remover<'w> {
             return Ok(Vec::new());
         }
         sorting::by(arrays, |a, b| a.name.cmp(&b.name)); // in this order findings are told
-        for NamedArray { name, array, meant, .. } in &mut *arrays {
-            let trusted = self.record.is_whole;
-            *meant = array.meant(&self.record.shares, trusted).map_err(|what| match what {
-                Some((first, second)) => {
-                    let line = self.lines.line(array.range.start);
-                    RestoreError::Disagree { array: name.clone(), line, first, second }
-                }
-                None => self.damaged(array.range, format!("what was changed of {name} cannot be told")),
-            })?;
-        }
+        self.find_what_is_meant(arrays)?;
         let arrays = &*arrays;
         let mut touched = self.declared_otherwise(arrays, declarations)?;
         let declared = self.declare(arrays, declarations)?;
@@ -310,8 +302,9 @@ impl<'w> Remover<'w> {
                 self.edits.put(one.expr, text);
             }
             let declared = self.lines.line(array.range.start);
-            for new in meant.iter().flatten() {
-                let target = String::from_utf8_lossy(array.was()).into_owned();
+            let names_it = into && array.dims.is_empty();
+            for (row, new) in meant.iter().enumerate().filter_map(|(row, new)| Some((row, new.as_ref()?))) {
+                let target = array.target(row);
                 let value = String::from_utf8_lossy(&new.text).into_owned();
                 if uses.is_empty() && !into {
                     let gone = Altered::Gone { target, array: name.clone(), meant: value, line: declared };
@@ -320,6 +313,7 @@ impl<'w> Remover<'w> {
                 }
                 touched.push(ModifiedTarget {
                     array: Some(name.clone()),
+                    others: if names_it { self.named_too(array.was(), arrays, seen) } else { Vec::new() },
                     target,
                     value,
                     line: uses.first().map_or(declared, |one| self.lines.line(one.expr.start)),
@@ -330,6 +324,37 @@ impl<'w> Remover<'w> {
             }
         }
         Ok(touched)
+    }
+
+    /// Works out which originals the touched-up elements mean.
+    fn find_what_is_meant(&self, arrays: &mut [NamedArray<'w>]) -> Result<(), RestoreError> {
+        for NamedArray { name, array, meant, .. } in arrays {
+            let trusted = self.record.is_whole;
+            *meant = array.meant(&self.record.shares, trusted).map_err(|what| match what {
+                Some((first, second)) => {
+                    let line = self.lines.line(array.range.start);
+                    RestoreError::Disagree { array: name.clone(), line, first, second }
+                }
+                None => self.damaged(array.range, format!("what was changed of {name} cannot be told")),
+            })?;
+        }
+        Ok(())
+    }
+
+    /// Lines that name a touched-up target too, of motions that go by arrays of their own and of calls that name it as it is.
+    fn named_too(&self, target: &[u8], arrays: &[NamedArray<'w>], seen: &SeenMentions) -> Vec<u32> {
+        let names_it = |array: &Array<'_>| {
+            let mut found = false;
+            words(array.was(), |word| found |= word.eq_ignore_ascii_case(target));
+            found
+        };
+        let is_as_it_was = |of: &&NamedArray<'_>| of.meant.iter().all(Option::is_none) && names_it(&of.array);
+        let uses = arrays.iter().filter(is_as_it_was).flat_map(|of| &of.uses).map(|one| one.expr.start);
+        let mut lines: Vec<u32> =
+            uses.chain(seen.places_as_it_is(target)).map(|at| self.lines.line(at)).collect();
+        sorting::ascending(&mut lines);
+        lines.dedup();
+        lines
     }
 
     /// Puts touched-up values into declarations: where a target is named, declared in this file, and all its arrays say the

@@ -48,6 +48,12 @@ impl SeenMentions {
         Some(places)
     }
 
+    /// Where calls name a target as it is, bytes of the module.
+    pub(super) fn places_as_it_is(&self, target: &[u8]) -> impl Iterator<Item = u32> + '_ {
+        let found = key_of(target).and_then(|key| self.found.get(&key));
+        found.into_iter().flat_map(|places| places.as_it_is.iter().copied())
+    }
+
     /// Corrections that were taken out of motions, and put in.
     pub(super) fn altered(&self, lines: &Lines<'_>) -> Vec<Altered> {
         let mut altered = Vec::new();
