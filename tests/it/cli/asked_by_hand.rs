@@ -38,7 +38,7 @@ fn a_motion_that_does_not_ask_the_clock_is_told() {
         let text = compensated(&bench, &source, form);
         let changed = once(&text, was, by);
         let (message, back) = restored(&bench, &changed, 1);
-        let told = format!("changed.mod:{}: the motion asks with another correction", line_of(&text, was));
+        let told = format!("changed.mod:{}: the motion does not ask as it was made", line_of(&text, was));
         assert!(message.contains("restore::arguments") && message.contains(&told), "{form}: {message}");
         assert_eq!(back, source, "{form}");
         assert_eq!(compared(&bench, &source, &changed).0, Some(1), "{form}");

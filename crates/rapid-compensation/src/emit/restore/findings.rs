@@ -210,10 +210,18 @@ pub enum Altered {
         /// Where it is asked for, from 1.
         lines: Vec<u32>,
     },
+    /// A motion asks as only the other point of an arc may.
+    #[error(
+        "the motion does not ask as it was made: the first target asks the clock (tcK(), tcAt, tcLive), and the second of an arc alone takes \
+         the same moment (tcI, tcAtSame, tcLiveSame)"
+    )]
+    Moment {
+        /// The motion's line, from 1.
+        line: u32,
+    },
     /// What corrects the target is not what it was given, or what the model is asked for not what the motion goes with.
     #[error(
-        "the motion asks with another correction than it was given, the model with another tool or work object than the motion goes with, or \
-         as only the second point of an arc may (tcI, tcAtSame, tcLiveSame), so that the clock is not asked"
+        "the motion asks with another correction than it was given, or the model with another tool or work object than the motion goes with"
     )]
     Arguments {
         /// The motion's line, from 1.
@@ -233,6 +241,7 @@ impl Altered {
             | Self::Gone { line, .. }
             | Self::Named { line, .. }
             | Self::Lost { line, .. }
+            | Self::Moment { line }
             | Self::Arguments { line } => *line,
             Self::Copied { lines, .. }
             | Self::Uncorrected { lines, .. }
@@ -254,7 +263,7 @@ impl Altered {
             Self::Copied { .. } => "restore::copied",
             Self::Uncorrected { .. } => "restore::uncorrected",
             Self::CorrectedByHand { .. } => "restore::corrected",
-            Self::Arguments { .. } => "restore::arguments",
+            Self::Arguments { .. } | Self::Moment { .. } => "restore::arguments",
         }
     }
 }

@@ -223,7 +223,7 @@ impl<'w> Remover<'w> {
         let (arguments, mut asking) = (self.arguments(), 0);
         for arg in called.args {
             let ArgKind::Positional(expr) = &arg.kind else { continue };
-            let is_in_place = if let Some(Element { name, index, place }) = arguments.element(expr)
+            let place = if let Some(Element { name, index, place }) = arguments.element(expr)
                 && let Some(at) = NamedArray::find(arrays, *next, &self.text(name).to_ascii_lowercase())
             {
                 let expr = self.with_parting(expr.range, name.end + 1, arrays[at].array.was());
@@ -232,22 +232,24 @@ impl<'w> Remover<'w> {
                 }
                 arrays[at].uses.push(Use { expr, index, routine: called.routine });
                 *next = at + 1;
-                place == Place::behind(asking)
+                Some(place)
             } else if let Some(inside) = arguments.inside(expr) {
                 seen.asked(inside.target.of(self.bytes), expr.range.start);
                 self.uncover(expr.range, inside.target);
-                arguments.is_as_made(expr, &inside, called)
-                    && inside.place.is_none_or(|place| place == Place::behind(asking))
+                if !arguments.is_as_made(expr, &inside, called) {
+                    self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
+                }
+                inside.place
             } else {
                 if let Some(name) = named_alone(expr, self.bytes) {
                     seen.as_it_is(name, expr.range.start);
                 }
                 continue;
             };
-            asking += 1;
-            if !is_in_place {
-                self.altered.push(Altered::Arguments { line: self.lines.line(expr.range.start) });
+            if place.is_some_and(|place| place != Place::behind(asking)) {
+                self.altered.push(Altered::Moment { line: self.lines.line(expr.range.start) });
             }
+            asking += 1;
         }
     }
 
