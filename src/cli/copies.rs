@@ -23,6 +23,12 @@ impl Copies {
         Self { folder: folder.to_path_buf(), lines: text.lines().map(str::to_owned).collect() }
     }
 
+    /// The record's lines as they stand.
+    #[must_use]
+    pub fn text(&self) -> String {
+        self.lines.iter().map(|line| format!("{line}\n")).collect()
+    }
+
     /// Where the record is written.
     #[must_use]
     pub fn record(&self) -> PathBuf {

@@ -4,7 +4,7 @@ use super::copies::Copies;
 use super::files::{self, PENDING};
 use super::pending::folder_of;
 use super::program_at::{bytes_of_file, holds_module, kept, module_names};
-use crate::application::EarlierResult;
+use crate::application::{EarlierResult, sha256};
 use crate::report::fit as report;
 use crate::report::rapid_data::MODULE as FOUND_MODULE;
 use rapid_program::MEASURING_MODULE;
@@ -184,6 +184,46 @@ pub fn check_copy(copies: &Copies, to: &Path, new: impl FnOnce() -> Vec<u8>) -> 
     let text = format!("{} was changed since it was written, or is no result of this program", to.display());
     Err(Diagnostic::error("output::changed", text)
         .help("take it away, name another place with -o, or say --force"))
+}
+
+/// What of a folder that a program is restored to may be overwritten.
+pub struct RestoredOver {
+    /// Files that `restore` put there before.
+    pub restored: Copies,
+    /// Files that `compensate` copied from there, and where their copies stand.
+    pub copied: Copies,
+    /// All of it.
+    pub force: bool,
+}
+
+impl RestoredOver {
+    /// Refuses to overwrite a file that somebody has gone on with since the program was compensated; `from`: what it was made of or copied
+    /// from, `new`: what would stand there, `source_sha256`: of the original as it was compensated.
+    ///
+    /// # Errors
+    /// `output::changed`, naming the file.
+    pub fn check(
+        &self,
+        (from, to): (&Path, &Path),
+        new: &[u8],
+        source_sha256: Option<&str>,
+    ) -> Result<(), Diagnostic> {
+        if self.force {
+            return Ok(());
+        }
+        let Some(there) = bytes_of_file(to) else { return Ok(()) };
+        let is_source = source_sha256.is_some_and(|source| source == sha256(&there));
+        let is_known = || {
+            EarlierResult::of(&there) == Some(EarlierResult::AsWritten)
+                || self.restored.is_as_copied(to, &there)
+                || self.copied.is_as_copied(from, &there)
+        };
+        if is_source || there == new || is_known() {
+            return Ok(());
+        }
+        let why = "is not as it was when the program was compensated: what was changed there would be lost";
+        Err(kept(to, why, "name another folder with -o, or say --force"))
+    }
 }
 
 /// Why a common module that is there already must stay; `None` where it may be written.

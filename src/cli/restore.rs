@@ -1,7 +1,9 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
+use super::copies::Copies;
 use super::destination::{is_folder, is_pgf};
 use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
+use super::overwriting::RestoredOver;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome, overwriting};
 use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
@@ -21,6 +23,10 @@ pub struct Args {
     /// [default: beside each, under the name that its header gives; of standard input to standard output].
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<PathBuf>,
+
+    /// Overwrite what was changed in the folder since the program was compensated.
+    #[arg(long)]
+    pub force: bool,
 
     /// What was restored, as JSON; - is standard output.
     #[arg(long, value_name = "FILE|-")]
@@ -68,20 +74,17 @@ fn restore_program(
 ) -> anyhow::Result<Outcome> {
     let folder = folder(program, args)?;
     let given = ProgramInput::read(std::slice::from_ref(&program.to_path_buf()))?;
-    if let Some(result) = given.results_beside().first() {
-        let text = format!(
-            "{} is compensated, and a module that is called so is not read in a folder",
-            result.display()
-        );
-        let help =
-            "give it the name of its original again, or restore it by itself and take it out of the folder";
-        return Err(Diagnostic::error("restore::not-read", text).help(help).into());
-    }
+    check_all_read(&given)?;
     let job = Restoration::of_program(given.program(), program.display().to_string());
     let found = job.run().map_err(Diagnostic::from)?;
     note_cores(&found, console);
-    let beside_place = |path: &Path, place: &Path, bytes: &[u8]| -> Result<Pending, Diagnostic> {
-        let mut pending = Pending::new(&apart(path, folder.join(place))?)?;
+    let over = RestoredOver { restored: Copies::of(folder), copied: Copies::of(program), force: args.force };
+    let beside_place = |path: &Path, place: &Path, bytes: &[u8], sha256| -> Result<Pending, Diagnostic> {
+        let to = apart(path, folder.join(place))?;
+        if !is_pgf(path) {
+            over.check((path, &to), bytes, sha256)?;
+        }
+        let mut pending = Pending::new(&to)?;
         pending.fill(bytes)?;
         Ok(pending)
     };
@@ -91,18 +94,60 @@ fn restore_program(
     {
         match file {
             RestoredFile::Original(restored) => {
-                outputs.push(Output::File(beside_place(path, place, &restored.bytes)?));
+                outputs.push(Output::File(beside_place(
+                    path,
+                    place,
+                    &restored.bytes,
+                    Some(&restored.source_sha256),
+                )?));
             }
             RestoredFile::Core(_) => {}
-            RestoredFile::Other => copies.push(beside_place(path, place, bytes)?),
+            RestoredFile::Other => copies.push(beside_place(path, place, bytes, None)?),
         }
     }
     for (path, place) in &given.others {
         let bytes = files::read(path, "file")?;
         let bytes = if is_pgf(path) { found.list_without_cores(path, bytes) } else { bytes };
-        copies.push(beside_place(path, place, &bytes)?);
+        copies.push(beside_place(path, place, &bytes, None)?);
     }
+    copies.extend(record(&over.restored, folder, &given, &found)?);
     put_in_place(&found, outputs, copies, json, console)
+}
+
+/// Refuses a folder with a compensated module that is not read: it would be missing from what is got back.
+fn check_all_read(given: &ProgramInput) -> Result<(), Diagnostic> {
+    if let Some(result) = given.results_beside().first() {
+        let text = format!(
+            "{} is compensated, and a module that is called so is not read in a folder",
+            result.display()
+        );
+        let help =
+            "give it the name of its original again, or restore it by itself and take it out of the folder";
+        return Err(Diagnostic::error("restore::not-read", text).help(help));
+    }
+    Ok(())
+}
+
+/// The folder's record with the originals that are not as they were compensated: they may be overwritten by what is got back another time.
+fn record(
+    known: &Copies,
+    folder: &Path,
+    given: &ProgramInput,
+    found: &RestoredFiles,
+) -> Result<Option<Pending>, Diagnostic> {
+    let changed = given.places.iter().zip(&found.files).filter_map(|(place, file)| match file {
+        RestoredFile::Original(restored) if !restored.exact => {
+            Some(known.line(&folder.join(place), &restored.bytes))
+        }
+        _ => None,
+    });
+    let changed: String = changed.collect();
+    if changed.is_empty() {
+        return Ok(None);
+    }
+    let mut pending = Pending::new(&known.record())?;
+    pending.fill(format!("{}{changed}", known.text()).as_bytes())?;
+    Ok(Some(pending))
 }
 
 /// Where a whole program goes.

@@ -198,3 +198,36 @@ fn what_goes_with_a_touched_up_target_is_named() {
         "{message}"
     );
 }
+
+/// What a programmer has gone on with in the folder that a program is restored to.
+#[test]
+fn what_was_changed_where_a_program_is_restored_to_stays() {
+    let bench = Bench::default();
+    let [from, tc] = cell(&bench, &["--form", "ramp"]);
+    let restore = |more: &[&str], code: i32| {
+        let output = driftpost(&[&["restore", &tc, "-o", &from], more].concat());
+        assert_eq!(output.status.code(), Some(code), "{}", err(&output));
+        err(&output)
+    };
+    let original = bench.text("cell/A.mod");
+    restore(&[], 0);
+    assert_eq!(bench.files().iter().filter(|file| file.starts_with("cell/")).count(), 2);
+    // Touched up on the controller, by 3 and 4 mm, and again: the originals follow.
+    let emitted = bench.text("tc/A.mod");
+    for now in ["[[433,64,300]", "[[430,63,304]"] {
+        bench.file("tc/A.mod", once(&emitted, "[[430,60,300]", now));
+        assert!(restore(&[], 1).contains("by 5.0000 mm"));
+        assert_eq!(bench.text("cell/A.mod"), original.replace("[[430,60,300]", now));
+    }
+    // Gone on with by hand.
+    let own = original.replace("MoveL p20,v100", "MoveL p20,v50");
+    bench.file("cell/A.mod", &own);
+    let message = restore(&[], 2);
+    assert!(
+        message.contains("output::changed") && message.contains("cell/A.mod is not as it was"),
+        "{message}"
+    );
+    assert_eq!(bench.text("cell/A.mod"), own);
+    restore(&["--force"], 1);
+    assert_eq!(bench.text("cell/A.mod"), original.replace("[[430,60,300]", "[[430,63,304]"));
+}

@@ -46,6 +46,8 @@ pub struct Restored {
     pub bytes: Vec<u8>,
     /// The name it had.
     pub source_name: String,
+    /// Its SHA-256 when it was compensated, hexadecimal.
+    pub source_sha256: String,
     /// Targets that were touched up in the emitted module: the file holds the originals that this means.
     pub touched: Vec<ModifiedTarget>,
     /// What else was changed in the emitted module: it is in no way in the file.
@@ -87,7 +89,7 @@ pub fn restore_beside(bytes: &[u8], core: &[Vec<u8>]) -> Result<Restored, Restor
         altered.extend(named.into_iter().map(|(at, name)| Altered::Named { name, line: line(at) }));
         sorting::by_key(&mut altered, Altered::line);
     }
-    Ok(Restored { bytes: restored, source_name, touched, altered, exact })
+    Ok(Restored { bytes: restored, source_name, source_sha256, touched, altered, exact })
 }
 
 /// Whether [`restore`] gives exactly `original`, whose SHA-256 is `sha256`; without the memory of its text.
