@@ -170,7 +170,7 @@ fn note_cores(found: &RestoredFiles, console: &mut Console) {
         console.note(format_args!("{path}: the common module, it has no original"));
         warn(path, altered, console);
     }
-    console.explain(&LocatedDiagnostic::all(found.of_other_runs.iter().cloned(), &[]), true);
+    console.report(found.of_other_runs.iter().cloned());
 }
 
 /// Puts originals and copies in their places, and says what was changed since they were compensated.
