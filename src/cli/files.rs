@@ -180,6 +180,12 @@ impl Output {
         matches!(self, Self::Standard)
     }
 
+    /// Whether somebody has asked for it.
+    #[must_use]
+    pub fn is_wanted(&self) -> bool {
+        !matches!(self, Self::Nowhere)
+    }
+
     /// Path of the file, or what else it is, for people and scripts.
     #[must_use]
     pub fn name(&self) -> String {

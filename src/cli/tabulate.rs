@@ -18,6 +18,7 @@ use rapid_compensation::compensate::targets;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::kinematics::Configuration;
 use robot_model::units::rad_from_deg;
+use serde_json::Value;
 use std::path::PathBuf;
 
 /// Command line of `driftpost tabulate`.
@@ -95,7 +96,9 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
 
     let found = job.run(targets).map_err(|error| in_file(error.into()))?;
 
-    let results = Results::new(found.json(), found.text()).beside(&joints_csv);
+    // Of many targets and minutes: put together where somebody asks for it.
+    let data = if json.is_wanted() { found.json() } else { Value::Null };
+    let results = Results::new(data, found.text()).beside(&joints_csv);
     joints_csv.write(console, || {
         let mut text = Vec::new();
         found.write_joints(&file, &mut text).context("the table of joints")?;

@@ -14,7 +14,7 @@ pub(super) fn six_digits(value: f32) -> f32 {
     if is_short || !size.is_finite() {
         return value;
     }
-    let scale = 5 - size.log10().floor() as i32;
+    let scale = 5 - decade(size);
     let power = POWERS.get(scale.unsigned_abs() as usize).copied().unwrap_or(1e22);
     let rounded = if scale >= 0 {
         (size * power).round_ties_even() / power
@@ -24,9 +24,35 @@ pub(super) fn six_digits(value: f32) -> f32 {
     rounded.copysign(f64::from(value)) as f32
 }
 
+/// The power of ten at or below a positive `size`. All numbers of an array are asked: a search among powers is a fifth of a logarithm's work.
+fn decade(size: f64) -> i32 {
+    // A single lies on one side of a power, or is it: rounding of this product moves none across.
+    let (raised, by) = if size < 1.0 { (size * 1e10, 10) } else { (size, 0) };
+    match POWERS.partition_point(|power| *power <= raised) {
+        0 => size.log10().floor() as i32,
+        at if at == POWERS.len() => size.log10().floor() as i32,
+        at => at as i32 - 1 - by,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Every single that is a power of ten, and those beside it.
+    #[test]
+    fn decades_are_those_of_the_logarithm() {
+        for power in -37..38 {
+            let near = format!("1e{power}").parse::<f32>().unwrap();
+            for single in [near.next_down(), near, near.next_up()] {
+                let size = f64::from(single);
+                // By the digits that are written: the exponent of scientific notation.
+                let written = format!("{size:.20e}");
+                let exponent: i32 = written.split('e').nth(1).unwrap().parse().unwrap();
+                assert_eq!(decade(size), exponent, "{single:e}");
+            }
+        }
+    }
 
     #[test]
     fn what_was_saved_once_is_the_same_when_it_is_saved_again() {

@@ -129,10 +129,14 @@ impl<'w> Remover<'w> {
             });
             if let (Some(()), Some(first)) = (read, first) {
                 let own = made(count);
-                let ranges = vec![elements(self.bytes, init, 1)];
-                let checksums = if now.are(own) { own.to_vec() } else { self.checksums(&ranges[0], own) };
+                if now.are(own) {
+                    return Ok((Rows::AsMade(first), own));
+                }
+                let all = elements(self.bytes, init, 1);
+                let checksums = self.checksums(&all, own);
                 let as_made = checksums == own;
-                let rows = if as_made { Rows::AsMade(first) } else { Rows::All { ranges, checksums } };
+                let rows =
+                    if as_made { Rows::AsMade(first) } else { Rows::All { ranges: vec![all], checksums } };
                 return Ok((rows, own));
             }
         }
