@@ -56,10 +56,9 @@ pub(crate) use diff::write_texts;
 pub(crate) use diff::{write_created, write_edits};
 pub(crate) use inspect::{inspection, write_inspection, write_inspection_csv};
 pub(crate) use joints::{JointRow, JointTable};
-#[cfg(feature = "cli")]
-pub(crate) use json::golden_json;
-pub(crate) use json::messages;
 pub(crate) use json::{CompensationJson, refusal, rounded, value, write_pretty};
+#[cfg(feature = "cli")]
+pub(crate) use json::{golden_json, messages};
 pub(crate) use motion_rows::MotionRows;
 pub(crate) use notes::notes;
 #[cfg(all(feature = "cli", feature = "link"))]
