@@ -161,7 +161,7 @@ pub enum RestorationError {
     /// A module is none of ours, or was edited where it must not be.
     #[error("{path}: {error}")]
     File {
-        /// The module's path.
+        /// Path of the module as it was given.
         path: String,
         /// What is the matter with it.
         error: Box<RestoreError>,
@@ -172,11 +172,11 @@ pub enum RestorationError {
          was cannot be told; put its original file in its place, and restore again"
     )]
     HeaderLost {
-        /// The module's path.
+        /// Path of the module as it was given.
         path: String,
         /// The line, from 1.
         line: u32,
-        /// What is named.
+        /// The data or function that was added and is named there.
         name: String,
     },
     /// A program that was never compensated.

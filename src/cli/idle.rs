@@ -19,3 +19,14 @@ pub fn warnings(options: impl IntoIterator<Item = IdleOption>) -> Vec<Diagnostic
     })
     .collect()
 }
+
+/// The arguments of a command as its words give them, for tests.
+#[cfg(test)]
+pub fn arguments<A: clap::Args>(words: &str) -> A {
+    #[derive(clap::Parser)]
+    struct Line<A: clap::Args> {
+        #[command(flatten)]
+        args: A,
+    }
+    <Line<A> as clap::Parser>::parse_from(words.split_whitespace()).args
+}

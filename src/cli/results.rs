@@ -31,7 +31,7 @@ impl Results {
     /// The same with a report that is written piece by piece.
     ///
     /// # Errors
-    /// Those of `report`.
+    /// What `report` meets while it writes.
     pub fn written(data: Value, report: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<Self> {
         let mut text = Vec::new();
         report(&mut text)?;

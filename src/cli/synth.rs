@@ -277,17 +277,11 @@ pub(super) fn diagnostic_of(error: SynthesisError) -> Diagnostic {
 #[cfg(test)]
 mod tests {
     use super::{Args, idle_options};
-    use clap::Parser;
-
-    #[derive(Parser)]
-    struct Line {
-        #[command(flatten)]
-        args: Args,
-    }
+    use crate::cli::idle::arguments;
 
     fn idle(options: &str) -> Vec<&'static str> {
         let line = format!("synth sets --robot irb140 {options}");
-        let args = Line::parse_from(line.split_whitespace()).args;
+        let args = arguments::<Args>(&line);
         idle_options(&args)
             .into_iter()
             .filter(|(_, is_idle, _)| *is_idle)

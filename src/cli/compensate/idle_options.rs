@@ -33,17 +33,11 @@ impl Args {
 #[cfg(test)]
 mod tests {
     use crate::cli::compensate::Args;
-    use clap::Parser;
-
-    #[derive(Parser)]
-    struct Line {
-        #[command(flatten)]
-        args: Args,
-    }
+    use crate::cli::idle::arguments;
 
     fn idle(options: &str) -> Vec<String> {
         let line = format!("compensate a.mod --robot irb140 {options}");
-        let found = Line::parse_from(line.split_whitespace()).args.idle_options();
+        let found = arguments::<Args>(&line).idle_options();
         found.iter().filter_map(|said| said.message.split(' ').next()).map(str::to_owned).collect()
     }
 

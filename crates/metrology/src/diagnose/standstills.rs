@@ -44,7 +44,8 @@ pub(super) fn standstills(stations: &Stations) -> Vec<ClockReading> {
     TAUS_MIN.map(with).into()
 }
 
-/// The pauses of a file that are long beside its usual gaps, with enough stations before and behind each.
+/// The pauses of a file that are long beside its usual gaps, with enough stations before and behind each. Those of touches are told by the
+/// rounds of a point ([`warm_up::pauses`]); poses that are measured once have none.
 fn stops(stations: &Stations) -> Vec<Standstill> {
     let all = &stations.stations;
     if !stations.channels.time || all.len() > MOST_STATIONS || all.iter().any(|s| s.earlier_min != 0.0) {

@@ -25,9 +25,9 @@ pub enum Difference {
     Added(String),
     /// Two compensated modules that were made with different options, or with different clocks.
     MadeOtherwise {
-        /// The first program's.
+        /// Module as the first program names it.
         before: String,
-        /// The second's.
+        /// Module as the second program names it.
         after: String,
         /// What they were made with, where that differs: name of the option, and its values.
         what: Vec<(String, [String; 2])>,

@@ -194,7 +194,7 @@ pub enum Altered {
         listed(lines)
     )]
     Uncorrected {
-        /// The target's name.
+        /// Name of the target as its declaration has it.
         target: String,
         /// Where it is named as it is, from 1.
         lines: Vec<u32>,
@@ -205,7 +205,7 @@ pub enum Altered {
         listed(lines)
     )]
     CorrectedByHand {
-        /// The target's name.
+        /// Name of the target as its declaration has it.
         target: String,
         /// Where it is asked for, from 1.
         lines: Vec<u32>,
