@@ -91,71 +91,72 @@ impl EffectKind {
         Self::SwappedAxes,
     ];
 
+    /// What is known of each kind: the one place that a new one is described in.
+    const fn facts(self) -> EffectFacts {
+        match self {
+            Self::JointOffset => EffectFacts::of("joint_offset", Place::Joint).turning_joints(),
+            Self::LinkGeometry => EffectFacts::of("link_geometry", Place::Link),
+            Self::JointCompliance => {
+                EffectFacts::of("joint_compliance", Place::Joint).under_load().turning_joints()
+            }
+            Self::LinkBending => EffectFacts::of("link_bending", Place::Link).under_load().beyond_run_time(),
+            Self::BaseTilt => EffectFacts::of("base_tilt", Place::Base).under_load().beyond_run_time(),
+            Self::GearEccentricity => EffectFacts::of("gear_eccentricity", Place::Joint).turning_joints(),
+            Self::GearSecondHarmonic => {
+                EffectFacts::of("gear_second_harmonic", Place::Joint).turning_joints()
+            }
+            Self::GearMesh => EffectFacts::of("gear_mesh", Place::Joint).turning_joints(),
+            Self::GearSpectrum => {
+                EffectFacts::of("gear_spectrum", Place::Joint).turning_joints().beyond_run_time()
+            }
+            Self::JointGain => EffectFacts::of("joint_gain", Place::Joint).turning_joints(),
+            Self::JointCoupling => EffectFacts::of("joint_coupling", Place::Joint).turning_joints(),
+            Self::Backlash => EffectFacts::of("backlash", Place::Joint).turning_joints().beyond_run_time(),
+            Self::ThermalLinkGrowth => EffectFacts::of("thermal_link_growth", Place::Link),
+            Self::ThermalJointDrift => EffectFacts::of("thermal_joint_drift", Place::Joint).turning_joints(),
+            Self::JointStep => EffectFacts::of("joint_step", Place::Joint).turning_joints(),
+            Self::BaseDrift => EffectFacts::of("base_drift", Place::Base),
+            Self::BaseStep => EffectFacts::of("base_step", Place::Base),
+            Self::InstrumentScale => EffectFacts::of("instrument_scale", Place::Instrument),
+            Self::ToolDrift => EffectFacts::of("tool_drift", Place::Target),
+            Self::ToolStep => EffectFacts::of("tool_step", Place::Target),
+            Self::PayloadMass => EffectFacts::of("payload_mass", Place::Payload)
+                .under_load()
+                .turning_joints()
+                .beyond_run_time(),
+            Self::JointRounding => EffectFacts::of("joint_rounding", Place::File),
+            Self::SwappedAxes => EffectFacts::of("swapped_axes", Place::File),
+        }
+    }
+
     /// The effect's name in every file and message; [`Display`](fmt::Display) writes it, [`FromStr`] reads it.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            Self::JointOffset => "joint_offset",
-            Self::LinkGeometry => "link_geometry",
-            Self::JointCompliance => "joint_compliance",
-            Self::LinkBending => "link_bending",
-            Self::BaseTilt => "base_tilt",
-            Self::GearEccentricity => "gear_eccentricity",
-            Self::GearSecondHarmonic => "gear_second_harmonic",
-            Self::GearMesh => "gear_mesh",
-            Self::GearSpectrum => "gear_spectrum",
-            Self::JointGain => "joint_gain",
-            Self::JointCoupling => "joint_coupling",
-            Self::Backlash => "backlash",
-            Self::ThermalLinkGrowth => "thermal_link_growth",
-            Self::ThermalJointDrift => "thermal_joint_drift",
-            Self::JointStep => "joint_step",
-            Self::BaseDrift => "base_drift",
-            Self::BaseStep => "base_step",
-            Self::InstrumentScale => "instrument_scale",
-            Self::ToolDrift => "tool_drift",
-            Self::ToolStep => "tool_step",
-            Self::PayloadMass => "payload_mass",
-            Self::JointRounding => "joint_rounding",
-            Self::SwappedAxes => "swapped_axes",
-        }
+        self.facts().name
     }
 
     /// Whether a model can hold it: faults of a data file are no property of a robot.
     #[must_use]
     pub fn is_model_term(self) -> bool {
-        !matches!(self, Self::JointRounding | Self::SwappedAxes)
+        self.facts().place != Place::File
     }
 
     /// Whether a program that computes its corrections at run time can hold it.
     #[must_use]
     pub fn is_known_at_run_time(self) -> bool {
-        let beyond =
-            [Self::Backlash, Self::LinkBending, Self::BaseTilt, Self::PayloadMass, Self::GearSpectrum];
-        !beyond.contains(&self)
+        self.facts().known_at_run_time
     }
 
     /// Whether it belongs to one joint (or the link that follows it).
     #[must_use]
     pub fn takes_joint(self) -> bool {
-        !matches!(
-            self,
-            Self::BaseTilt
-                | Self::BaseDrift
-                | Self::BaseStep
-                | Self::InstrumentScale
-                | Self::ToolDrift
-                | Self::ToolStep
-                | Self::PayloadMass
-                | Self::JointRounding
-                | Self::SwappedAxes
-        )
+        matches!(self.facts().place, Place::Joint | Place::Link)
     }
 
     /// Whether its joint number names the link that follows that joint.
     #[must_use]
     pub fn is_of_link(self) -> bool {
-        matches!(self, Self::LinkGeometry | Self::LinkBending | Self::ThermalLinkGrowth)
+        self.facts().place == Place::Link
     }
 
     /// Whether its joint may be left out, which means all joints.
@@ -167,33 +168,61 @@ impl EffectKind {
     /// Whether gravity's loads drive it.
     #[must_use]
     pub fn needs_load(self) -> bool {
-        matches!(self, Self::JointCompliance | Self::LinkBending | Self::BaseTilt | Self::PayloadMass)
+        self.facts().needs_load
     }
 
     /// Whether it turns joints only, and so leaves every frame where it is.
     #[must_use]
     pub fn only_turns(self) -> bool {
-        matches!(
-            self,
-            Self::JointOffset
-                | Self::JointCompliance
-                | Self::GearEccentricity
-                | Self::GearSecondHarmonic
-                | Self::GearMesh
-                | Self::GearSpectrum
-                | Self::JointGain
-                | Self::JointCoupling
-                | Self::Backlash
-                | Self::ThermalJointDrift
-                | Self::JointStep
-                | Self::PayloadMass
-        )
+        self.facts().only_turns
     }
 
     /// Whether it moves the robot's base or what is on the flange, which measurements show as one with the instrument and its target.
     #[must_use]
     pub fn is_of_mounting(self) -> bool {
-        matches!(self, Self::BaseDrift | Self::BaseStep | Self::ToolDrift | Self::ToolStep)
+        matches!(self.facts().place, Place::Base | Place::Target) && !self.needs_load()
+    }
+}
+
+/// What an effect is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    Joint,
+    Link,
+    Base,
+    Target,
+    Payload,
+    Instrument,
+    /// The file of measurements, not the robot.
+    File,
+}
+
+/// What is known of an effect, whatever file or arm it is in.
+#[derive(Clone, Copy, Debug)]
+struct EffectFacts {
+    name: &'static str,
+    place: Place,
+    needs_load: bool,
+    only_turns: bool,
+    known_at_run_time: bool,
+}
+
+impl EffectFacts {
+    /// An effect that no load drives, that moves frames, and that a program can compute.
+    const fn of(name: &'static str, place: Place) -> Self {
+        Self { name, place, needs_load: false, only_turns: false, known_at_run_time: true }
+    }
+
+    const fn under_load(self) -> Self {
+        Self { needs_load: true, ..self }
+    }
+
+    const fn turning_joints(self) -> Self {
+        Self { only_turns: true, ..self }
+    }
+
+    const fn beyond_run_time(self) -> Self {
+        Self { known_at_run_time: false, ..self }
     }
 }
 
