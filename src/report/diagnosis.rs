@@ -4,8 +4,9 @@ use super::cause_rows::plainly;
 use super::diagnosis_sections::{evidence, false_rows, limits, line, noise, zeros};
 use super::{counted, notes};
 use measurements::{OwnNames, direction_columns};
-use metrology::diagnose::{Cause, Findings, MissingChannel, Verdict, describe};
-use robot_model::deform::EffectKind;
+use metrology::diagnose::{
+    Findings, Headline, LeadingCandidate, MissingChannel, NextAction, PosesFor, Verdict, describe,
+};
 use robot_model::robot::SerialArm;
 
 /// A difference under this is not worth a line.
@@ -46,65 +47,36 @@ fn opening(d: &Findings, arm: &SerialArm, names: &OwnNames) -> String {
     page
 }
 
-/// A model that takes this share of the gap's square explains most of it, whatever the verdict says of the rest.
-const MOST: f64 = 0.9;
-/// A candidate that is named as what explains it.
-const LIKELY_CANDIDATE: f64 = 0.4;
-
-/// The share of the gap's square that the model takes, where that is most of it although the verdict is that something is not
-/// explained.
-fn share_explained(d: &Findings) -> Option<f64> {
-    let unexplained = matches!(d.verdict, Verdict::UnexplainedStructure | Verdict::UnexplainedScatter);
-    let share = 1.0 - d.shrink.ratio?.powi(2);
-    (unexplained && share >= MOST).then_some(share)
-}
-
 /// A first line where the verdict's own does not say where most of the gap lies.
 pub(super) fn summary(d: &Findings) -> Option<String> {
-    mostly_explained(d).or_else(|| mostly_geometry(d))
-}
-
-/// Most of the gap is taken by the geometry behind the named causes: they are there, and are not what it is made of.
-fn mostly_geometry(d: &Findings) -> Option<String> {
-    let s = &d.shrink;
-    let (before, after) = (s.before_rms_mm?, s.after_rms_mm?);
-    let causes = s.causes_only_rms_mm.filter(|_| d.verdict.names_causes())?;
-    let taken = |left: f64| 1.0 - (left / before).powi(2);
-    let geometry = taken(after) - taken(causes).max(0.0);
-    (taken(after) >= 0.5 && geometry > taken(causes)).then(|| {
-        let what = if d.causes.len() == 1 { "the cause below is there, but" } else { "the causes below are there, but" };
-        let share = match 100.0 * geometry {
-            most if most >= 99.5 => "nearly all".to_owned(),
-            share => format!("{share:.0} %"),
-        };
-        format!("Mostly geometry: small errors of all joints' geometry take {share} of the gap's square; {what} small beside them.")
+    Some(match d.headline()? {
+        Headline::MostlyExplained { share, leading } => {
+            let leading: Vec<String> = leading.iter().map(leading_in_words).collect();
+            let by = match leading.is_empty() {
+                true => "small errors of all joints' geometry and the nearest candidates together".to_owned(),
+                false => format!("likeliest in it {}", leading.join(", ")),
+            };
+            format!("Mostly explained: the model takes {:.0} % of the gap's square; {by}.", 100.0 * share)
+        }
+        Headline::MostlyGeometry { share } => {
+            let share = match 100.0 * share {
+                most if most >= 99.5 => "nearly all".to_owned(),
+                share => format!("{share:.0} %"),
+            };
+            let causes = match d.causes.len() {
+                1 => "the cause below is there, but",
+                _ => "the causes below are there, but",
+            };
+            format!(
+                "Mostly geometry: small errors of all joints' geometry take {share} of the gap's square; {causes} small beside them."
+            )
+        }
     })
 }
 
-/// What is explained although the verdict is that something is not: the model's share, and the candidates that lead in it by
-/// what they move the tool by beside base and target, or, where others take that back, by what of the gap rests on them.
-fn mostly_explained(d: &Findings) -> Option<String> {
-    let percent = 100.0 * share_explained(d)?;
-    // A candidate's probability is at most one half under these verdicts.
-    let mut likely: Vec<&Cause> = d.causes.iter().filter(|c| c.posterior >= LIKELY_CANDIDATE).collect();
-    let gap_mm = d.shrink.before_rms_mm.unwrap_or(f64::INFINITY);
-    // What others take back is no part of the gap.
-    let is_taken_back = |cause: &Cause| cause.seen_mm() > gap_mm;
-    let in_gap_mm = |cause: &Cause| if is_taken_back(cause) { cause.of_gap_mm() } else { cause.seen_mm() };
-    sorting::by(&mut likely, |a, b| in_gap_mm(b).total_cmp(&in_gap_mm(a)));
-    let leading: Vec<String> = likely
-        .iter()
-        .take(3)
-        .map(|cause| {
-            let what = if is_taken_back(cause) { "of the gap" } else { "beside base and target" };
-            format!("{} ({:.3} mm {what})", describe(cause), in_gap_mm(cause))
-        })
-        .collect();
-    let by = match leading.is_empty() {
-        true => "small errors of all joints' geometry and the nearest candidates together".to_owned(),
-        false => format!("likeliest in it {}", leading.join(", ")),
-    };
-    Some(format!("Mostly explained: the model takes {percent:.0} % of the gap's square; {by}."))
+fn leading_in_words(candidate: &LeadingCandidate<'_>) -> String {
+    let what = if candidate.is_taken_back { "of the gap" } else { "beside base and target" };
+    format!("{} ({:.3} mm {what})", describe(candidate.cause), candidate.in_gap_mm)
 }
 
 /// What is left, in one line.
@@ -156,42 +128,45 @@ fn poses_below(d: &Findings, names: &OwnNames) -> String {
 
 /// What to do with this verdict.
 pub(super) fn next_step(d: &Findings, arm: &SerialArm, names: &OwnNames) -> String {
-    if let Some(channel) = d.missing_channel {
-        return names.rename(&note(channel, arm));
+    let poses = d.proposes_poses().then(|| poses_below(d, names));
+    let and = |first: &str, poses_are_for: &str| match &poses {
+        Some(poses) => format!("{first}; {poses_are_for}{poses}"),
+        None => first.to_owned(),
+    };
+    match d.next_action() {
+        NextAction::NoteChannel(channel) => names.rename(&note(channel, arm)),
+        NextAction::UseModel(poses_are_for) => {
+            let poses_are_for = match poses_are_for {
+                PosesFor::Surer => "to be surer ",
+                PosesFor::More => "to see more ",
+                PosesFor::Rest => "for what is left ",
+            };
+            and(&use_model(d, arm), poses_are_for)
+        }
+        NextAction::NoteDirections => names.rename(&format!(
+            "measure again with the directions of approach ({}): play follows them, a spring does not",
+            direction_columns(arm.joints.len())
+        )),
+        NextAction::CorrectFile => "correct the file or measure again; nothing can be said before".to_owned(),
+        NextAction::Nothing => and("nothing to correct", ""),
+        NextAction::NoteMissingColumns if poses.is_some() => {
+            and("measure again with the columns that are missing (below)", "")
+        }
+        NextAction::NoteMissingColumns => {
+            "measure more poses, with the columns that are missing (below)".to_owned()
+        }
+        NextAction::MeasurePoses => poses.unwrap_or_else(|| "measure more poses".to_owned()),
     }
-    let poses = poses_below(d, names);
-    let write = match &d.no_model {
+}
+
+/// What to do with the model, or why there is none.
+fn use_model(d: &Findings, arm: &SerialArm) -> String {
+    match &d.no_model {
         Some(why) => format!("no model can be written: {why}"),
         None if arm.clone().six_axis().is_ok() => {
             "write the model (--model-out), validate it on other poses, compensate with it".to_owned()
         }
         None => "write the model (--model-out), validate it on other poses".to_owned(),
-    };
-    match d.verdict {
-        Verdict::Explained | Verdict::Several if poses.is_empty() => write,
-        Verdict::Explained | Verdict::Several => format!("{write}; to be surer {poses}"),
-        Verdict::Ambiguous if play_or_spring(d) => names.rename(&format!(
-            "measure again with the directions of approach ({}): play follows them, a spring does not",
-            direction_columns(arm.joints.len())
-        )),
-        Verdict::DataFault => "correct the file or measure again; nothing can be said before".to_owned(),
-        Verdict::NothingAboveNoise if poses.is_empty() => "nothing to correct".to_owned(),
-        Verdict::NothingAboveNoise => format!("nothing to correct; {poses}"),
-        Verdict::Geometry if d.shrink.ratio.is_some_and(|ratio| ratio < 1.0) && d.no_model.is_none() => {
-            format!("{write}; to see more {poses}")
-        }
-        _ if share_explained(d).is_some() && d.no_model.is_none() => match poses.is_empty() {
-            true => write,
-            false => format!("{write}; for what is left {poses}"),
-        },
-        Verdict::UnexplainedScatter if !poses.is_empty() && misses_a_channel(d) => {
-            format!("measure again with the columns that are missing (below); {poses}")
-        }
-        _ if poses.is_empty() && misses_a_channel(d) => {
-            "measure more poses, with the columns that are missing (below)".to_owned()
-        }
-        _ if poses.is_empty() => "measure more poses".to_owned(),
-        _ => poses,
     }
 }
 
@@ -212,17 +187,6 @@ fn note(channel: MissingChannel, arm: &SerialArm) -> String {
             "note when each row was measured (t_min), here if it is known, or measure again with it".to_owned()
         }
     }
-}
-
-/// Whether an effect cannot be tested at all, for the file lacks what drives it.
-fn misses_a_channel(d: &Findings) -> bool {
-    d.untestable_detail.iter().any(|entry| entry.lacks_channel)
-}
-
-/// Whether play is named in a file that has no directions.
-fn play_or_spring(d: &Findings) -> bool {
-    d.causes.iter().any(|c| c.effect == EffectKind::Backlash)
-        && d.untestable_detail.iter().any(|u| u.effect == EffectKind::Backlash && u.lacks_channel)
 }
 
 /// What the one cause means, in brackets.

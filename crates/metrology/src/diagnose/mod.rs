@@ -14,6 +14,7 @@ mod examine;
 mod false_row;
 mod finer_taus;
 mod gear_spectrum;
+mod headline;
 mod heldout;
 mod holding_torque;
 mod identification;
@@ -22,6 +23,7 @@ mod iterated_search;
 mod joint_turns;
 mod measured_robot;
 mod model;
+mod next_action;
 mod next_measurements;
 mod no_model;
 mod noise_fault;
@@ -50,10 +52,12 @@ pub use comparison::{
 };
 pub use examine::{diagnose, diagnose_and_identify};
 pub use gear_spectrum::{GearLine, GearSpectrum, gear_spectra};
+pub use headline::{Headline, LeadingCandidate};
 pub use inference::cause::Cause;
 pub use inference::missing_channel::MissingChannel;
 pub use inference::size_unit::SizeUnit;
 pub use inference::time_course::TimeCourse;
+pub use next_action::{NextAction, PosesFor};
 pub use options::DiagnosisOptions;
 pub use outcome::{
     Detectable, ErrorReduction, FalseRow, Findings, HeldOutBlock, JointZero, JointZeros, Location,
