@@ -1,8 +1,9 @@
 //! Which poses to measure, so that a diagnosis can tell one cause from another.
 
 use crate::report::plan as report;
+use metrology::admissible::{FLOOR_MM, Space};
 use metrology::plan::{
-    MeasurementPlan, PlanError, PlanOptions, Space, Sweeps, plan, poses_csv, rapid, template_csv,
+    MeasurementPlan, PlanError, PlanOptions, Sweeps, plan, poses_csv, rapid, template_csv,
 };
 use nalgebra::Vector3;
 use rapid_program::MEASURING_MODULE;
@@ -46,7 +47,7 @@ impl Planning {
     /// Minutes that one measurement takes unless told otherwise.
     pub const EACH_MIN: f64 = 1.5;
     /// Wrist, flange and target stay above this height unless another is given, mm.
-    pub const FLOOR_MM: f64 = 100.0;
+    pub const FLOOR_MM: f64 = FLOOR_MM;
     /// The seed unless another is given.
     pub const SEED: u64 = 1;
 
@@ -68,7 +69,7 @@ impl Planning {
             nests: 0,
             sigma_m: m_from_mm(Self::SIGMA_MM),
             each_min: Self::EACH_MIN,
-            space: Space { floor_m: m_from_mm(Self::FLOOR_MM), reach_m: None, box_m: None },
+            space: Space::default(),
             seed: Self::SEED,
         };
         Self { robot: robot.into(), options, with_rapid: false }

@@ -43,7 +43,7 @@ const CRATES: [(&str, &[&str]); 15] = [
 const MODULES: [(&str, &[&str]); 4] = [
     ("robot_model", &["units", "csv_lines", "robot", "kinematics", "deform"]),
     ("rapid_compensation", &["schedule", "compensate", "emit"]),
-    ("metrology", &["diagnose", "plan"]),
+    ("metrology", &["admissible", "diagnose", "plan"]),
     ("driftpost", &["report", "application", "cli"]),
 ];
 

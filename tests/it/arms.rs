@@ -7,10 +7,11 @@ use exam::generate::{DataSet, data_set};
 use exam::harmonics::Harmonics;
 use exam::rng::Rng;
 use measurements::{Measurements, check_rows};
+use metrology::admissible::Space;
 use metrology::diagnose::{
     DiagnosisOptions, Findings, RefitScope, Verdict, diagnose, diagnose_and_identify, validate,
 };
-use metrology::plan::{PlanOptions, Space, Sweeps, plan_from, poses_csv};
+use metrology::plan::{PlanOptions, Sweeps, plan_from, poses_csv};
 use nalgebra::Vector3;
 use robot_model::robot::{Axis, SerialArm};
 use robot_model::units::m_from_mm;

@@ -10,9 +10,10 @@ use exam::recipe::Recipe;
 use exam::rng::Rng;
 use inference::signature::{PlannedMeasurement, signatures};
 use measurements::Measurements;
+use metrology::admissible::Space;
 use metrology::diagnose::{DiagnosisOptions, Findings, diagnose};
 use metrology::plan::{
-    MeasurementPlan, MeasurementStep, PlanOptions, Space, Sweeps, plan, plan_from, rapid, template_csv,
+    MeasurementPlan, MeasurementStep, PlanOptions, Sweeps, plan, plan_from, rapid, template_csv,
 };
 use nalgebra::{DMatrix, DVector, Vector3};
 use rayon::prelude::*;

@@ -14,7 +14,7 @@ mod sheet;
 mod sweep;
 
 pub use lines::GearLines;
-pub use options::{PlanError, PlanOptions, Restriction, Space, Sweeps};
+pub use options::{PlanError, PlanOptions, Sweeps};
 pub use outlook::{Confounded, EffectName, Outlook, Parameter};
 pub use rapid::rapid;
 pub use sheet::{poses_csv, template_csv};

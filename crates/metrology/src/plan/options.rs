@@ -1,9 +1,9 @@
 //! What is to be measured, where the robot may go for it, and why there may be no plan.
 
+use crate::admissible::{Restriction, Space};
 use nalgebra::Vector3;
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::robot::Axis;
-use std::fmt;
 use thiserror::Error;
 
 /// What is to be measured.
@@ -77,41 +77,6 @@ impl PlanError {
 impl From<PlanError> for Diagnostic {
     fn from(error: PlanError) -> Self {
         Self::error(error.code(), error.to_string())
-    }
-}
-
-/// Where the robot may go.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Space {
-    /// Wrist, flange and tool stay above this plane of the base.
-    pub floor_m: f64,
-    /// The measured point stays this near to the base's axis.
-    pub reach_m: Option<f64>,
-    /// The measured point stays in this box: lowest and highest corner in the base.
-    pub box_m: Option<[[f64; 3]; 2]>,
-}
-
-/// What forbids a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Restriction {
-    /// Under the floor plane.
-    Floor,
-    /// Too near to the robot's own foot.
-    Foot,
-    /// The pose is near a singularity.
-    Singular,
-    /// Beyond the reach or outside the box.
-    Outside,
-}
-
-impl fmt::Display for Restriction {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Floor => "most are under the floor plane",
-            Self::Foot => "most are too near to the robot's own foot",
-            Self::Singular => "most are near a singularity",
-            Self::Outside => "most are beyond the reach or outside the box",
-        })
     }
 }
 

@@ -1,7 +1,8 @@
 //! Sweeps of single joints in small steps: what tells the lines of a gear from each other, which poses far apart only sample.
 
 use super::options::{PlanError, PlanOptions};
-use super::pool::{Pose, approach_rad, kept_range_rad, restriction_of};
+use super::pool::Pose;
+use crate::admissible::{Admission, approach_rad, kept_range_rad};
 use nalgebra::Vector3;
 use robot_model::kinematics::SerialChain;
 use robot_model::robot::{Axis, Joints, SerialArm};
@@ -14,6 +15,7 @@ pub(super) fn sweeps(
     pool: &[Pose],
 ) -> Result<Vec<Pose>, PlanError> {
     let chain = SerialChain::nominal(robot);
+    let admission = Admission::new(robot, options.tool_m, &options.space);
     let sweeps = &options.sweeps;
     let lever_m = |pose: &Pose, j: usize| {
         let (flange, jacobian) = chain.forward_and_jacobian(&pose.q_rad);
@@ -25,7 +27,7 @@ pub(super) fn sweeps(
         let mut order: Vec<(f64, usize)> =
             pool.iter().enumerate().map(|(i, pose)| (lever_m(pose, joint.index()), i)).collect();
         sorting::by(&mut order, |a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        let sweep = order.into_iter().find_map(|(_, i)| around(robot, &chain, options, &pool[i], joint));
+        let sweep = order.into_iter().find_map(|(_, i)| around(robot, &admission, options, &pool[i], joint));
         all.extend(sweep.ok_or(PlanError::NoSweep { joint })?);
     }
     Ok(all)
@@ -34,7 +36,7 @@ pub(super) fn sweeps(
 /// The sweep of `joint` round `middle`; none where a pose of it is not allowed.
 fn around(
     robot: &SerialArm,
-    chain: &SerialChain,
+    admission: &Admission<'_>,
     options: &PlanOptions,
     middle: &Pose,
     joint: Axis,
@@ -51,9 +53,8 @@ fn around(
             }
             let direction = Joints::all(robot.joints.len(), 1);
             let approach_rad = approach_rad(robot, &q_rad, &direction);
-            let allowed = [q_rad, approach_rad]
-                .iter()
-                .all(|q| robot.is_within_range(q) && restriction_of(robot, chain, options, q).is_none());
+            let within = [q_rad, approach_rad].iter().all(|q| robot.is_within_range(q));
+            let allowed = within && admission.restriction(&q_rad, &direction).is_none();
             allowed.then_some(Pose { q_rad, approach_rad, direction, payload_kg })
         })
         .collect()

@@ -1,5 +1,6 @@
-//! Poses that could be measured next: in reach, off the floor, with either payload and direction, now or on a new warm-up.
+//! Poses that could be measured next: those that the robot may take, with either payload and direction, now or on a new warm-up.
 
+use crate::admissible::{Admission, Space, drawn_range_rad, kept_range_rad};
 use crate::diagnose::options::DiagnosisOptions;
 use crate::diagnose::outcome::NextMeasurement;
 use inference::dataset::{Dataset, Observation, ObservationKind};
@@ -8,16 +9,14 @@ use inference::split_mix::SplitMix64;
 use measurements::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use robot_model::kinematics::SerialChain;
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Joint, Joints, SerialArm};
 use std::f64::consts::TAU;
 
 const CANDIDATES: usize = 400;
 /// With nests each takes four times the arithmetic.
 const CANDIDATES_WITH_NESTS: usize = 150;
-/// Away from the ends of the joints' ranges, share of the range.
-const MARGIN: f64 = 0.05;
-/// The measured point stays this far above the base's plane, metres.
-const FLOOR_M: f64 = 0.1;
+/// Poses tried for each candidate: of an arm of six joints a fifth to a third are allowed.
+const TRIES: usize = 40;
 
 /// When the next rows are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,6 +60,8 @@ pub(super) fn pool(
 ) -> Vec<PoolPose> {
     let chain = SerialChain::nominal(robot);
     let registration = with_nests(linear, options);
+    let (space, tool_m) = (Space::default(), registration.tools_m[0]);
+    let admission = Admission::new(robot, tool_m, &space);
     let first_nest = linear.registration.fixed_points_m.len();
     let mut draw = Draw {
         robot,
@@ -73,17 +74,15 @@ pub(super) fn pool(
     };
     let mut all = Vec::new();
     let candidates = if setup.with_nests { CANDIDATES_WITH_NESTS } else { CANDIDATES };
-    for _ in 0..20 * candidates {
+    for _ in 0..TRIES * candidates {
         if all.len() == candidates {
             break;
         }
         let (station, next) = draw.station();
-        let observation = Observation::new(robot, &chain, &registration, &station);
-        if observation.point_m.z < FLOOR_M
-            || observation.origins_m[3..=chain.joints()].iter().any(|o| o.z < FLOOR_M)
-        {
+        if admission.restriction(&station.q_rad, &next.dir).is_some() {
             continue;
         }
+        let observation = Observation::new(robot, &chain, &registration, &station);
         let nests = (first_nest..first_nest + NESTS).filter(|_| setup.with_nests).map(|fixed_point| {
             let reading = Reading::Nest { fixed_point, position_m: Vector3::zeros(), with_joints: true };
             Observation::new(robot, &chain, &registration, &Station { reading, ..station.clone() })
@@ -137,8 +136,7 @@ impl Draw<'_> {
         let Self { robot, dataset, ranges, payloads_kg, random, .. } = self;
         let mut q_rad = Joints::all(robot.joints.len(), 0.0);
         for (q, [low, high]) in q_rad.iter_mut().zip(&*ranges) {
-            let margin = MARGIN * (high - low);
-            *q = low + margin + (high - low - 2.0 * margin) * random.unit();
+            *q = low + (high - low) * random.unit();
         }
         let direction = Joints::from_fn(robot.joints.len(), |_| if random.unit() < 0.5 { -1 } else { 1 });
         let payload_kg = payloads_kg[random.below(payloads_kg.len())];
@@ -198,7 +196,7 @@ fn nests_m() -> impl Iterator<Item = Vector3<f64>> {
 /// What is hung on where the file has payloads and all are 0, kg, on an arm that may carry it.
 const USUAL_PAYLOAD_KG: f64 = 5.0;
 
-/// The joints' ranges, radians; of a joint whose range is not given, or is more than a turn, the range measured.
+/// The ranges that poses are drawn from, radians; of a joint whose range is not given, or is more than a turn, within the range measured.
 fn ranges(robot: &SerialArm, linear: &Linearised) -> Vec<[f64; 2]> {
     let measured = |j: usize| {
         let all = linear
@@ -209,8 +207,19 @@ fn ranges(robot: &SerialArm, linear: &Linearised) -> Vec<[f64; 2]> {
             .map(|s| s.q_rad[j]);
         all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], q| [low.min(q), high.max(q)])
     };
-    let of = |(j, given): (usize, Option<[f64; 2]>)| {
-        given.filter(|[low, high]| high - low <= TAU).unwrap_or_else(|| measured(j))
+    let of = |(j, joint): (usize, &Joint)| {
+        match joint.range_rad.is_some_and(|[low, high]| high - low <= TAU) {
+            true => drawn_range_rad(joint),
+            false => {
+                let ([lowest, highest], [low, high]) = (measured(j), kept_range_rad(joint));
+                // Rows that all lie at an end of the range leave nothing between.
+                if low.max(lowest) < high.min(highest) {
+                    [low.max(lowest), high.min(highest)]
+                } else {
+                    [lowest, highest]
+                }
+            }
+        }
     };
-    robot.joints.iter().map(|joint| joint.range_rad).enumerate().map(of).collect()
+    robot.joints.iter().enumerate().map(of).collect()
 }
