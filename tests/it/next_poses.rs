@@ -125,7 +125,9 @@ fn causes(d: &diagnose::Findings) -> String {
             c.posterior
         )
     };
-    format!("{} {}", d.verdict.name(), d.causes.iter().map(one).collect::<Vec<_>>().join(" "))
+    let fault = d.fault.iter().map(|fault| fault.reason.clone());
+    let all: Vec<String> = d.causes.iter().map(one).chain(fault).collect();
+    format!("{} {}", d.verdict.name(), all.join(" "))
 }
 
 /// An open set gone on with: what the poses proposed and the random ones made of it.
@@ -225,7 +227,10 @@ pub fn follow(seed: u64, sets: u64) -> (usize, [usize; 2], [usize; 2]) {
 fn the_poses_proposed_resolve_more_than_random_ones() {
     let (open, [aimed, chance], [wrong, _]) = follow(SEED, SETS);
     assert_eq!(open, OPEN);
-    assert!(aimed > chance, "{aimed} of {open} by the poses proposed, {chance} by random ones");
+    assert!(
+        2 * aimed >= open && aimed > chance,
+        "{aimed} of {open} by the poses proposed, {chance} by random ones"
+    );
     assert!(20 * wrong <= open, "{wrong} of {open} are wrong");
 }
 

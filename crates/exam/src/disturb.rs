@@ -46,7 +46,7 @@ fn joint_error(SizedEffect { effect, amplitude }: SizedEffect, now: &ArmState) -
     match effect {
         Effect::JointOffset { joint } => error(joint, amplitude),
         // a resolver that was knocked, a belt that skipped a tooth
-        Effect::JointStep { joint, t0_min } if now.t_min >= t0_min => error(joint, amplitude),
+        Effect::JointStep { joint, t0_min } if now.clock_min >= t0_min => error(joint, amplitude),
         Effect::JointCompliance { joint } => error(joint, amplitude * now.torque_n_m[joint - 1]),
         Effect::GearEccentricity { joint, phase_rad, harmonics } => {
             error(joint, amplitude * harmonics.line(1.0, phase_rad, q(joint)))
@@ -113,13 +113,13 @@ impl Disturbance {
             Effect::BaseDrift { direction } => {
                 self.move_base(&rigid(&direction, amplitude * h_from_min(now.t_min)));
             }
-            Effect::BaseStep { t0_min, direction } if now.t_min >= t0_min => {
+            Effect::BaseStep { t0_min, direction } if now.clock_min >= t0_min => {
                 self.move_base(&rigid(&direction, amplitude));
             }
             Effect::ToolDrift { direction } => {
                 self.move_seat(arm.joints(), &rigid(&direction, amplitude * h_from_min(now.t_min)));
             }
-            Effect::ToolStep { t0_min, direction } if now.t_min >= t0_min => {
+            Effect::ToolStep { t0_min, direction } if now.clock_min >= t0_min => {
                 self.move_seat(arm.joints(), &rigid(&direction, amplitude));
             }
             Effect::InstrumentScale => self.instrument_scale += amplitude,

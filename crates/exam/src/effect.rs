@@ -16,6 +16,8 @@ pub struct ArmState {
     pub q_rad: Joints,
     /// Since cold start, minutes.
     pub t_min: f64,
+    /// Since the cold start of the first row, minutes: what was moved once stays so on another day.
+    pub clock_min: f64,
     /// Sign of each joint's last motion.
     pub direction: Joints<i8>,
     /// What hangs on the flange, kg.

@@ -167,8 +167,12 @@ pub(super) fn states_and_more(
         let row = CommandedRow { pose: 0, q_rad, direction, payload_kg: payloads_kg[k % 2] };
         out.push(climate.state(arm, tool_m, k, &row));
     }
-    let from = if more.from_cold { 0 } else { n };
-    out.extend(more.rows.iter().enumerate().map(|(k, row)| climate.state(arm, tool_m, from + k, row)));
+    let later = more.rows.iter().enumerate().map(|(k, row)| {
+        let mut state = climate.state(arm, tool_m, if more.from_cold { k } else { n + k }, row);
+        state.clock_min = climate.minutes_each * (n + k) as f64;
+        state
+    });
+    out.extend(later);
     out
 }
 
@@ -251,6 +255,7 @@ impl Climate {
         ArmState {
             q_rad: row.q_rad,
             t_min,
+            clock_min: t_min,
             direction: row.direction,
             payload_kg: row.payload_kg,
             payload_at_m,

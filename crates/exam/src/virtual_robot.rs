@@ -62,6 +62,7 @@ impl VirtualRobot {
         let now = ArmState {
             q_rad: at.q_rad,
             t_min: f64::INFINITY,
+            clock_min: f64::INFINITY,
             direction: at.direction,
             payload_kg: at.payload_kg,
             payload_at_m,
