@@ -32,6 +32,8 @@ pub(super) fn complete_channels(
 ) -> Channels {
     let any = |_: &MeasurementRow| true;
     let arm = |row: &MeasurementRow| row.reading.involves_arm();
+    let point = |row: &MeasurementRow| matches!(row.reading, Reading::Point { .. });
+    let has_points = rows.iter().any(point);
     let mut keep = |names: &[&'static str], is_needed, is_there| {
         columns.has(names.first().copied().unwrap_or_default())
             && Quantity { names, is_needed, is_there }.keep(rows, empty, warnings)
@@ -39,7 +41,7 @@ pub(super) fn complete_channels(
     let channels = Channels {
         pose_id: false,
         time: keep(&["t_min"], any, |r| r.t_min.is_some()),
-        orientation: keep(&QUATERNION, arm, |r| r.orientation.is_some()),
+        orientation: has_points && keep(&QUATERNION, point, |r| r.orientation.is_some()),
         direction: keep(columns.directions, arm, |r| r.direction.is_some()),
         payload: keep(&["payload_kg"], arm, |r| r.payload_kg.is_some()),
         joint_temperature: keep(columns.temperatures, arm, |r| r.joint_temperature_c.is_some()),

@@ -282,6 +282,19 @@ mod tests {
         assert_eq!(read(&format!("{HEADER}{temperatures}\n{warm}")).unwrap().rows.len(), 4);
     }
 
+    /// What a hand-held probe, or the pose before, has written beside a nest is no orientation of the arm; nor is a nest without one left out.
+    #[test]
+    fn nests_have_no_orientation() {
+        let rows = ["pose,1,0,0,0", "base,1,0,0,0", "base,,,,", "pose,0,1,0,0"]
+            .map(|cells| format!("0,0,0,0,0,0,1,2,3,N,{cells}\n"))
+            .concat();
+        let found = read(&format!("{HEADER},fixed_id,kind,qw,qx,qy,qz\n{rows}")).unwrap();
+        assert_eq!(said(&found), "");
+        let oriented: Vec<bool> = found.rows.iter().map(|row| row.orientation.is_some()).collect();
+        assert!(found.channels.orientation);
+        assert_eq!(oriented, [true, false, false, true]);
+    }
+
     /// Of three rows one has four zeros: it is left out as one whose cells are empty; with two such rows there are no orientations.
     #[test]
     fn four_zeros_are_no_orientation() {

@@ -300,6 +300,18 @@ impl RowCells<'_> {
         self.number(column).and(Err(self.impossible(column, "nothing was measured")))
     }
 
+    /// The measured orientation, where the file has one; an instrument that saw none writes four zeros.
+    fn orientation(&self) -> Result<Option<UnitQuaternion<f64>>, MeasureError> {
+        let Some([w, x, y, z]) = self.optional_all(QUATERNION)?.filter(|_| !self.has_no_turn()) else {
+            return Ok(None);
+        };
+        let quaternion = Quaternion::new(w, x, y, z);
+        if (quaternion.norm() - 1.0).abs() > QUATERNION_LENGTH {
+            return Err(self.impossible("qw", "the four numbers are not of length 1"));
+        }
+        Ok(Some(UnitQuaternion::from_quaternion(quaternion)))
+    }
+
     /// The row, its pose not numbered yet.
     pub(super) fn row(&self, target: usize, reading: Reading) -> Result<MeasurementRow, MeasureError> {
         let q_rad = if reading.involves_arm() || self.has_joints()? {
@@ -307,16 +319,10 @@ impl RowCells<'_> {
         } else {
             Joints::all(self.columns.joints.len(), 0.0)
         };
-        let orientation = match self.optional_all(QUATERNION)? {
-            None => None,
-            Some(_) if self.has_no_turn() => None,
-            Some([w, x, y, z]) => {
-                let quaternion = Quaternion::new(w, x, y, z);
-                if (quaternion.norm() - 1.0).abs() > QUATERNION_LENGTH {
-                    return Err(self.impossible("qw", "the four numbers are not of length 1"));
-                }
-                Some(UnitQuaternion::from_quaternion(quaternion))
-            }
+        // A nest, a touch and a length turn nothing: what stands there is of the pose before, or of the hand that held the probe.
+        let orientation = match reading {
+            Reading::Point { .. } => self.orientation()?,
+            Reading::Nest { .. } | Reading::Touch { .. } | Reading::Length { .. } => None,
         };
         let direction = match self.per_joint(self.columns.directions)? {
             None => None,
