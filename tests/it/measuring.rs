@@ -213,10 +213,10 @@ fn a_ballbars_circle_is_no_fault() {
     let robot = SerialArm::built_in("irb1600-1.45").unwrap();
     let options = DiagnosisOptions { tool_m: Some(Vector3::new(0.12, 0.0, 0.0)), sigma_m: Some(2e-6) };
     let found = diagnose(&Measurements::from_csv(&fixture("ballbar_circle.csv")).unwrap(), &robot, &options);
-    // An offset of a tenth of a millimetre at the tip, of which a circle shows a hundredth.
+    // An offset of a tenth of a millimetre at the tip, of which a circle shows a hundredth; the lengths leave the tip open, which stays where it is said to be.
     assert_ne!(found.verdict, Verdict::DataFault);
     let (before, after) = (found.shrink.before_rms_mm.unwrap(), found.shrink.after_rms_mm.unwrap());
-    assert!((0.008..0.02).contains(&before) && after < 0.003, "{before} {after}");
+    assert!((0.007..0.02).contains(&before) && after < 0.003, "{before} {after}");
 }
 
 /// What a model found in one file leaves of another, and what the nominal arm leaves, mm rms.

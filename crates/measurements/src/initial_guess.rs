@@ -22,6 +22,21 @@ pub(super) fn without_fit(
     Registration::assumed(instrument_from_base, tools_m.to_vec(), vec![Vector3::zeros(); fixed_points])
 }
 
+/// The registration with the sensor as the first pose has it, where the orientation was measured with every point.
+pub(super) fn with_sensor(
+    mut fit: Registration,
+    stations: &[Station],
+    poses: &[Isometry3<f64>],
+) -> Registration {
+    if oriented(stations) {
+        let first = stations.iter().zip(poses).find_map(|(s, pose)| Some((s.orientation?, pose.rotation)));
+        let instrument_from_base = fit.instrument_from_base.rotation;
+        fit.flange_from_sensor =
+            first.map(|(seen, pose)| pose.inverse() * instrument_from_base.inverse() * seen);
+    }
+    fit
+}
+
 /// The registration with its fixed points where base and targets put them.
 pub(super) fn with_fixed_points(
     fit: Registration,
@@ -191,12 +206,8 @@ pub(super) fn initial_guess(
     };
     let instrument_from_base =
         Isometry3::from_parts(Translation3::from(seen_mean - rotation * model_mean), rotation);
-    let mut start = without_fit(tools_m, fixed_points, instrument_from_base);
-    if oriented(all) {
-        let SeenPoint { station, pose, .. } = seen.first()?;
-        start.flange_from_sensor = Some(pose.rotation.inverse() * rotation.inverse() * station.orientation?);
-    }
-    Some(with_fixed_points(start, all, all_poses))
+    let start = without_fit(tools_m, fixed_points, instrument_from_base);
+    Some(with_fixed_points(with_sensor(start, all, all_poses), all, all_poses))
 }
 
 /// So many metres of spread count as much as a radian of turns.

@@ -53,7 +53,7 @@ pub fn repeatability(attained_m: &[Vector3<f64>]) -> Option<Repeatability> {
     Some(Repeatability { n, mean_m, s_m, rp_m: mean_m + 3.0 * s_m })
 }
 
-/// How the attained orientations turn from the command, about its x, y, z.
+/// How the attained orientations turn from the command, about the x, y, z of the frame in which both are given: the base's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OrientationPerformance {
     /// AP_a, AP_b, AP_c: mean turns, radians.
@@ -72,7 +72,7 @@ pub fn orientation(
         return None;
     }
     let n = attained.len() as f64;
-    let turns: Vec<Vector3<f64>> = attained.iter().map(|a| (command.inverse() * a).scaled_axis()).collect();
+    let turns: Vec<Vector3<f64>> = attained.iter().map(|a| (a * command.inverse()).scaled_axis()).collect();
     let mean = turns.iter().sum::<Vector3<f64>>() / n;
     let spread = (attained.len() >= 2).then(|| {
         let squares: Vector3<f64> = turns.iter().map(|t| (t - mean).component_mul(&(t - mean))).sum();
@@ -106,9 +106,9 @@ mod tests {
 
     #[test]
     fn turns_as_worked_by_hand() {
-        // About x by 1, 2, 3 mrad: mean 2, S = 1, RP = 3 mrad; nothing about y and z.
+        // About the base's x by 1, 2, 3 mrad, whatever the command: mean 2, S = 1, RP = 3 mrad; nothing about y and z.
         let command = UnitQuaternion::from_euler_angles(0.3, 0.2, 0.1);
-        let about_x = |rad: f64| command * UnitQuaternion::from_scaled_axis(Vector3::x() * rad);
+        let about_x = |rad: f64| UnitQuaternion::from_scaled_axis(Vector3::x() * rad) * command;
         let OrientationPerformance { ap_rad: mean, rp_rad: spread } =
             orientation(&command, &[about_x(1e-3), about_x(2e-3), about_x(3e-3)]).unwrap();
         assert!((mean[0] - 2e-3).abs() < 1e-12 && mean[1].abs() < 1e-12 && mean[2].abs() < 1e-12);

@@ -1,7 +1,7 @@
 //! Performance after ISO 9283 of a whole measurement file: pose by pose, and over time.
 
 use super::pose_performance::{PosePerformance, pose_performance};
-use super::register::with_turns_by_their_scatter;
+use super::register::to_judge_poses_in;
 use super::station::pose_numbers;
 use super::{
     FreeParameters, Measurements, OneStand, Reading, RegisterError, Registration, RowCheck, Station,
@@ -202,27 +202,34 @@ fn few_poses(stations: &[Station], targets: usize, compared: ComparisonFrame) ->
     let (what, fitted, less) = match compared {
         ComparisonFrame::Fitted => (
             "base and target",
-            6 + 3 * targets,
+            FreeParameters::All.unknowns(targets),
             "fit less (--register base, or none) where target and base are known",
         ),
-        ComparisonFrame::BaseFitted(_) => {
-            ("the base", 6, "fit nothing (--register none) where the base is known")
-        }
+        ComparisonFrame::BaseFitted(_) => (
+            "the base",
+            FreeParameters::Base.unknowns(targets),
+            "fit nothing (--register none) where the base is known",
+        ),
         ComparisonFrame::AsMeasured(_) => return None,
     };
-    let poses: BTreeSet<(usize, usize)> = stations.iter().map(|s| (s.pose, s.target)).collect();
-    let seen = 3 * poses.len();
+    let poses = placed_poses(stations);
+    let seen = 3 * poses;
     let smaller_by = 1.0 - (1.0 - fitted as f64 / seen as f64).max(0.0).sqrt();
     (smaller_by > WORTH_TELLING).then(|| {
         let text = format!(
             "{what} ({fitted} numbers) are fitted to the {seen} of {} poses: AP comes out smaller than it is, by some {:.0} % in the middle of many such \
              measurements",
-            poses.len(),
+            poses,
             100.0 * smaller_by
         );
         Diagnostic::warning("measure::few-poses", text)
             .help(format!("measure more poses, spread ones; or {less}"))
     })
+}
+
+/// How many poses, of each target, base and target are fitted to.
+fn placed_poses(stations: &[Station]) -> usize {
+    stations.iter().map(|s| (s.pose, s.target)).collect::<BTreeSet<_>>().len()
 }
 
 /// That the fit in which the poses were compared has not come to rest: AP holds what is left of it.
@@ -413,7 +420,7 @@ fn registered(
             (register_with(stations, &flange, &tools(tool_m), free)?, free)
         }
     };
-    Ok(with_turns_by_their_scatter(fit, stations, &flange, free))
+    Ok(to_judge_poses_in(fit, stations, &flange, free, placed_poses(stations)))
 }
 
 #[cfg(test)]

@@ -180,7 +180,7 @@ fn accuracy_of(cycles: &[Cycle]) -> Option<Accuracy> {
 fn orientation_of(cycles: &[Cycle]) -> Option<OrientationPerformance> {
     let turns: Vec<&Turn> = cycles.iter().map(|cycle| cycle.turn.as_ref()).collect::<Option<_>>()?;
     let off: Vec<UnitQuaternion<f64>> =
-        turns.iter().map(|turn| turn.command.inverse() * turn.attained).collect();
+        turns.iter().map(|turn| turn.attained * turn.command.inverse()).collect();
     let attained: Vec<UnitQuaternion<f64>> = turns.iter().map(|turn| turn.attained).collect();
     let of_commands = orientation(&UnitQuaternion::identity(), &off)?;
     let of_attained = orientation(&turns.first()?.command, &attained)?;

@@ -15,6 +15,17 @@ pub enum FreeParameters {
     Nothing(Isometry3<f64>),
 }
 
+impl FreeParameters {
+    /// How many numbers of base and `targets` are fitted.
+    pub(super) fn unknowns(self, targets: usize) -> usize {
+        match self {
+            Self::All => 6 + 3 * targets,
+            Self::Base => 6,
+            Self::Nothing(_) => 0,
+        }
+    }
+}
+
 const ITERATIONS: usize = 60;
 /// A step shorter than this, metres and radians together, ends the fit.
 const LAST_STEP: f64 = 1e-9;
@@ -31,6 +42,25 @@ pub(super) enum TurnScale {
     /// Their own where that is more. By the scatter of better points all turns but those of one pose would be false, and the sensor would be
     /// turned as that pose has it: as good for the arm, whose points place it, and no measure of its orientation.
     Own,
+}
+
+/// How much a station that lies far from where it is predicted still counts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Weights {
+    /// The less, the further: false rows lose their pull (Cauchy's weight at three times the middle distance).
+    Robust,
+    /// As much as any other: the least squares of all.
+    Even,
+}
+
+impl Weights {
+    /// The weight of a residual of this length where the middle one is `scale`.
+    fn of(self, length: f64, scale: f64) -> f64 {
+        match self {
+            Self::Robust => 1.0 / (1.0 + (length / (3.0 * scale)).powi(2)),
+            Self::Even => 1.0,
+        }
+    }
 }
 
 impl TurnScale {
@@ -97,12 +127,37 @@ fn unknown_columns(
     ResidualColumns { position, orientation }
 }
 
+/// Where the one target is known to be on the flange.
+#[derive(Clone, Copy)]
+pub(super) struct KnownTool {
+    /// In the flange's frame, metres.
+    pub(super) tool_m: Vector3<f64>,
+    /// One standard deviation of a coordinate of it, metres.
+    pub(super) sigma_m: f64,
+}
+
+/// How a registration is fitted.
+#[derive(Clone, Copy)]
+pub(super) struct Fitting {
+    pub(super) free: FreeParameters,
+    pub(super) turn_scale: TurnScale,
+    pub(super) weights: Weights,
+    /// Where the points leave it open the target is taken to be near there.
+    pub(super) known_tool: Option<KnownTool>,
+}
+
+impl Fitting {
+    /// Robust, orientations by the scatter of the points.
+    pub(super) fn of(free: FreeParameters) -> Self {
+        Self { free, turn_scale: TurnScale::OfPoints, weights: Weights::Robust, known_tool: None }
+    }
+}
+
 pub(super) fn gauss_newton(
     mut fit: Registration,
     stations: &[Station],
     poses: &[Isometry3<f64>],
-    free: FreeParameters,
-    turn_scale: TurnScale,
+    Fitting { free, turn_scale, weights, known_tool }: Fitting,
 ) -> Registration {
     let oriented = fit.flange_from_sensor.is_some();
     let fixed_points = 6 + 3 * fit.tools_m.len();
@@ -121,15 +176,22 @@ pub(super) fn gauss_newton(
         for (station, pose) in stations.iter().zip(poses) {
             let residual = fit.residual_m(station, pose);
             let ResidualColumns { position, orientation } = unknown_columns(&fit, station, pose, width);
-            // Cauchy's weight at three times the middle distance: false rows lose their pull.
-            let weight = 1.0 / (1.0 + (residual.norm() / (3.0 * scale_m)).powi(2));
+            let weight = weights.of(residual.norm(), scale_m);
             normal += weight * position.transpose() * &position;
             right += weight * position.transpose() * residual;
             if let Some(turn) = fit.residual_rad(station, pose) {
-                let far = turn.norm() * arm_m / (3.0 * scale_m);
-                let weight = arm_m.powi(2) / (1.0 + far * far);
+                let weight = arm_m.powi(2) * weights.of(turn.norm() * arm_m, scale_m);
                 normal += weight * orientation.transpose() * &orientation;
                 right += weight * orientation.transpose() * turn;
+            }
+        }
+        if let Some(KnownTool { tool_m, sigma_m }) = known_tool {
+            // As a point that is seen on the flange, by its own scatter.
+            let weight = (scale_m / sigma_m).powi(2);
+            let off_m = tool_m - fit.tools_m[0];
+            for k in 0..3 {
+                normal[(6 + k, 6 + k)] += weight;
+                right[6 + k] += weight * off_m[k];
             }
         }
         for k in held.clone() {

@@ -4,8 +4,8 @@
 //! and, with measured orientation, the sensor's orientation on the flange (3); robust by re-weighting. Never a
 //! finding: all are unknown.
 
-use super::initial_guess::{initial_guess, oriented, with_fixed_points, without_fit};
-use super::refine::{FreeParameters, TurnScale, gauss_newton};
+use super::initial_guess::{initial_guess, oriented, with_fixed_points, with_sensor, without_fit};
+use super::refine::{Fitting, FreeParameters, KnownTool, TurnScale, Weights, gauss_newton};
 use super::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use thiserror::Error;
@@ -29,6 +29,12 @@ const ASTRAY_M: f64 = 0.02;
 const HANDFULS: usize = 24;
 /// Stations of each, of 9 unknowns.
 const HANDFUL: usize = 8;
+
+/// A target whose place the points leave open by more than this is where it is said to be, as exactly, metres: sensors that are always turned alike
+/// tell little of how far off the axis, and nothing of how far along, it is.
+const TOLD_M: f64 = 2e-3;
+/// Poses are few whose coordinates are fewer than so many times what is fitted to them.
+const FEW_TIMES: usize = 3;
 
 /// Why a registration failed.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -60,7 +66,8 @@ impl RegisterError {
     }
 }
 
-/// Registers `stations` whose flange poses are `base_from_flange`; `tool_m` is the target's nominal place.
+/// Registers `stations` whose flange poses are `base_from_flange`; `tool_m` is the target's nominal place, where the fit begins and, of one target
+/// whose place the points leave open, stays.
 ///
 /// # Errors
 /// Too few or too alike poses.
@@ -71,10 +78,17 @@ pub fn register(
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Registration, RegisterError> {
     let found = register_from_usual_starts(stations, base_from_flange, targets, tool_m)?;
-    Ok(match found.median_m > ASTRAY_M && targets == 1 && fixed_points(stations) == 0 {
+    let found = match found.median_m > ASTRAY_M && targets == 1 && fixed_points(stations) == 0 {
         true => from_handfuls(found, stations, base_from_flange),
         false => found,
-    })
+    };
+    let open = tool_m.filter(|_| targets == 1 && found.tool_sigma_m > TOLD_M);
+    Ok(open.map_or(found.clone(), |tool_m| {
+        let known_tool = Some(KnownTool { tool_m, sigma_m: TOLD_M });
+        let start = Registration { tools_m: vec![tool_m], ..found };
+        let fitting = Fitting { known_tool, ..Fitting::of(FreeParameters::All) };
+        gauss_newton(start, stations, base_from_flange, fitting)
+    }))
 }
 
 /// The same where many guesses are tried at what is wrong: false stations may lead it astray.
@@ -112,13 +126,13 @@ pub(super) fn register_from_usual_starts(
         let Some(start) = initial_guess(&few, &few_poses, &tools_m, fixed_points) else {
             continue;
         };
-        let fitted = gauss_newton(start, &few, &few_poses, FreeParameters::All, TurnScale::OfPoints);
+        let fitted = gauss_newton(start, &few, &few_poses, Fitting::of(FreeParameters::All));
         if best.as_ref().is_none_or(|b| fitted.median_m < 0.98 * b.median_m) {
             best = Some(fitted);
         }
     }
     let best = best.ok_or(RegisterError::Degenerate)?;
-    Ok(gauss_newton(best, stations, base_from_flange, FreeParameters::All, TurnScale::OfPoints))
+    Ok(gauss_newton(best, stations, base_from_flange, Fitting::of(FreeParameters::All)))
 }
 
 /// The best of `best` and of what a few stations each lead to, one of each stretch of the file; of one target, no fixed points.
@@ -139,8 +153,8 @@ fn from_handfuls(
         for start in &STARTS_M[..2] {
             let start = initial_guess(&some, &poses, &[Vector3::from(*start)], 0);
             let Some(start) = start else { continue };
-            let led = fit(start, &some, &poses, FreeParameters::All, TurnScale::OfPoints);
-            let fitted = fit(led, stations, base_from_flange, FreeParameters::All, TurnScale::OfPoints);
+            let led = fit(start, &some, &poses, Fitting::of(FreeParameters::All));
+            let fitted = fit(led, stations, base_from_flange, Fitting::of(FreeParameters::All));
             if fitted.median_m < 0.98 * best.median_m {
                 best = fitted;
             }
@@ -197,6 +211,7 @@ pub fn register_with(
     let start = match free {
         FreeParameters::Nothing(instrument_from_base) => {
             let start = without_fit(tools_m, fixed_points, instrument_from_base);
+            let start = with_sensor(start, stations, base_from_flange);
             with_fixed_points(start, stations, base_from_flange)
         }
         FreeParameters::All | FreeParameters::Base => {
@@ -204,21 +219,32 @@ pub fn register_with(
                 .ok_or(RegisterError::Degenerate)?
         }
     };
-    Ok(gauss_newton(start, stations, base_from_flange, free, TurnScale::OfPoints))
+    Ok(gauss_newton(start, stations, base_from_flange, Fitting::of(free)))
 }
 
-/// The registration `fit` of what is `free`, in which measured orientations weigh by their own scatter where that is more than the points': the
-/// sensor then lies amid what all poses say of it, whichever comes first. Without orientations it is `fit`.
-pub(super) fn with_turns_by_their_scatter(
+/// The registration `fit` of what is `free` as the accuracy of poses is judged in. Measured orientations weigh by their own scatter where that
+/// is more than the points': the sensor then lies amid what all poses say of it, whichever comes first. Where few `poses` tell what is free
+/// all count alike, for of so few any one may be made to look false. Otherwise it is `fit`.
+pub(super) fn to_judge_poses_in(
     fit: Registration,
     stations: &[Station],
     base_from_flange: &[Isometry3<f64>],
     free: FreeParameters,
+    poses: usize,
 ) -> Registration {
-    if fit.flange_from_sensor.is_none() {
+    let weights = match FEW_TIMES * free.unknowns(fit.tools_m.len()) > 3 * poses {
+        true => Weights::Even,
+        false => Weights::Robust,
+    };
+    if fit.flange_from_sensor.is_none() && weights == Weights::Robust {
         return fit;
     }
-    gauss_newton(fit, stations, base_from_flange, free, TurnScale::Own)
+    gauss_newton(
+        fit,
+        stations,
+        base_from_flange,
+        Fitting { turn_scale: TurnScale::Own, weights, ..Fitting::of(free) },
+    )
 }
 
 #[cfg(test)]
@@ -318,6 +344,34 @@ mod tests {
         assert_eq!(without, RegisterError::Degenerate, "points on a line alone leave its turn open");
     }
 
+    /// A hand that is turned about one axis alone: how far along it the target is, no point tells. Where it is said to be it stays; how far off the
+    /// axis it is, which the points tell, it is not held.
+    #[test]
+    fn a_target_that_poses_turned_alike_leave_open_is_where_it_is_said_to_be() {
+        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
+        let tool = Vector3::new(0.02, -0.03, 0.08);
+        let poses: Vec<Isometry3<f64>> = poses(28)
+            .iter()
+            .enumerate()
+            .map(|(i, pose)| {
+                let turned =
+                    UnitQuaternion::from_scaled_axis(Vector3::z() * (0.618 * i as f64).fract() * 2.0);
+                Isometry3::from_parts(pose.translation, turned)
+            })
+            .collect();
+        let mut stations = seen(&poses, &base, tool, false);
+        for (i, station) in stations.iter_mut().enumerate() {
+            let noise = |k: f64| 4e-5 * ((i as f64 * k).fract() - 0.5);
+            let seen_m = station.reading.position_m().unwrap();
+            let noise_m = Vector3::new(noise(0.618), noise(0.755), noise(0.569));
+            station.reading = Reading::Point { position_m: seen_m + noise_m };
+        }
+        let said = tool + Vector3::new(0.0, 0.0, 1e-3);
+        let fit = register(&stations, &poses, 1, Some(said)).unwrap();
+        let off_m = fit.tools_m[0] - tool;
+        assert!((off_m.z - 1e-3).abs() < 1e-4 && off_m.xy().norm() < 1e-4, "{off_m}");
+    }
+
     /// Points to a micrometre, orientations to a milliradian: the sensor lies amid what the poses say, about each axis nearer to their mean
     /// than the farthest of them, and at the same place whichever pose comes first.
     #[test]
@@ -339,7 +393,7 @@ mod tests {
             let stations = order.map(|k| stations[k].clone());
             let poses = order.map(|k| poses[k]);
             let fit = register_with(&stations, &poses, &[tool], FreeParameters::Base).unwrap();
-            with_turns_by_their_scatter(fit, &stations, &poses, FreeParameters::Base)
+            to_judge_poses_in(fit, &stations, &poses, FreeParameters::Base, 100)
         };
         let first = fitted([0, 1, 2, 3, 4]);
         for order in [[4, 3, 2, 1, 0], [2, 0, 4, 1, 3], [3, 4, 0, 2, 1]] {
@@ -355,6 +409,32 @@ mod tests {
         assert!(off.amax() < 0.3e-3, "{off}");
         // A rotation that points to some micrometres half a metre apart allow.
         assert!(first.instrument_from_base.rotation.angle_to(&base.rotation) < 1e-5);
+    }
+
+    /// Five poses off by up to half a millimetre: all count alike, and what is left is the least squares', at right angles to what is fitted.
+    #[test]
+    fn of_few_poses_none_is_made_to_look_false() {
+        let poses = poses(5);
+        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
+        let tool = Vector3::new(0.08, -0.05, 0.21);
+        let off_m =
+            [[0.5, 0.1, -0.3], [-0.2, 0.4, 0.1], [0.1, -0.5, 0.2], [-0.4, 0.2, 0.3], [0.2, -0.1, -0.4]];
+        let mut stations = seen(&poses, &base, tool, false);
+        for (station, off) in stations.iter_mut().zip(off_m) {
+            let seen_m = station.reading.position_m().unwrap() + Vector3::from(off) * 1e-3;
+            station.reading = Reading::Point { position_m: seen_m };
+        }
+        let robust = register(&stations, &poses, 1, None).unwrap();
+        let all_alike = to_judge_poses_in(robust, &stations, &poses, FreeParameters::All, 5);
+        // The normal equations: what is left adds up to nothing along the base's axes, about them, and along the flange's.
+        let mut sums = [Vector3::zeros(); 3];
+        for (station, pose) in stations.iter().zip(&poses) {
+            let left = all_alike.residual_m(station, pose);
+            sums[0] += left;
+            sums[1] += all_alike.predicted_m(station, pose).cross(&left);
+            sums[2] += pose.rotation.inverse() * left;
+        }
+        assert!(sums.iter().all(|sum| sum.norm() < 1e-8), "{sums:?}");
     }
 
     #[test]
