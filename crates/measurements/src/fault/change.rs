@@ -99,8 +99,8 @@ fn of_points() -> Vec<Change> {
 /// Decimals that a column is written with, the usual ones first: without its decimal mark a number is ten to their power times too large.
 const DECIMALS: [i32; 6] = [3, 4, 2, 1, 5, 6];
 
-/// No instrument reads a point further off, and no joint turns further.
-const FURTHEST_M: f64 = 30.0;
+/// Points no further off than this have their decimal marks: one less puts the nearest tracker's readings beyond it. And no joint turns further.
+const FURTHEST_M: f64 = 3.0;
 const MOST_RAD: f64 = 2.0 * TAU;
 
 /// Columns whose decimal marks are lost: those that hold more than can be.

@@ -90,9 +90,14 @@ pub(super) fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector
     let all: Vec<Station> = rows.iter().map(|row| row.station.clone()).collect();
     let all_poses: Vec<Isometry3<f64>> = rows.iter().map(|row| row.pose).collect();
     let mut best: Option<Part> = None;
-    for (from, to) in parts.into_iter().filter(|(from, to)| to - from >= FEWEST_OF_PART) {
-        let step = (to - from).div_ceil(PART_ROWS).max(1);
-        let part: Vec<&PosedRow> = rows[from..to].iter().step_by(step).collect();
+    let in_reach = in_reach(rows);
+    let some_are_not = in_reach.len() < n;
+    let of_range = |(from, to): (usize, usize)| (from..to).collect::<Vec<usize>>();
+    let parts = some_are_not.then_some(in_reach).into_iter().chain(parts.into_iter().map(of_range));
+    for part in parts.filter(|part| part.len() >= FEWEST_OF_PART) {
+        let is_all = part.len() == n;
+        let step = part.len().div_ceil(PART_ROWS).max(1);
+        let part: Vec<&PosedRow> = part.iter().step_by(step).map(|&i| &rows[i]).collect();
         let stations: Vec<Station> = part.iter().map(|row| row.station.clone()).collect();
         let poses: Vec<Isometry3<f64>> = part.iter().map(|row| row.pose).collect();
         let Ok(registration) = register_from_usual_starts(&stations, &poses, targets, tool_m) else {
@@ -102,7 +107,7 @@ pub(super) fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector
         let off_m: Vec<f64> =
             rows.iter().map(|row| registration.residual_m(&row.station, &row.pose).norm()).collect();
         let near = off_m.iter().filter(|off_m| **off_m < FAR_M).count();
-        let all = (from, to) == (0, n) && 100 * near >= 98 * n;
+        let all = is_all && 100 * near >= 98 * n;
         if best.as_ref().is_none_or(|best| near > best.near) {
             best = Some(Part { registration, off_m, near });
         }
@@ -111,6 +116,28 @@ pub(super) fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector
         }
     }
     best.filter(|part| part.near >= FEWEST_OF_PART && 8 * part.near >= n)
+}
+
+/// Room beyond what the flange's places allow: for the target on it, and a middle that is not theirs, metres.
+const BESIDE_FLANGE_M: f64 = 1.0;
+
+/// The rows whose point lies no further from the middle of all than the flange's places allow: a decimal mark too few puts a point where no
+/// arm reaches, and a tenth of such rows leads every registration astray.
+fn in_reach(rows: &[PosedRow]) -> Vec<usize> {
+    let seen: Vec<Option<Vector3<f64>>> = rows.iter().map(|row| row.station.reading.position_m()).collect();
+    let middle_of = |places: &mut dyn Iterator<Item = Vector3<f64>>| {
+        let places: Vec<Vector3<f64>> = places.collect();
+        Vector3::from_fn(|k, _| {
+            statistics::median(&mut places.iter().map(|place| place[k]).collect::<Vec<f64>>())
+        })
+    };
+    let flange = || rows.iter().map(|row| row.pose.translation.vector);
+    let (flange_m, seen_m) = (middle_of(&mut flange()), middle_of(&mut seen.iter().copied().flatten()));
+    let spread_m = flange().map(|place| (place - flange_m).norm()).fold(0.0, f64::max);
+    let is_near = |seen: &Option<Vector3<f64>>| {
+        seen.is_none_or(|place| (place - seen_m).norm() <= 2.0 * spread_m + BESIDE_FLANGE_M)
+    };
+    (0..rows.len()).filter(|&i| is_near(&seen[i])).collect()
 }
 
 /// Rows that are far off a registration that others agree with.

@@ -95,6 +95,24 @@ fn repeats_of_few_poses_place_no_second_stand() {
     assert_eq!((fault.kind.name(), fault.column.as_deref()), ("joint_columns", Some("q1_deg")));
 }
 
+/// Every ninth row, or eight in a row, with one coordinate ten times too large: metres and more beyond what the arm reaches, where a fit of all
+/// rows would go astray.
+#[test]
+fn rows_without_a_decimal_mark_are_named_wherever_they_stand() {
+    let scattered: Vec<usize> = (4..60).step_by(9).collect();
+    for wrong in [scattered, (30..38).collect()] {
+        let (arm, mut rows) = rows(|_| stand(0), |_| TOOL_M);
+        for &i in &wrong {
+            let position_m = rows[i].station.reading.position_mut().unwrap();
+            position_m.x *= 10.0;
+        }
+        let Some(PartFault::Fault(fault)) = find_in_rows(&arm, &rows, 1, None) else { panic!("no fault") };
+        assert!(fault.reason.contains("column x_mm is 10 times too large"), "{}", fault.reason);
+        let lines: Vec<u64> = wrong.iter().map(|&i| rows[i].station.line).collect();
+        assert_eq!(fault.lines, lines);
+    }
+}
+
 /// Three targets in turn at 60 poses of an arm whose joint 3 is off by 0.5 mrad, with noise of some 0.03 mm; `tool_m` by pose and target, and
 /// joint 6 off by `q6_rad`, by pose.
 fn visits(
