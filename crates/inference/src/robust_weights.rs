@@ -3,6 +3,7 @@
 use crate::dataset::Twist;
 use crate::linearise::{Linearised, shift_m, turn_rad};
 use crate::moved_together;
+use crate::short_runs::{self, short_runs};
 use nalgebra::Vector3;
 use statistics::{MEDIAN_ABS_1D, MEDIAN_NORM_3D, upper_median};
 
@@ -10,6 +11,8 @@ use statistics::{MEDIAN_ABS_1D, MEDIAN_NORM_3D, upper_median};
 pub const FALSE_SIGMAS: f64 = 4.5;
 /// So many times the middle distance that a registration leaves no effect moves a point that none of its neighbours is near.
 const GROSS: f64 = 50.0;
+/// One stop of so many may be off like that in a row, the next being right again.
+const MOST_OF_GROSS: usize = 10;
 /// A station whose measured orientation is so many sigmas from the model is false, whatever its neighbours: no structure is so much larger
 /// at one station than in the middle, a sensor that was read wrongly is.
 const FALSE_TURN_SIGMAS: f64 = 25.0;
@@ -42,8 +45,13 @@ impl RobustWeights {
         let mut beyond = turns_beyond(linear, &linear.residuals, &all);
         let distances: Vec<f64> = linear.residuals.iter().map(shift_m).collect();
         let limit_m = GROSS * upper_median(&mut distances.clone()).unwrap_or(0.0);
+        let most = short_runs::MOST.max(linear.dataset.stops.len() / MOST_OF_GROSS);
+        let of_run = short_runs(linear, &distances, limit_m, most);
         let mut gross: Vec<bool> = (0..distances.len())
-            .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, &linear.residuals, i, limit_m))
+            .map(|i| {
+                distances[i] > limit_m
+                    && (of_run[i] || !has_similar_neighbours(linear, &linear.residuals, i, limit_m))
+            })
             .collect();
         moved_together::excuse(linear, &linear.residuals, &mut gross);
         for (i, distance) in distances.iter().enumerate().filter(|(i, _)| gross[*i]) {
@@ -69,8 +77,12 @@ impl RobustWeights {
             .collect();
         let sigma_m = upper_median(&mut sigmas).unwrap_or(0.0);
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
+        let of_run = short_runs(linear, &distances, limit_m, short_runs::MOST);
         let mut outliers: Vec<bool> = (0..residuals.len())
-            .map(|i| distances[i] > limit_m && !has_similar_neighbours(linear, residuals, i, limit_m))
+            .map(|i| {
+                distances[i] > limit_m
+                    && (of_run[i] || !has_similar_neighbours(linear, residuals, i, limit_m))
+            })
             .collect();
         moved_together::excuse(linear, residuals, &mut outliers);
         let mut beyond: Vec<f64> =
