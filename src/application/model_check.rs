@@ -11,7 +11,7 @@ use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::identified::Identified;
 use robot_model::robot::SerialArm;
 use std::borrow::Cow;
-use warm_up::{Standstill, TimedReading, is_late_start, pauses};
+use warm_up::{Standstill, TimedReading, is_late_start, long_gaps, pauses};
 
 /// Checks an identified model against measurements that took no part in its fit.
 #[derive(Clone, Debug)]
@@ -99,16 +99,29 @@ impl ModelCheck {
         }
         let readings = readings(seen.0);
         let worked = check(&[])?;
-        let stops = pauses(&readings);
-        let Some(longest) = Standstill::longest(&stops) else {
+        let t_min: Vec<f64> = readings.iter().map(|reading| reading.0).collect();
+        let mut histories = vec![pauses(&readings)];
+        // Poses that are measured once have no rounds that tell a stop.
+        histories.extend(Some(long_gaps(&t_min)).filter(|gaps| gaps.len() > histories[0].len()));
+        histories.retain(|stops| !stops.is_empty());
+        if histories.is_empty() {
             let first_min = readings.first().map_or(0.0, |reading| reading.0);
             let is_late = law.tau_min().is_some_and(|tau_min| is_late_start(first_min, tau_min));
             let warning = is_late.then(|| late(first_min));
-            return Ok(WithStops { validation: worked, stops, warning });
+            return Ok(WithStops { validation: worked, stops: Vec::new(), warning });
+        }
+        let mut checked = Vec::new();
+        for stops in histories {
+            checked.push((check(&stops)?, stops));
+        }
+        let least =
+            |a: &(Validation, _), b: &(Validation, _)| a.0.all.model.rms_mm.total_cmp(&b.0.all.model.rms_mm);
+        let Some((with_stops, stops)) = checked.into_iter().min_by(least) else {
+            return Ok(WithStops { validation: worked, stops: Vec::new(), warning: None });
         };
-        let with_stops = check(&stops)?;
+        let longest = Standstill::longest(&stops);
         let [left_mm, left_worked_mm] = [&with_stops, &worked].map(|one| one.all.model.rms_mm);
-        let warning = pause(longest, left_mm, left_worked_mm);
+        let warning = longest.and_then(|longest| pause(longest, left_mm, left_worked_mm));
         Ok(if left_mm <= left_worked_mm {
             WithStops { validation: with_stops, stops, warning }
         } else {

@@ -27,6 +27,13 @@ pub fn text(found: &Validation) -> String {
             part.nominal.max_mm
         );
     }
+    if found.all.readings > found.all.n {
+        let _ = writeln!(
+            out,
+            "readings of one pose within 10 min, of which there are {}, count as one, their mean",
+            found.all.readings
+        );
+    }
     for (joint, n) in &found.joints_outside {
         let poses = counted(*n, "pose");
         let _ = writeln!(out, "joint {joint} leaves the range the model was found in at {poses}");
@@ -47,9 +54,9 @@ pub fn stops(stops: &[Standstill], are_named: bool) -> String {
 /// The result as the contract's JSON; the robot stood in `stops`.
 #[must_use]
 pub fn json(found: &Validation, stops: &[Standstill]) -> Value {
-    let PoseSubset { n, model, nominal } = found.all;
+    let PoseSubset { n, readings, model, nominal } = found.all;
     json!({
-        "n": n, "rms_mm": model.rms_mm, "mean_mm": model.mean_mm, "max_mm": model.max_mm, "nominal": nominal,
+        "n": n, "readings": readings, "rms_mm": model.rms_mm, "mean_mm": model.mean_mm, "max_mm": model.max_mm, "nominal": nominal,
         "inside": found.inside, "outside": found.outside, "joints_outside": found.joints_outside,
         "stops": stops.iter().map(|stop| [stop.from_min, stop.to_min]).collect::<Vec<_>>(),
         "worst": found.worst.iter().map(|(line, mm)| json!({ "line": line, "mm": mm })).collect::<Vec<_>>(),

@@ -196,6 +196,24 @@ pub fn pauses(readings: &[TimedReading]) -> Vec<Standstill> {
     Standstill::merged(stops.filter(is_stop).collect())
 }
 
+/// A gap of poses that are measured once is longer than so many usual ones where the robot stood in it, and than so long, minutes.
+const USUAL_GAPS: f64 = 5.0;
+const SHORTEST_GAP_MIN: f64 = 15.0;
+
+/// The gaps between the minutes of readings, which are in order, that are long beside the usual one: of poses that are measured once, in which no
+/// rounds tell a stop ([`pauses`]).
+#[must_use]
+pub fn long_gaps(t_min: &[f64]) -> Vec<Standstill> {
+    let apart = |pair: &[f64]| pair[1] - pair[0];
+    let mut gaps: Vec<f64> = t_min.windows(2).map(apart).filter(|gap| *gap > 0.0).collect();
+    if gaps.is_empty() {
+        return Vec::new();
+    }
+    let shortest_min = (USUAL_GAPS * statistics::median(&mut gaps)).max(SHORTEST_GAP_MIN);
+    let long = t_min.windows(2).filter(|pair| apart(pair) > shortest_min);
+    long.map(|pair| Standstill { from_min: pair[0], to_min: pair[1] }).collect()
+}
+
 /// From when to when the point that is read most often was not, where that is several times as long as in the rounds before and after:
 /// rounds that are further apart in some part of the day are none.
 fn rounds_apart(readings: &[TimedReading]) -> Vec<[f64; 2]> {
@@ -244,6 +262,19 @@ pub fn warm_minutes(law: GrowthLaw, tau_cool_min: f64, stops: &[Standstill], t_m
 mod tests {
     use super::*;
     use measurements::Touch;
+
+    #[test]
+    fn long_gaps_are_told_by_the_usual_one() {
+        let minutes = |runs: &[[u32; 2]]| -> Vec<f64> {
+            runs.iter().flat_map(|[from, to]| *from..*to).map(f64::from).collect()
+        };
+        let stop = |from_min, to_min| Standstill { from_min, to_min };
+        let three = minutes(&[[0, 17], [97, 112], [192, 207], [287, 300]]);
+        assert_eq!(long_gaps(&three), [stop(16.0, 97.0), stop(111.0, 192.0), stop(206.0, 287.0)]);
+        assert_eq!(long_gaps(&minutes(&[[0, 60], [70, 100]])), [], "ten minutes");
+        assert_eq!(long_gaps(&[0.0, 20.0, 40.0, 60.0]), [], "as between all");
+        assert_eq!(long_gaps(&[3.0, 3.0]), []);
+    }
 
     fn touched_at(minutes: impl IntoIterator<Item = f64>) -> Touches {
         let touch = |(t_min, point): (f64, usize)| Touch {

@@ -32,7 +32,7 @@ pub use common_motion::{CommonStep, MovedBody};
 pub use fit::{FitOptions, fit};
 pub use fit_error::FitError;
 pub use fitted::{KnockedPoint, TouchedPoint, WarmUp};
-pub use history::{Standstill, TimedReading, pauses, warm_minutes};
+pub use history::{Standstill, TimedReading, long_gaps, pauses, warm_minutes};
 pub use moving_point::moving_points;
 pub use parameters::{PARAMETERS, signature};
 pub use plausible::is_late_start;

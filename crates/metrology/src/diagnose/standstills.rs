@@ -6,13 +6,8 @@ use super::clock_reading::{ClockReading, MOST_STATIONS};
 use super::outcome::Warning;
 use measurements::{Station, Stations};
 use robot_model::deform::GrowthLaw;
-use statistics::median;
-use warm_up::{Standstill, warm_minutes};
+use warm_up::{Standstill, long_gaps, warm_minutes};
 
-/// Shorter pauses are no stop, minutes.
-const SHORTEST_MIN: f64 = 15.0;
-/// A stop is longer than so many usual gaps between stations.
-const USUAL_GAPS: f64 = 5.0;
 /// Fewer stations before or behind a pause do not tell how the arm went on.
 const FEWEST_BESIDE: usize = 12;
 /// Time constants of warming and cooling that are tried, the usual one first, minutes.
@@ -53,13 +48,11 @@ fn stops(stations: &Stations) -> Vec<Standstill> {
     }
     let mut times: Vec<f64> = all.iter().filter_map(|station| station.t_min).collect();
     sorting::numbers(&mut times);
-    let mut gaps: Vec<f64> =
-        times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
-    let shortest_min = (USUAL_GAPS * median(&mut gaps)).max(SHORTEST_MIN);
-    let is_stop = |at: &usize| times[*at] - times[at - 1] > shortest_min;
-    let enough = FEWEST_BESIDE..times.len().saturating_sub(FEWEST_BESIDE - 1);
-    let stop = |at: usize| Standstill { from_min: times[at - 1], to_min: times[at] };
-    enough.filter(is_stop).map(stop).collect()
+    let has_enough = |stop: &Standstill| {
+        let behind = times.partition_point(|t_min| *t_min < stop.to_min);
+        (FEWEST_BESIDE..=times.len().saturating_sub(FEWEST_BESIDE)).contains(&behind)
+    };
+    long_gaps(&times).into_iter().filter(has_enough).collect()
 }
 
 fn warning(stops: &[Standstill]) -> Warning {

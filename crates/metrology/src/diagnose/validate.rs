@@ -93,8 +93,10 @@ pub struct DistanceStatistics {
 /// The model's and the nominal arm's distances over some of the poses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PoseSubset {
-    /// Number of poses compared.
+    /// Number of poses compared; readings of one pose within ten minutes are one, their mean.
     pub n: usize,
+    /// How many readings these are.
+    pub readings: usize,
     /// Distances that the model leaves.
     #[serde(flatten)]
     pub model: DistanceStatistics,
@@ -229,6 +231,7 @@ fn part<'a>(rows: impl Iterator<Item = &'a Distance> + Clone) -> PoseSubset {
     };
     PoseSubset {
         n: rows.clone().count(),
+        readings: rows.clone().map(|d| d.weight).sum(),
         model: distances(|d| d.model_m),
         nominal: distances(|d| d.nominal_m),
     }
