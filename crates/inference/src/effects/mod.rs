@@ -36,6 +36,6 @@ pub use gear_mesh::{PERIODS, line, line_with_overtone};
 pub use library::{UntestableEffect, effect, testable_effects};
 pub use link_bending::one_beam_with;
 pub use link_geometry::along_link;
-pub use over_time::{StopTime, steps_too_near, stop_times};
+pub use over_time::{StopTime, step_moments, steps_too_near, stop_times};
 pub use payload_mass::{give_per_kg, soft, usual_compliance};
 pub use rigid::{Motion, RigidBody};

@@ -102,7 +102,19 @@ pub(super) fn step_times(dataset: &Dataset) -> Vec<f64> {
         return Vec::new();
     }
     let most = if dataset.observations.len() > LARGE_SET { MAX_STEP_TIMES / 3 } else { MAX_STEP_TIMES };
-    gaps(stop_times(dataset), most, MIN_BESIDE_STEP)
+    thinned(step_moments(dataset), most)
+}
+
+/// All moments at which a step may lie, in order: minutes or places in the file.
+#[must_use]
+pub fn step_moments(dataset: &Dataset) -> Vec<f64> {
+    gaps(stop_times(dataset), MIN_BESIDE_STEP)
+}
+
+/// At most `most` of these, evenly.
+fn thinned(moments: Vec<f64>, most: usize) -> Vec<f64> {
+    let step = moments.len().div_ceil(most).max(1);
+    moments.into_iter().step_by(step).collect()
 }
 
 /// When each stop's first and last reading was made.
@@ -117,32 +129,29 @@ pub fn stop_times(dataset: &Dataset) -> Vec<StopTime> {
     dataset.stops.iter().map(of_stop).collect()
 }
 
-/// As many as there are gaps in an ordinary set: a step that is put into the wrong gap leaves rows behind that look like
-/// a second step.
+/// As many as there are gaps in an ordinary set; in larger ones the gaps near a step that is found are tried then.
 const MAX_STEP_TIMES: usize = 240;
 /// In a set of more observations than this every step tried costs too much memory and time.
 const LARGE_SET: usize = 2000;
 
-/// Middle times between stops, at most `most`, with so many numbers or more `aside`, before and after.
-fn gaps(mut stops: Vec<StopTime>, most: usize, aside: usize) -> Vec<f64> {
+/// Middle times between stops with so many numbers or more `aside`, before and after.
+fn gaps(mut stops: Vec<StopTime>, aside: usize) -> Vec<f64> {
     sorting::by(&mut stops, |a, b| a.from.total_cmp(&b.from));
     let all: usize = stops.iter().map(|stop| stop.numbers).sum();
     let mut before = 0;
-    let middles: Vec<f64> = stops
+    stops
         .windows(2)
         .filter(|pair| {
             before += pair[0].numbers;
             before >= aside && all - before >= aside && pair[1].from > pair[0].to
         })
         .map(|pair| 0.5 * (pair[0].to + pair[1].from))
-        .collect();
-    let step = middles.len().div_ceil(most).max(1);
-    middles.into_iter().step_by(step).collect()
+        .collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, StopTime, changes, gaps, steps_too_near};
+    use super::{EffectVariant, LARGE_SET, MAX_STEP_TIMES, StopTime, changes, gaps, steps_too_near, thinned};
     use crate::dataset::evenly_spread;
     use robot_model::deform::EffectKind;
 
@@ -173,19 +182,19 @@ mod tests {
         let at = |minute: f64| stop(minute, minute, 3);
         let stops: Vec<StopTime> = (0..150).rev().map(|minute| at(f64::from(minute))).collect();
         let expected: Vec<f64> = (3..146).map(|minute| f64::from(minute) + 0.5).collect();
-        assert_eq!(gaps(stops.clone(), MAX_STEP_TIMES, 12), expected);
-        assert_eq!(gaps(stops, 50, 12).len(), 48, "every third of 143");
-        assert_eq!(gaps(vec![at(1.0); 9], 50, 12), Vec::<f64>::new(), "all at once");
+        assert_eq!(thinned(gaps(stops.clone(), 12), MAX_STEP_TIMES), expected);
+        assert_eq!(thinned(gaps(stops, 12), 50).len(), 48, "every third of 143");
+        assert_eq!(gaps(vec![at(1.0); 9], 12), Vec::<f64>::new(), "all at once");
         // Several targets at each stop, the last half a minute after the first: no step while the arm stands.
         let stops = (0..9).map(|minute| stop(minute.into(), f64::from(minute) + 0.5, 3)).collect();
-        assert_eq!(gaps(stops, 50, 12), [3.75, 4.75]);
+        assert_eq!(gaps(stops, 12), [3.75, 4.75]);
     }
 
     /// Lengths of a wire, a minute apart: twelve on each side of a step, and eighteen between two.
     #[test]
     fn a_step_needs_three_lengths_for_a_point() {
         let lengths: Vec<StopTime> = (0..26).map(|minute| stop(minute.into(), minute.into(), 1)).collect();
-        assert_eq!(gaps(lengths.clone(), 50, 12), [11.5, 12.5, 13.5]);
+        assert_eq!(gaps(lengths.clone(), 12), [11.5, 12.5, 13.5]);
         assert!(steps_too_near(&lengths, 3.5, 20.5), "seventeen");
         assert!(!steps_too_near(&lengths, 3.5, 21.5) && !steps_too_near(&lengths, 3.5, 3.7));
     }

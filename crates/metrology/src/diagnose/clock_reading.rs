@@ -28,13 +28,13 @@ impl ClockReading {
         as_written.found.as_ref().is_some_and(|found| is_open || found.changes)
     }
 
-    /// Of the diagnosis as it was before and of that of these minutes the likelier one: the second where something warms up in it, which then
+    /// Of the diagnosis as it was before and of that of these minutes the likelier one: the second where something drifts in it, which then
     /// says so.
     #[must_use]
     pub(super) fn likelier(self, before: Evaluation, mut anew: Evaluation) -> Evaluation {
-        let warms_up = anew.found.as_ref().is_some_and(|found| found.warms_up);
+        let drifts = anew.found.as_ref().is_some_and(|found| found.drifts);
         let is_likelier = gain_nats(&before, &anew) > LIKELIER_NATS;
-        if !(anew.diagnosis.verdict.names_causes() && warms_up && is_likelier) {
+        if !(anew.diagnosis.verdict.names_causes() && drifts && is_likelier) {
             return before;
         }
         anew.diagnosis.warnings.insert(0, self.warning);

@@ -5,6 +5,7 @@
 use super::balancing::balancing;
 use super::detection_limit::DetectionLimits;
 use super::false_row::false_rows;
+use super::finer_steps::with_finer_steps;
 use super::finer_taus::with_finer_taus;
 use super::heldout;
 use super::identification::{Identification, misses_stated};
@@ -30,11 +31,13 @@ use inference::linear_fit::solve;
 use inference::linearise::{Linearised, linearise};
 use inference::marginal::NoisePrior;
 use inference::time_course::TimeCourse;
-use measurements::{Fault, FaultKind};
+use measurements::{Fault, FaultKind, Reading, Station};
+use rapid_syntax::diagnostic::counted;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::Identified;
+use robot_model::deform::identified::{Growth, Identified};
 use robot_model::kinematics::SerialChain;
 use robot_model::units::mm_from_m;
+use std::collections::BTreeSet;
 
 /// A model that leaves more than this share of the gap at poses held out follows the poses measured alone.
 const FOLLOWED: f64 = 0.9;
@@ -70,8 +73,8 @@ pub(super) struct Evaluation {
 pub(super) struct FoundModel {
     /// ln evidence of the data, but for what is the same whatever is taken for their noise.
     pub log_evidence: f64,
-    /// Whether something in it warms up by a law of time.
-    pub warms_up: bool,
+    /// Whether something in it drifts by the minutes: by a law of time, or in a line, which the beginning of one is.
+    pub drifts: bool,
     /// Whether something in it changes over time.
     pub changes: bool,
 }
@@ -82,7 +85,7 @@ impl FoundModel {
         let chosen = || fitted.model.chosen.iter().map(|cause| &candidates[cause.candidate]);
         Self {
             log_evidence: fitted.log_evidence(),
-            warms_up: chosen().any(|candidate| candidate.settling_law().is_some()),
+            drifts: chosen().any(|one| matches!(one.variant.growth, Growth::Law(_) | Growth::Linear { .. })),
             changes: chosen().any(|candidate| candidate.effect().time() != TimeCourse::Constant),
         }
     }
@@ -116,7 +119,9 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
         drop(fitted);
         return evaluate_about(&Prepared { linear: &turned, ..*prepared }, wants_model, times - 1);
     }
-    if let Some(candidates) = with_finer_taus(&visible.candidates, &fitted) {
+    let finer = with_finer_taus(&visible.candidates, &fitted);
+    let candidates = finer.as_deref().unwrap_or(&visible.candidates);
+    if let Some(candidates) = with_finer_steps(candidates, &fitted).or(finer) {
         finer_candidates = candidates;
         problem = SearchProblem { candidates: &finer_candidates, ..problem };
         drop(fitted);
@@ -201,6 +206,7 @@ fn consequences(
     Findings {
         warnings: region_warning(&shrink, fitted)
             .into_iter()
+            .chain(place_warning(&measured.stations.stations, fitted))
             .chain(understated_noise(fitted, &judgement))
             .chain(play_ahead(fitted, &judgement.causes))
             .chain(tool_elsewhere(linear, measured.stations.targets, options))
@@ -234,6 +240,26 @@ fn region_warning(shrink: &ErrorReduction, fitted: &FittedModel<'_>) -> Option<W
         message: format!(
             "in a region of the workspace held out whole the model is no better than none ({:.3} mm before, {:.3} mm after): it holds where was measured, and nowhere else",
             region.before_rms_mm, region.after_rms_mm
+        ),
+    })
+}
+
+/// Touches of fewer points than this are all about the same place.
+const FEWEST_TOUCHED: usize = 3;
+
+/// That nothing but one or two points was touched: an arm that is right there may be anything elsewhere.
+fn place_warning(stations: &[Station], fitted: &FittedModel<'_>) -> Option<Warning> {
+    let is_free = !fitted.model.chosen.is_empty() || fitted.model.peak.geometry_ratio > 0.0;
+    let touched = stations.iter().map(|station| match station.reading {
+        Reading::Touch { fixed_point } => Some(fixed_point),
+        _ => None,
+    });
+    let points = touched.collect::<Option<BTreeSet<usize>>>()?.len();
+    (is_free && points < FEWEST_TOUCHED).then(|| Warning {
+        code: "diagnose::one-place",
+        message: format!(
+            "nothing but {} was touched: what is found holds about there, and may be worse than the nominal arm elsewhere",
+            counted(points, "fixed point")
         ),
     })
 }

@@ -12,6 +12,7 @@ mod detection_limit;
 mod evaluate;
 mod examine;
 mod false_row;
+mod finer_steps;
 mod finer_taus;
 mod gear_spectrum;
 mod headline;
