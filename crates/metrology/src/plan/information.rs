@@ -118,6 +118,15 @@ impl Reduced<'_> {
         (own - taken).max(0.0)
     }
 
+    /// The same of effect `a` in the direction of its first two parameters in which it is least: of a sine and a cosine, whatever the phase.
+    #[must_use]
+    pub(super) fn least_separation(&self, a: usize) -> f64 {
+        let at = self.at(&self.signatures.effects[a]);
+        let [s, c, both] = [self.own[(at, at)], self.own[(at + 1, at + 1)], self.own[(at, at + 1)]];
+        // The smaller eigenvalue of [[s, both], [both, c]].
+        (0.5 * (s + c) - (0.5 * (s - c)).hypot(both)).max(0.0)
+    }
+
     /// The regression of effect `a` on its surroundings and alternative `b`.
     #[must_use]
     pub(super) fn regression(&self, a: usize, b: Option<usize>) -> Regression {

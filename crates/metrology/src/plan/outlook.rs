@@ -35,7 +35,7 @@ pub struct Parameter {
     pub unit: SizeUnit,
     /// Size that the effect usually has.
     pub usual: f64,
-    /// Expected standard deviation, it being the only cause.
+    /// Expected standard deviation, it being the only cause; of an effect with a phase that of the phase that is told least.
     pub sigma: f64,
     /// From this size on it will be named.
     pub seen_from: f64,
@@ -84,7 +84,8 @@ pub(super) fn outlook(signatures: &Signatures, sigma_m: f64) -> Outlook {
             continue;
         }
         seen.push(a);
-        let sigma = effect.usual.abs() / alone.sqrt();
+        let told = if has_phase(effect) { reduced.least_separation(a).max(HIDDEN) } else { alone };
+        let sigma = effect.usual.abs() / told.sqrt();
         out.parameters.push(Parameter {
             of: named(effect),
             unit: effect.unit,
@@ -116,6 +117,12 @@ fn confounded(reduced: &Reduced<'_>, effects: &[Signature], a: usize, b: usize) 
         separation,
         r2,
     })
+}
+
+/// Whether it is a sine and a cosine.
+fn has_phase(effect: &Signature) -> bool {
+    let is_line = matches!(effect.effect, EffectKind::GearEccentricity | EffectKind::GearSecondHarmonic);
+    is_line && effect.width == 2
 }
 
 fn named(effect: &Signature) -> EffectName {
