@@ -7,7 +7,9 @@ use super::touch::TouchRequest;
 use crate::report::LocatedDiagnostic;
 use rapid_compensation::compensate::plan::{Plan, Totals};
 use rapid_compensation::compensate::{self, CompensateError, FormChoice, Options, TouchingArm};
-use rapid_compensation::emit::{Clock, EmitOptions, EmittedFile, MAX_AMOUNT, NotWritten, Touch, emit_each};
+use rapid_compensation::emit::{
+    Clock, DriftGrowth, EmitOptions, EmittedFile, MAX_AMOUNT, NotWritten, Touch, emit_each,
+};
 use rapid_program::motion::SkipReason;
 use rapid_program::{Overrides, Program};
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
@@ -59,7 +61,11 @@ impl Compensation {
         let growth = deformation.model.growth().copied();
         let emit = EmitOptions {
             form: options.form,
-            clock: Clock::Warmth { growth, tau_cool_min: None, gap_min: options.gap_min.unwrap_or_default() },
+            clock: Clock::Warmth {
+                growth: DriftGrowth::of(&deformation.model),
+                tau_cool_min: None,
+                gap_min: options.gap_min.unwrap_or_default(),
+            },
             growth,
             core: None,
             robot: robot.source.clone(),

@@ -2,6 +2,7 @@
 
 use super::compensation::Compensation;
 use super::other_robot::{default_table_of_another_robot, model_of_another_robot, refusal};
+use rapid_compensation::emit::Clock;
 use rapid_program::{Program, is_of_task, task_of};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, TextRange, is_or_are, plural};
@@ -165,6 +166,7 @@ impl Compensation {
         found.extend(self.check_robot(program));
         found.extend(self.check_table());
         found.extend(self.check_end_of_table());
+        found.extend(self.check_cooling());
         found.extend(self.check_outside_names(program));
         found.extend(declared_twice(self.own_files(program)));
         found.extend(already_compensated(program));
@@ -215,6 +217,23 @@ impl Compensation {
         );
         let help = "where the cold robot is not, write a row of zeros at minute 0";
         Some(Diagnostic::warning("deform::late-start", text).help(help))
+    }
+
+    /// A table by warm-up time that follows no single law, by which what there is of it falls back while the robot stands.
+    fn check_cooling(&self) -> Option<Diagnostic> {
+        if !matches!(self.emit.clock, Clock::Warmth { .. }) {
+            return None;
+        }
+        let fitted = self.deformation.model.warm_up_law().filter(|fitted| !fitted.is_followed())?;
+        let text = format!(
+            "{}: its rows follow no single law of growth ({} is nearest, and leaves {:.0} % of their change): after a pause the warm-up minute is near the \
+             robot's, and no more",
+            self.deformation.source.name,
+            fitted.law,
+            100.0 * fitted.left
+        );
+        let help = "joints that warm at rates of their own are held by a model (--model, as `fit` and `diagnose` write it)";
+        Some(Diagnostic::warning("deform::no-single-law", text).help(help))
     }
 
     /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And what is to be

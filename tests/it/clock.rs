@@ -5,7 +5,7 @@
 use crate::emit::toy;
 
 use rapid_compensation::compensate::FormChoice;
-use rapid_compensation::emit::{Clock, EmitOptions, Provenance, emit};
+use rapid_compensation::emit::{Clock, DriftGrowth, EmitOptions, Provenance, emit};
 use rapid_compensation::schedule::{Bucket, Schedule};
 use robot_model::deform::GrowthLaw;
 use virtual_controller::{Controller, Value};
@@ -70,6 +70,7 @@ struct Cell {
 }
 
 fn warmth(growth: Option<GrowthLaw>, tau_cool_min: Option<f64>) -> Clock {
+    let growth = growth.map_or(DriftGrowth::Table(None), DriftGrowth::Law);
     Clock::Warmth { growth, tau_cool_min, gap_min: 5.0 }
 }
 

@@ -104,12 +104,11 @@ impl TrueRobot {
 
     /// A cold robot; `tau_cool_min` is how fast it cools, `None` = as fast as it warms.
     ///
-    /// A scheduled table has no law of its own: its minute runs as it is and falls back as one lag with
-    /// `tau_cool_min`, or 46 minutes.
+    /// A scheduled table warms by its minutes, and cools by the law that it follows.
     #[must_use]
     pub fn cold(&self, tau_cool_min: Option<f64>) -> Warmth {
-        let law = match self.deformation.growth() {
-            Some(law) => *law,
+        let law = match self.deformation.warm_up_law() {
+            Some(fitted) => fitted.law,
             None => GrowthLaw::Exp { tau_min: tau_cool_min.unwrap_or(SCHEDULED_MIN) },
         };
         let tau_cool_min = tau_cool_min.or(law.tau_min()).unwrap_or(1.0);

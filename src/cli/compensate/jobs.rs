@@ -8,7 +8,7 @@ use crate::cli::number::{minutes, positive};
 use crate::cli::other_tasks::{TaskRobot, given_for};
 use driftpost::application::{Compensation, Named};
 use rapid_compensation::compensate::{JointsHint, Options, Selection};
-use rapid_compensation::emit::{Clock, Core, EmitOptions};
+use rapid_compensation::emit::{Clock, Core, DriftGrowth, EmitOptions};
 use rapid_compensation::schedule::{Until, Width};
 use rapid_program::Overrides;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -147,7 +147,7 @@ impl Args {
                 Clock::Sensor { source: source.clone(), hold_min: self.hold_min, stale_min: self.stale_min }
             }
             ClockName::Warmth => Clock::Warmth {
-                growth: deformation.model.growth().copied(),
+                growth: DriftGrowth::of(&deformation.model),
                 tau_cool_min: self.tau_cool.or(model.and_then(|model| model.model.tau_cool_min)),
                 gap_min: self.gap_min,
             },

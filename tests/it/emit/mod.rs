@@ -11,7 +11,8 @@ use crate::folders;
 use rapid_compensation::compensate::FormChoice;
 use rapid_compensation::compensate::plan::Plan;
 use rapid_compensation::emit::{
-    Clock, Core, EmitError, EmitOptions, EmittedFile, ModifiedIn, Provenance, RestoreError, emit, restore,
+    Clock, Core, DriftGrowth, EmitError, EmitOptions, EmittedFile, ModifiedIn, Provenance, RestoreError,
+    emit, restore,
 };
 use rapid_program::Program;
 use rapid_program::motion::Motion;
@@ -28,7 +29,7 @@ fn options() -> EmitOptions {
         form: FormChoice::Schedule,
         growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }),
         clock: Clock::Warmth {
-            growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }),
+            growth: DriftGrowth::Law(GrowthLaw::TwoStage { tau_min: 46.0 }),
             tau_cool_min: None,
             gap_min: 5.0,
         },

@@ -2,7 +2,7 @@
 
 use rapid_compensation::compensate::plan::Status;
 use rapid_compensation::compensate::{self, FormChoice, Options};
-use rapid_compensation::emit::{Clock, EmitOptions, Provenance, emit};
+use rapid_compensation::emit::{Clock, DriftGrowth, EmitOptions, Provenance, emit};
 use rapid_program::{Overrides, Program};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::FileId;
@@ -16,7 +16,11 @@ use virtual_controller::{Session, TrueRobot};
 pub type Files = Vec<(String, Vec<u8>)>;
 
 pub fn warmth() -> Clock {
-    Clock::Warmth { growth: Some(GrowthLaw::TwoStage { tau_min: 46.0 }), tau_cool_min: None, gap_min: 5.0 }
+    Clock::Warmth {
+        growth: DriftGrowth::Law(GrowthLaw::TwoStage { tau_min: 46.0 }),
+        tau_cool_min: None,
+        gap_min: 5.0,
+    }
 }
 
 pub fn fixtures() -> PathBuf {

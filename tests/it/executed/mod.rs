@@ -50,7 +50,7 @@ fn settled_deformation_leaves_only_single_precision() {
     let original = fixture("robodk/irc5/Cube45.mod");
     let settled = Deformation::from_static(Deformation::paper().settled(), GrowthLaw::None);
     let clock = rapid_compensation::emit::Clock::Warmth {
-        growth: Some(GrowthLaw::None),
+        growth: rapid_compensation::emit::DriftGrowth::Law(GrowthLaw::None),
         tau_cool_min: None,
         gap_min: 5.0,
     };

@@ -2,8 +2,9 @@
 
 use super::made::{Files, compensated, fixture, made_as, session, warmth};
 use rapid_compensation::compensate::FormChoice;
-use rapid_compensation::emit::Clock;
+use rapid_compensation::emit::{Clock, DriftGrowth};
 use robot_model::deform::Deformation;
+use robot_model::units::{deg_from_rad, mm_from_m};
 use virtual_controller::session::Pass;
 use virtual_controller::{Report, Scenario};
 
@@ -54,6 +55,34 @@ fn a_robot_that_cools_otherwise_is_reported() {
         // More than the tolerance, less than the 0.039 mm that a bucket kept through lunch leaves.
         assert!((RUNNING_M..3.9e-5).contains(&off), "{cooling}: {off}");
         assert!(worst(&report.passes[..200]) <= RUNNING_M);
+    }
+}
+
+/// The paper's drift as rows every five minutes, as `fit` writes what it has found: after a pause the clock is the law's that the rows follow,
+/// and the arm, which cools by that law, stands where it was taken to stand.
+#[test]
+fn a_scheduled_table_cools_by_the_law_that_its_rows_follow() {
+    let paper = Deformation::paper();
+    let mut rows = "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned();
+    for t_min in (0..=600).step_by(5).map(f64::from) {
+        for (joint, row) in (1..).zip(paper.offsets_at(t_min).0) {
+            let [x, y, z, a, b, c] = row;
+            let numbers = [x, y, z].map(mm_from_m).into_iter().chain([a, b, c].map(deg_from_rad));
+            let numbers: Vec<String> = numbers.map(|number| format!("{number:.9}")).collect();
+            rows += &format!("{t_min},{joint},{}\n", numbers.join(","));
+        }
+    }
+    let table = Deformation::from_csv(rows.as_bytes(), None).unwrap();
+    let clock = Clock::Warmth { growth: DriftGrowth::of(&table), tau_cool_min: Some(41.0), gap_min: 5.0 };
+    let original = fixture("robodk/irc5/Cube45.mod");
+    for form in [FormChoice::Ramp, FormChoice::Schedule] {
+        let made = made_as(form, &original, &table, &clock).unwrap().0;
+        let steps = ["call tcColdStart", "run 120", "stand 45", "run 60"];
+        let report = played(&(made, original.clone()), "tau_cool_min = 41", &steps);
+        let off = worst(since(&report, 160.0));
+        assert!(off <= RUNNING_M, "{form:?}: {off}");
+        let before = since(&report, 160.0).iter().map(|p| p.before.max_m).fold(0.0, f64::max);
+        assert!(before > 0.05e-3, "{before}");
     }
 }
 

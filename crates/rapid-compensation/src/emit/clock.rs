@@ -9,7 +9,7 @@ mod amount;
 mod law_text;
 
 use super::names::{MAX_NAME, Names};
-use super::options::{Clock, EmitError, Sensor};
+use super::options::{Clock, DriftGrowth, EmitError, Sensor};
 use super::scale::Scaled;
 use super::touch::Touch;
 use crate::schedule::Schedule;
@@ -77,7 +77,7 @@ impl Law {
     /// The law that a clock asks for.
     ///
     /// A scheduled table says how far the drift is at each minute but not how it falls back: its minute
-    /// runs as it is and cools as one lag with the given time constant.
+    /// runs as it is and cools by the law nearest to it with the given time constant.
     ///
     /// # Errors
     /// [`EmitError::CoolingUnknown`] where nothing says how fast the robot cools,
@@ -106,19 +106,27 @@ impl Law {
             (_, range_c) => return Err(EmitError::ClockOfOtherKind { by_temperature: range_c.is_some() }),
         };
         let gap_min = positive("the longest pause that counts as running", gap_min)?;
-        let cool = |tau_min: f64| positive("the time constant of cooling", tau_cool_min.unwrap_or(tau_min));
+        let cool = |tau_min: f64| positive("the time constant of cooling", tau_min);
         let warm = |tau_min: f64| positive("the time constant of warming", tau_min);
-        Ok(match growth {
-            Some(GrowthLaw::TwoStage { tau_min }) => {
-                Self::TwoStage { tau_min: warm(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
-            }
-            Some(GrowthLaw::Exp { tau_min }) => {
-                Self::OneLag { tau_min: warm(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
-            }
-            Some(GrowthLaw::None) => Self::Elapsed,
-            None => {
-                let tau_min = cool(tau_cool_min.ok_or(EmitError::CoolingUnknown)?)?;
-                Self::OneLag { tau_min, tau_cool_min: tau_min, gap_min }
+        let (law, cool_min) = match growth {
+            DriftGrowth::Law(law) => (Some(law), tau_cool_min.or(law.tau_min())),
+            DriftGrowth::Table(nearest) => (nearest, Some(tau_cool_min.ok_or(EmitError::CoolingUnknown)?)),
+        };
+        Ok(match (law, cool_min) {
+            (Some(GrowthLaw::TwoStage { tau_min }), cool_min) => Self::TwoStage {
+                tau_min: warm(tau_min)?,
+                tau_cool_min: cool(cool_min.unwrap_or(tau_min))?,
+                gap_min,
+            },
+            (Some(GrowthLaw::Exp { tau_min }), cool_min) => Self::OneLag {
+                tau_min: warm(tau_min)?,
+                tau_cool_min: cool(cool_min.unwrap_or(tau_min))?,
+                gap_min,
+            },
+            (Some(GrowthLaw::None), _) | (None, None) => Self::Elapsed,
+            // A table of which nothing changes has no law: any one does.
+            (None, Some(tau_min)) => {
+                Self::OneLag { tau_min: cool(tau_min)?, tau_cool_min: cool(tau_min)?, gap_min }
             }
         })
     }

@@ -2,7 +2,7 @@
 
 use super::clock::{Choice, CoreText};
 use super::names::Names;
-use super::options::{Clock, Core, EmitOptions, Sensor};
+use super::options::{Clock, Core, DriftGrowth, EmitOptions, Sensor};
 use super::touch::Touch;
 use crate::compensate::plan::{Form, Plan, Totals};
 use rapid_syntax::num;
@@ -158,7 +158,11 @@ fn clock(options: &EmitOptions, cold_start: &str) -> String {
     match &options.clock {
         Clock::Elapsed => format!("elapsed: minutes since {cold_start}"),
         Clock::Warmth { growth, tau_cool_min, gap_min } => {
-            let growth = growth.map_or_else(|| "as in the table".to_owned(), |g| g.to_string());
+            let growth = match growth {
+                DriftGrowth::Law(law) => law.to_string(),
+                DriftGrowth::Table(None) => "as in the table".to_owned(),
+                DriftGrowth::Table(Some(law)) => format!("as in the table, nearest {law}"),
+            };
             let cool = tau_cool_min.map_or_else(|| "as warming".to_owned(), |t| format!("{t} min"));
             format!(
                 "warmth: growth {growth}, time constant of cooling {cool}, pauses over {gap_min} min between motions cool"

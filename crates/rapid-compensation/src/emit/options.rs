@@ -6,16 +6,36 @@ use super::touch::Touch;
 use crate::compensate::FormChoice;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::{Edit, EditError, Replaced, edits_of};
-use robot_model::deform::{GrowthLaw, TIMES_MIN};
+use robot_model::deform::{Deformation, GrowthLaw, TIMES_MIN};
+
+/// How the drift grows while the robot runs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DriftGrowth {
+    /// By a law.
+    Law(GrowthLaw),
+    /// As a scheduled table has it; with the law that is nearest to its rows, by which what is there falls back while the robot stands.
+    Table(Option<GrowthLaw>),
+}
+
+impl DriftGrowth {
+    /// How `deformation` grows.
+    #[must_use]
+    pub fn of(deformation: &Deformation) -> Self {
+        match deformation.growth() {
+            Some(law) => Self::Law(*law),
+            None => Self::Table(deformation.warm_up_law().map(|fitted| fitted.law)),
+        }
+    }
+}
 
 /// How the emitted program knows how warm the robot is.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Clock {
     /// The warm-up minute of the robot: it runs while the program runs, and falls back while it stands.
     Warmth {
-        /// The law of the drift's growth; `None` for a scheduled table, which then needs `tau_cool_min`.
-        growth: Option<GrowthLaw>,
-        /// Time constant of cooling; `None` = that of the growth.
+        /// How the drift grows.
+        growth: DriftGrowth,
+        /// Time constant of cooling; `None` = that of the law, which a scheduled table does not say.
         tau_cool_min: Option<f64>,
         /// A pause longer than this counts as standing.
         gap_min: f64,

@@ -10,6 +10,7 @@ fn schedule(edges: &[f64], parts_per_min: u32) -> Schedule {
 }
 
 fn warmth(growth: Option<GrowthLaw>, tau_cool_min: Option<f64>) -> Clock {
+    let growth = growth.map_or(DriftGrowth::Table(None), DriftGrowth::Law);
     Clock::Warmth { growth, tau_cool_min, gap_min: 5.0 }
 }
 
@@ -100,7 +101,14 @@ fn a_table_without_cooling_is_refused() {
         assert!(matches!(refused, Err(EmitError::BadTime { .. })), "{absurd:?}");
     }
     assert!(matches!(
-        Law::of(&Clock::Warmth { growth, tau_cool_min: None, gap_min: f64::NAN }, None),
+        Law::of(
+            &Clock::Warmth {
+                growth: DriftGrowth::Law(GrowthLaw::None),
+                tau_cool_min: None,
+                gap_min: f64::NAN
+            },
+            None
+        ),
         Err(EmitError::BadTime { .. })
     ));
     assert_eq!(Law::of(&warmth(Some(GrowthLaw::None), None), None), Ok(Law::Elapsed));
