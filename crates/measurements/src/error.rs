@@ -99,6 +99,14 @@ pub enum MeasureError {
         /// The cell as written, cut to 40 characters.
         text: String,
     },
+    /// Touches of several warm-ups, each with minutes since its own cold start.
+    #[error("t_min begins anew at line {line}: these are {count} warm-ups, and one is asked for")]
+    SeveralWarmUps {
+        /// First line of the second.
+        line: u64,
+        /// How many there are.
+        count: usize,
+    },
     /// Joints twice for the same id.
     #[error("id {id} stands twice in the file of joints, lines {} and {}", lines[0], lines[1])]
     DoubledId {
@@ -130,7 +138,13 @@ impl MeasureError {
 
 impl From<MeasureError> for Diagnostic {
     fn from(error: MeasureError) -> Self {
-        Self::error(error.code(), error.to_string())
+        let message = Self::error(error.code(), error.to_string());
+        match error {
+            MeasureError::SeveralWarmUps { .. } => message.help(
+                "give the rows of each warm-up as a file of its own: what was touched may have been moved between them",
+            ),
+            _ => message,
+        }
     }
 }
 

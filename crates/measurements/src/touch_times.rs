@@ -42,7 +42,42 @@ pub(super) fn check(rows: &[StampedRow]) -> Result<Vec<Diagnostic>, MeasureError
             "minutes count from the cold start, and before it the arm is not touched",
         ));
     }
+    if let Some(error) = several_warm_ups(rows) {
+        return Err(error);
+    }
     Ok(out_of_order(rows).into_iter().chain(beyond_proportion(rows)).collect())
+}
+
+/// Rows of a point that make a warm-up by themselves.
+const FEWEST_OF_WARM_UP: usize = 4;
+
+/// That most points were touched in one warm-up after the other: the minutes of each run back now and then and are in order between.
+fn several_warm_ups(rows: &[StampedRow]) -> Option<MeasureError> {
+    let points: BTreeSet<usize> = rows.iter().map(|row| row.point).collect();
+    let mut begun: Vec<Vec<u64>> = Vec::new();
+    for &point in &points {
+        let own: Vec<&StampedRow> = rows.iter().filter(|row| row.point == point).collect();
+        let runs: Vec<&[&StampedRow]> = own.chunk_by(|a, b| a.t_min <= b.t_min).collect();
+        if runs.len() > 1 && runs.iter().all(|run| run.len() >= FEWEST_OF_WARM_UP) && begin_anew(&runs) {
+            begun.push(runs[1..].iter().map(|run| run[0].line).collect());
+        }
+    }
+    let count = 1 + begun.iter().map(Vec::len).max()?;
+    let line = begun.iter().filter_map(|lines| lines.first().copied()).min()?;
+    (2 * begun.len() > points.len()).then_some(MeasureError::SeveralWarmUps { line, count })
+}
+
+/// Whether the minutes of each of `runs` begin before those of the one before have got to their middle, and go on from there: a mistyped minute
+/// ends a run, too, and the next goes on where it was.
+fn begin_anew(runs: &[&[&StampedRow]]) -> bool {
+    runs.windows(2).all(|pair| match pair {
+        [before, [first, second, ..]] => {
+            let middle = before.get(before.len() / 2);
+            middle.is_some_and(|row| first.t_min < row.t_min)
+                && before.last().is_some_and(|row| second.t_min < row.t_min)
+        }
+        _ => false,
+    })
 }
 
 /// Rows whose minute does not fit between those of the rows around them; where the file goes through its points one by one, those
@@ -189,13 +224,21 @@ mod tests {
     #[test]
     fn points_one_after_the_other_are_each_in_order() {
         let minutes: Vec<f64> = [every_five_minutes(), every_five_minutes(), every_five_minutes()].concat();
-        assert_eq!(warnings(&minutes)[0].0, "measure::time-order", "of one point");
+        let several = MeasureError::SeveralWarmUps { line: 39, count: 3 };
+        assert_eq!(check(&rows(&minutes)), Err(several), "of one point");
         let mut by_point = rows(&minutes);
         by_point.iter_mut().enumerate().for_each(|(k, row)| row.point = k / 37);
         assert_eq!(check(&by_point), Ok(Vec::new()));
         by_point[40].t_min = 150.0;
         let found = check(&by_point).unwrap();
         assert!(found[0].message.ends_with("line 42 says 150 between 10 and 20"), "{found:?}");
+    }
+
+    /// Rows in no order have no warm-ups: they are told as that.
+    #[test]
+    fn rows_in_no_order_are_no_warm_ups() {
+        let minutes: Vec<f64> = (0..37).map(|k| 5.0 * f64::from(k * 17 % 37)).collect();
+        assert_eq!(warnings(&minutes)[0].0, "measure::time-order");
     }
 
     #[test]

@@ -7,8 +7,11 @@ use robot_model::deform::GrowthLaw;
 
 /// Lags whose sums come within a thousandth of every smooth warm-up, of several joints and of two stages, minutes.
 pub(super) const LAGS_MIN: [f64; 4] = [10.0, 22.0, 48.0, 105.0];
-/// Time constants of cooling tried, in those of warming.
-const COOLINGS: [f64; 6] = [0.6, 0.8, 1.0, 1.3, 1.7, 2.2];
+/// Time constants of cooling tried, in those of warming: near enough to each other that what lies between leaves no more of a pause than
+/// a hundredth of the drift.
+const COOLINGS: [f64; 11] = [0.6, 0.7, 0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.7, 1.95, 2.2];
+/// The one of a robot that was not seen to stand.
+const AS_WARMING: f64 = 1.0;
 /// A step is told by so many touches before and after it.
 pub(super) const FEWEST_BESIDE: usize = 3;
 /// A point with fewer touches is not asked for a step.
@@ -27,7 +30,7 @@ pub(super) fn smooth_courses(t_min: &[f64], stops: &[Standstill]) -> Vec<DMatrix
         }));
         DMatrix::from_fn(t_min.len(), columns.len(), |i, j| columns[j][i])
     };
-    let coolings = if stops.is_empty() { &COOLINGS[2..3] } else { &COOLINGS[..] };
+    let coolings = if stops.is_empty() { &[AS_WARMING][..] } else { &COOLINGS[..] };
     coolings.iter().map(|cooling| course(*cooling)).collect()
 }
 
