@@ -39,11 +39,14 @@ fn opening(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool)
     )?;
     for (k, (by, sigma)) in found.tools_moved_m.iter().enumerate() {
         let [x, y, z] = [by.x, by.y, by.z].map(mm_from_m);
+        let exactly = match found.arm_is_changed {
+            true => PART_OF_ARM.to_owned(),
+            false => format!(" (+- {:.4})", mm_from_m(*sigma)),
+        };
         writeln!(
             out,
-            "{} on the flange: {x:+.4}, {y:+.4}, {z:+.4} mm (+- {:.4}), {:.4} mm in all",
+            "{} on the flange: {x:+.4}, {y:+.4}, {z:+.4} mm{exactly}, {:.4} mm in all",
             target_name(found, k),
-            mm_from_m(*sigma),
             mm_from_m(by.norm())
         )?;
     }
@@ -63,11 +66,13 @@ fn opening(out: &mut dyn Write, found: &MeasurementComparison, is_changed: bool)
     Ok(())
 }
 
+/// In the place of a standard deviation, where the arm has changed.
+const PART_OF_ARM: &str = " (how exactly is not told: the arm's change may be a part of it)";
+
 /// Where the base is now, with one standard deviation.
 fn base(out: &mut dyn Write, found: &MeasurementComparison) -> io::Result<()> {
     let [x, y, z] = <[f64; 3]>::from(found.base_moved.translation.vector).map(mm_from_m);
-    let untold =
-        || [" (how exactly is not told: the arm's change may be a part of it)".to_owned(), String::new()];
+    let untold = || [PART_OF_ARM.to_owned(), String::new()];
     let [shift, turn] = found.base_sigma.map_or_else(untold, |sigma| {
         let [x, y, z] = sigma.shift_m.map(mm_from_m);
         [format!(" (+- {x:.3}, {y:.3}, {z:.3})"), format!(" (+- {:.4})", deg_from_rad(sigma.turn_rad))]

@@ -108,6 +108,8 @@ pub struct MeasurementComparison {
     pub scale: Option<ScaleChange>,
     /// What noise does not explain, whatever the cause.
     pub beyond: BeyondNoise,
+    /// Whether the arm has changed: how base and target have moved is then told with a part of it.
+    pub arm_is_changed: bool,
     /// Whether arm or tool have changed.
     pub is_changed: bool,
     /// What a person should look at in the files before and after: rows that were left out.
@@ -224,6 +226,7 @@ fn compared(
         diagnosis,
         scale,
         beyond,
+        arm_is_changed,
         is_changed: is_changed && sameness != Sameness::All,
         warnings: [files[0].warnings_with(&old), files[1].warnings_with(&new)],
     })
