@@ -126,20 +126,27 @@ class Plan:
     """All that ``driftpost plan --json`` writes."""
 
 
-def compensate(program, *, robot="irb140", deformation=None, model=None,
+# Not given, where None stands for a model that a diagnosis has not made.
+_NOT_GIVEN = object()
+
+
+def compensate(program, *, robot="irb140", deformation=None, model=_NOT_GIVEN,
                progress: Callable[[int, int], object] | None = None, **options) -> Result:
     """Compensates a RAPID program for thermal drift; nothing is written to disk.
 
     robot: name, path or Robot. deformation: table; without it and without a model the reference paper's. model: path or text (TOML) of
-    an identified model. progress(done, files) is called after each changed module; what it raises ends the work. Other options as of
+    an identified model; None, as of a diagnosis that made none, is refused where there is no table. progress(done, files) is called after each changed module; what it raises ends the work. Other options as of
     ``driftpost compensate --help``: ``growth="two-stage:46"``, ``form="ramp"``, ``tolerance_mm=0.02``, ``start_joints=(0, 0, 0, 0, 30, 0)``.
 
     Raises DriftpostError where the program is refused, with code, file and line.
     """
     if "task" in options:
         raise DriftpostError("task is no option here: compensate the folder of each task with its own robot", "option::usage")
+    if model is None and deformation is None:
+        raise DriftpostError("model is None, and there is no deformation: nothing says how this robot deforms", "model::none",
+                             "leave model out to correct by the reference paper's table, or give a model or a deformation")
     with Folder() as folder:
-        options = _models(folder, robot, deformation, model, options)
+        options = _models(folder, robot, deformation, None if model is _NOT_GIVEN else model, options)
         if is_text(program):
             program = {"program.mod": program}
         given = texts_of(program) if isinstance(program, dict) else paths_of(program)

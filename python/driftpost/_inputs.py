@@ -20,7 +20,9 @@ def words(options: dict) -> list[str]:
         if name in NOT_OPTIONS or name.endswith("_out"):
             raise DriftpostError(f"{name} is no option here: what is made is in the result", "option::usage")
         option = "--" + name.replace("_", "-")
-        for one in value if isinstance(value, list) else [value]:
+        # Joints and places are one value each, whatever holds them; only of texts a list is several.
+        is_several = isinstance(value, list) and not all(isinstance(_plain(part), (int, float)) for part in value)
+        for one in value if is_several else [value]:
             if isinstance(one, Robot):
                 one = one._core.current_source()
             one = _plain(one)

@@ -42,6 +42,11 @@ def numbers(**changed):
     (lambda: driftpost.compensate(np.zeros((3, 6))), "option::usage", "ndarray"),
     (lambda: driftpost.compensate(MODULE, progress=3), "option::usage", "progress"),
     (lambda: driftpost.compensate(MODULE, keep=LONE), "option::usage", "keep"),
+    # What a diagnosis gives that could make no model; not the reference paper's arm in its place.
+    (lambda: driftpost.compensate(MODULE, model=None), "model::none", "no deformation"),
+    (lambda: driftpost.compensate(MODULE, payload_kg=5), "option::usage", "--model <FILE>"),
+    (lambda: driftpost.compensate(MODULE, form="Ramp"), "option::usage", "possible values: schedule, ramp, live, auto"),
+    (lambda: driftpost.validate(numbers(), None), "option::usage", "--model <FILE>"),
     (lambda: driftpost.compensate(MODULE, start_joints=(0, 0, float("nan"), 0, 30, 0)), "", ""),
     (lambda: driftpost.simulate({"a\0.mod": MODULE}), "option::usage", "a\\x00.mod"),
     (lambda: driftpost.simulate({7: MODULE}), "option::usage", "int"),

@@ -56,7 +56,7 @@ def test_options_have_their_names_of_the_command_line(cube):
 def test_numbers_and_arrays_of_numpy_are_options_and_tuples_are_lists_of_names(cube):
     joints = (0, 0, 0, 0, 30, 0)
     plain = driftpost.compensate(cube, form="ramp", start_joints=joints, tolerance_mm=0.0625)
-    for start in (np.array(joints), tuple(np.array(joints, float)), tuple(np.array(joints))):
+    for start in (np.array(joints), tuple(np.array(joints, float)), tuple(np.array(joints)), list(joints), list(np.array(joints))):
         made = driftpost.compensate(cube, form="ramp", start_joints=start, tolerance_mm=np.float32(0.0625))
         assert made.text.splitlines()[-40:] == plain.text.splitlines()[-40:]
     assert driftpost.plan(n=np.int64(24)).poses.column_names

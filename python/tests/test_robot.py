@@ -2,6 +2,8 @@
 
 import csv
 import pickle
+import subprocess
+import sys
 import threading
 import time
 
@@ -197,6 +199,21 @@ def test_names_that_are_no_robots():
         with pytest.raises(driftpost.DriftpostError) as caught:
             driftpost.Robot.load(name)
         assert caught.value.code == code, caught.value
+
+
+def test_a_forked_process_has_threads_of_its_own():
+    program = (
+        "import driftpost, multiprocessing, numpy as np\n"
+        "robot = driftpost.Robot.load('irb140')\n"
+        "q = np.random.default_rng(0).uniform(-60, 60, (20000, 6))\n"
+        "def work(_): return robot.fk(q)[:, :3, 3].sum()\n"
+        "alone = work(0)\n"
+        "with multiprocessing.get_context('fork').Pool(2) as pool:\n"
+        "    assert pool.map_async(work, range(4)).get(timeout=60) == [alone] * 4\n"
+        "print('alive')\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0 and done.stdout.startswith("alive"), done.stderr[-2000:]
 
 
 def test_other_threads_go_on_meanwhile(robot):

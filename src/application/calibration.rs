@@ -78,8 +78,17 @@ impl Arm {
             let all = found.offsets.0[i];
             std::array::from_fn(|j| if j < 3 { mm_from_m(all[j]) } else { deg_from_rad(all[j]) })
         };
+        let offsets: [[f64; JOINTS]; JOINTS] = std::array::from_fn(row);
+        let furthest_mm = FURTHEST_MM.max(FURTHEST_PRIORS * sizes.prior_shift_mm);
+        let far = (1..).zip(&offsets).find(|(_, row)| row[..3].iter().any(|mm| mm.abs() > furthest_mm));
+        if let Some((joint, [x, y, z, ..])) = far {
+            let text = format!(
+                "the frame of joint {joint} would have to stand ({x:.1}, {y:.1}, {z:.1}) mm from where the robot has it"
+            );
+            return Err(Diagnostic::error("calibrate::not-settled", text).help(POSES));
+        }
         Ok(CalibratedArm {
-            offsets: std::array::from_fn(row),
+            offsets,
             rms_mm: mm_from_m(found.rms_m),
             rms_deg: sizes.sigma_deg.map(|_| deg_from_rad(found.rms_rad)),
             steps: found.steps,
@@ -87,19 +96,29 @@ impl Arm {
     }
 }
 
+/// No frame stands so far, mm, and so many times as far as is expected, from where its robot has it.
+const FURTHEST_MM: f64 = 20.0;
+const FURTHEST_PRIORS: f64 = 20.0;
+
+/// What measured poses are.
+const POSES: &str = "poses are the flange's in the robot's base frame, shifts in mm; joints as the controller shows them, degrees";
+
 fn refused(error: &CalibrateError) -> Diagnostic {
     match error {
-        CalibrateError::Options => {
-            Diagnostic::error("option::usage", "sigma_mm, sigma_deg, prior_shift_mm and prior_turn_deg are positive")
-                .help("without orientations sigma_deg is left out (None)")
+        CalibrateError::Options => Diagnostic::error(
+            "option::usage",
+            "sigma_mm, sigma_deg, prior_shift_mm and prior_turn_deg are positive",
+        )
+        .help("without orientations sigma_deg is left out (None)"),
+        CalibrateError::NoPoses => {
+            shape("q and pose have no row: a calibration needs measured poses".to_owned())
         }
-        CalibrateError::NoPoses => shape("q and pose have no row: a calibration needs measured poses".to_owned()),
         CalibrateError::NotFinite(row) => {
             Diagnostic::error("array::not-finite", format!("row {row} holds a number that is none"))
         }
-        CalibrateError::NotSettled => Diagnostic::error("calibrate::not-settled", error.to_string()).help(
-            "poses are the flange's in the robot's base frame, shifts in mm; joints as the controller shows them, degrees",
-        ),
+        CalibrateError::NotSettled => {
+            Diagnostic::error("calibrate::not-settled", error.to_string()).help(POSES)
+        }
     }
 }
 
@@ -123,6 +142,18 @@ mod tests {
         let positions = CalibrationSizes { sigma_deg: None, ..CalibrationSizes::default() };
         let found = arm.calibrate(&q_deg, &poses, &positions).unwrap();
         assert!(found.rms_deg.is_none() && found.rms_mm < 1e-3, "{found:?}");
+    }
+
+    #[test]
+    fn shifts_in_metres_are_no_poses_of_the_arm() {
+        let arm = Arm::new(Robot::built_in("irb140").unwrap());
+        let q_deg: Vec<f64> = (0..240).map(|i| 60.0 * f64::from(i * i % 97 - 48) / 48.0).collect();
+        let mut poses = arm.forward(&q_deg).unwrap();
+        for pose in poses.chunks_mut(POSE) {
+            [3, 7, 11].into_iter().for_each(|k| pose[k] /= 1000.0);
+        }
+        let refused = arm.calibrate(&q_deg, &poses, &CalibrationSizes::default()).unwrap_err();
+        assert_eq!(refused.code, "calibrate::not-settled", "{}", refused.message);
     }
 
     /// Where nothing is off nothing is left to settle, whichever pose it is.

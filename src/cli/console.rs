@@ -184,8 +184,7 @@ impl Console {
             if !error.use_stderr() {
                 return Outcome::Done;
             }
-            let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
-            errors.push(LocatedDiagnostic::new(Diagnostic::error("option::usage", first), &[]));
+            errors.push(LocatedDiagnostic::new(usage(&text), &[]));
             return Outcome::Refused;
         }
         match error.print() {
@@ -235,6 +234,18 @@ impl<W: Write> Write for Sink<W> {
         }
         let result = self.inner.flush();
         self.forgive(result, ())
+    }
+}
+
+/// What is wrong with arguments, of which clap gives `text` for a terminal: its first paragraph, with a tip as help.
+pub(super) fn usage(text: &str) -> Diagnostic {
+    let mut paragraphs =
+        text.split("\n\n").map(|lines| lines.split_whitespace().collect::<Vec<_>>().join(" "));
+    let first = paragraphs.next().unwrap_or_default();
+    let message = Diagnostic::error("option::usage", first.trim_start_matches("error: "));
+    match paragraphs.find_map(|lines| Some(lines.strip_prefix("tip: ")?.to_owned())) {
+        Some(tip) => message.help(tip),
+        None => message,
     }
 }
 

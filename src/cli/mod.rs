@@ -290,11 +290,7 @@ pub fn compensation(options: &[String]) -> Result<Compensation, Diagnostic> {
         .allow_negative_numbers(true)
         .try_get_matches_from(words)
         .and_then(|matches| compensate::Args::from_arg_matches(&matches));
-    let args = args.map_err(|error| {
-        let text = error.to_string();
-        let first = text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned();
-        Diagnostic::error("option::usage", first)
-    })?;
+    let args = args.map_err(|error| console::usage(&error.to_string()))?;
     args.check()?;
     args.compensation(None)
 }

@@ -4,6 +4,8 @@
 //! The one place that asks `rayon`: what depends on the kind of a result is a few lines here, and thousands of the compiler's in
 //! its iterators.
 
+mod forked;
+
 use rayon::prelude::*;
 use std::sync::Mutex;
 
@@ -59,11 +61,13 @@ pub fn for_each_mut<I: Send>(items: &mut [I], change: &(dyn Fn(usize, &mut I) + 
 
 /// Runs `work` on one of the threads, so that what it shares out begins there and does not wait for them each time.
 pub fn within<T: Send>(work: &mut (dyn FnMut() -> T + Send)) -> T {
-    rayon::scope(|_| work())
+    let mut given = None;
+    forked::on_own_threads(&mut || given = Some(rayon::scope(|_| work())));
+    given.unwrap_or_else(work)
 }
 
 fn for_each(count: usize, work: &(dyn Fn(usize) + Sync)) {
-    (0..count).into_par_iter().for_each(work);
+    forked::on_own_threads(&mut || (0..count).into_par_iter().for_each(work));
 }
 
 #[cfg(test)]
