@@ -135,6 +135,7 @@ const plainly = (_, ticks) => ticks.map((tick) => String(Number(tick.toPrecision
 /** From zero, or a little more than what there is. */
 function range(low, high, zero) {
   if (!Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
+  if (zero && low === 0 && high === 0) return [0, 1];
   const [from, to] = zero ? [Math.min(low, 0), Math.max(high, 0)] : [low, high];
   const room = Math.max((to - from) * 0.06, 1e-6);
   return [zero && low >= 0 ? 0 : from - room, zero && high <= 0 ? 0 : to + room];

@@ -15,12 +15,14 @@ const LABELS = { tcMinute: ['Warm-up minute', 'min'], tcDegrees: ['Temperature',
 function modeWords(mode, isShare) {
   if (mode === -1) return 'follows the clock';
   if (mode === -2) return 'originals';
-  if (mode >= 0) return isShare ? `held at ${number(mode)} %` : `held at bucket ${number(mode)}`;
-  return String(mode);
+  if (isShare && mode >= 0 && mode <= 100) return `held at ${number(mode)} %`;
+  if (!isShare && mode >= 0) return `held at bucket ${number(mode)}`;
+  return 'none that there is: originals';
 }
 
 const shown = (value) => (typeof value === 'number' ? number(value) : String(value));
-const isOriginals = ({ values }) => values.tcBucket === -1 || values.tcMode === -2;
+// Why it runs them where it cannot follow the drift, the module says in words alone.
+const isOriginals = ({ values, said }) => values.tcBucket === -1 || values.tcMode === -2 || Boolean(said?.includes('original targets'));
 
 export function watched({ data, title, version }) {
   const programs = [...new Set(data.records.map((one) => `${one.task}/${one.module}`))];
