@@ -99,6 +99,7 @@ pub use rapid_compensation::compensate::CompensateError;
 pub use rapid_compensation::compensate::tabulate::TabulateError;
 pub use restoration::{Restoration, RestorationError, RestoredFile, RestoredFiles};
 pub use robot_json::robot_json;
+pub(crate) use robot_json::rpy_deg;
 pub use simulation::{Course, Simulated, Simulation, SimulationError};
 pub use state_estimation::{StateEstimated, StateEstimation};
 pub use synthesis::{

@@ -1,7 +1,7 @@
 //! Measurements as the options name them: one file or two, in our layout or another.
 
 use super::model::in_file;
-use super::{Console, files, model};
+use super::{Console, files, idle, model};
 use clap::ValueEnum;
 use measurements::{ColumnMap, Joined, MatchBy, Measurements, Table, Touches, join};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -37,18 +37,21 @@ pub struct MeasurementArgs {
     )]
     pub match_by: MatchName,
 
-    /// With --match time: the longest time between a point and its joints.
-    #[arg(long, value_name = "MIN", default_value_t = 0.1, conflicts_with = "measurements")]
-    pub match_within_min: f64,
+    /// With --match time: the longest time between a point and its joints [default: 0.1].
+    #[arg(long, value_name = "MIN", conflicts_with = "measurements")]
+    pub match_within_min: Option<f64>,
 
     /// Another layout: which of its columns is which of ours (TOML, docs/MEASURING.md); of --points where there are two files.
     #[arg(long, value_name = "MAP.toml")]
     pub columns: Option<PathBuf>,
 
     /// The same for --joints.
-    #[arg(long, value_name = "MAP.toml", requires = "joints")]
+    #[arg(long, value_name = "MAP.toml", requires = "joints", conflicts_with = "measurements")]
     pub joints_columns: Option<PathBuf>,
 }
+
+/// The longest time between a point and its joints unless another is given, minutes.
+const MATCH_WITHIN_MIN: f64 = 0.1;
 
 /// See [`MatchBy`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -101,9 +104,13 @@ impl MeasurementArgs {
         let (Some(points), Some(joints)) = (&self.points, &self.joints) else {
             return Err(Diagnostic::error("measure::file", "no measurements are named"));
         };
-        if !(self.match_within_min.is_finite() && self.match_within_min >= 0.0) {
+        let within_min = self.match_within_min.unwrap_or(MATCH_WITHIN_MIN);
+        if !(within_min.is_finite() && within_min >= 0.0) {
             return Err(Diagnostic::error("option::number", "--match-within-min is a number of minutes"));
         }
+        let by_time = self.match_by == MatchName::Time;
+        let why = "--match time alone goes by minutes";
+        idle::tell([("--match-within-min", self.match_within_min.is_some() && !by_time, why)], console);
         let mut whole = input(points, self.columns.as_deref())?;
         let other = input(joints, self.joints_columns.as_deref())?;
         let by = match self.match_by {
@@ -111,7 +118,7 @@ impl MeasurementArgs {
             MatchName::Order => MatchBy::Order,
             MatchName::Time => MatchBy::Time,
         };
-        let joined = join(&whole.table, &other.table, by, self.match_within_min).map_err(|error| {
+        let joined = join(&whole.table, &other.table, by, within_min).map_err(|error| {
             Diagnostic::error(
                 "measure::match",
                 format!("{} and {}: {error}", points.display(), joints.display()),

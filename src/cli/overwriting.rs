@@ -240,11 +240,17 @@ pub fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Optio
     let beside = fs::read_dir(folder_of(core)).ok()?;
     let mut others: Vec<PathBuf> = beside.filter_map(|entry| Some(entry.ok()?.path())).collect();
     sorting::ascending(&mut others);
+    // What has a clock of its own names no common module.
+    let names = module_names(core, there);
+    let asks_it = |bytes: &[u8]| {
+        let text = String::from_utf8_lossy(bytes).to_ascii_lowercase();
+        names.iter().any(|name| text.contains(name.as_str()))
+    };
     let other = others.into_iter().find(|path| {
         path.is_file()
             && !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PENDING))
             && !written.contains(&files::identity(path))
-            && fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some())
+            && fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some() && asks_it(&bytes))
     })?;
     Some(format!("{} was made with it", other.display()))
 }

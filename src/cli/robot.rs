@@ -3,6 +3,7 @@
 use super::sealed::{Language, Sealed, TomlKind};
 use super::shared::RobotName;
 use super::{Console, Outcome, files};
+use crate::application::rpy_deg;
 use crate::report::rounded;
 use nalgebra::Isometry3;
 use rapid_syntax::diagnostic::Diagnostic;
@@ -30,10 +31,14 @@ pub struct Args {
     pub json: Option<PathBuf>,
 }
 
-/// Where a frame stands in the one before it, as a robot file has it: `70 0 352`.
-fn in_mm(frame: &Isometry3<f64>) -> String {
-    let origin_mm = frame.translation.vector.iter().map(|m| rounded(mm_from_m(*m)).to_string());
-    origin_mm.collect::<Vec<_>>().join(" ")
+/// Where a frame stands in the one before it, as a robot file has it: `70 0 352 mm`, and how it is turned, where it is.
+fn in_words(frame: &Isometry3<f64>) -> String {
+    let numbers = |of: &[f64]| of.iter().map(f64::to_string).collect::<Vec<_>>().join(" ");
+    let origin_mm = numbers(frame.translation.vector.map(|m| rounded(mm_from_m(m))).as_slice());
+    match rpy_deg(frame) {
+        [0.0, 0.0, 0.0] => format!("{origin_mm} mm"),
+        turned => format!("{origin_mm} mm  rpy {} deg", numbers(&turned)),
+    }
 }
 
 /// Runs `robot`.
@@ -63,10 +68,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
                     }
                 },
             );
-            let origin = in_mm(&joint.previous_from_joint);
-            writeln!(console.out(), "joint {}  origin {origin} mm  axis {x} {y} {z}  {range}", i + 1)?;
+            let origin = in_words(&joint.previous_from_joint);
+            writeln!(console.out(), "joint {}  origin {origin}  axis {x} {y} {z}  {range}", i + 1)?;
         }
-        writeln!(console.out(), "flange   origin {} mm", in_mm(&robot.last_from_flange))?;
+        writeln!(console.out(), "flange   origin {}", in_words(&robot.last_from_flange))?;
         return Ok(Outcome::Done);
     };
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());

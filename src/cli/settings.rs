@@ -204,9 +204,15 @@ fn is_overridden(command: &Command, given: &ArgMatches, arg: &Arg) -> bool {
     is_given(arg.get_id().as_str()) || against.any(|other| is_given(other.get_id().as_str()))
 }
 
-/// The words of a command line that say what a key of a TOML file says; `place` makes of a text what stands for it.
+/// The words of a command line that say what a key of a TOML file says; `place` makes of a text what stands for it. A list of numbers is one
+/// value, as of `--tool 0,0,100`; a list of texts repeats its option.
 pub fn words(key: &str, value: &toml::Value, place: impl Fn(&str) -> String) -> Vec<OsString> {
+    let is_number = |value: &toml::Value| value.is_integer() || value.is_float();
     let values = match value {
+        toml::Value::Array(list) if !list.is_empty() && list.iter().all(is_number) => {
+            let numbers: Vec<String> = list.iter().map(toml::Value::to_string).collect();
+            return vec![format!("--{key}={}", numbers.join(",")).into()];
+        }
         toml::Value::Array(list) => list.as_slice(),
         one => std::slice::from_ref(one),
     };

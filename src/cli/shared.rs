@@ -151,17 +151,18 @@ pub fn tool(text: &str) -> Result<Vector3<f64>, Diagnostic> {
     };
     let numbers: Vec<f64> =
         text.split(',').map(|n| n.trim().parse().map_err(|_| wrong())).collect::<Result<_, _>>()?;
-    let far_mm = numbers.iter().map(|n| n * n).sum::<f64>().sqrt();
-    if far_mm.is_finite() && far_mm > 0.0 && !TOOL_MM.contains(&far_mm) {
+    let [x, y, z] = numbers[..] else { return Err(wrong()) };
+    if !numbers.iter().all(|n| n.is_finite()) {
+        return Err(wrong());
+    }
+    let far_mm = x.hypot(y).hypot(z);
+    if far_mm > 0.0 && !TOOL_MM.contains(&far_mm) {
         return Err(Diagnostic::error(
             "diagnose::tool",
             format!("--tool {text}: that is {far_mm} mm from the flange; the numbers are millimetres"),
         ));
     }
-    match numbers[..] {
-        [x, y, z] if numbers.iter().all(|n| n.is_finite()) => Ok(Vector3::new(x, y, z).map(m_from_mm)),
-        _ => Err(wrong()),
-    }
+    Ok(Vector3::new(x, y, z).map(m_from_mm))
 }
 
 /// That the tip is taken to be at the flange's centre, where nothing names it and touches do not tell it by themselves.
