@@ -4,7 +4,7 @@
 use crate::linearise::Linearised;
 
 /// Of fewer in a row each is held against its neighbours, and more than the most may be two steps.
-pub(crate) const FEWEST: usize = 3;
+const FEWEST: usize = 3;
 pub(crate) const MOST: usize = 5;
 /// More runs than this in one file are a pattern.
 const MOST_RUNS: usize = 2;

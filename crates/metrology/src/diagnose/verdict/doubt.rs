@@ -21,6 +21,8 @@ pub(super) struct Doubt {
     play_too: bool,
     /// Whatever else changed over the same hours: the cause follows temperatures in rows without times.
     by_temperature: bool,
+    /// A rail that sags where the arm stands on it: the cause is a stand that tilts, of an arm whose first joint slides.
+    rail_too: bool,
     /// A balancing spring or cylinder: the cause goes with the angle of joint 2 of an arm that may have one.
     balancing_too: bool,
 }
@@ -36,6 +38,7 @@ impl Doubt {
             play_too: bent_spring && !dataset.channels.direction,
             by_temperature: dataset.time_min.is_none()
                 && matches!(variant.growth, Growth::Temperature { .. }),
+            rail_too: candidate.kind == EffectKind::BaseTilt && !dataset.turning().any(|joint| joint == 0),
             balancing_too: dataset.may_be_balanced && has_its_shape(candidate.kind, variant.joint),
         }
     }
@@ -54,7 +57,7 @@ impl Doubt {
     /// name; returns whether the cause is no longer likelier than not.
     pub(super) fn share(self, causes: &mut Vec<Cause>, slot: usize) -> bool {
         let Some(at) = causes.iter().position(|c| c.slot == slot) else { return false };
-        if self.by_temperature {
+        if self.by_temperature || self.rail_too {
             causes[at].posterior *= EVEN;
         }
         if self.balancing_too {
@@ -138,6 +141,13 @@ mod tests {
         assert!(Doubt { balancing_too: true, ..Doubt::default() }.share(&mut causes, 1));
         let shared: Vec<f64> = causes.iter().map(|c| (1e6 * c.posterior).round() / 1e6).collect();
         assert_eq!(shared, [0.3, 0.15, 0.1, 0.9]);
+    }
+
+    #[test]
+    fn a_stand_that_tilts_may_as_well_be_its_rail() {
+        let mut causes = vec![Cause { slot: 1, ..Cause::of(EffectKind::BaseTilt, 0.9) }];
+        assert!(Doubt { rail_too: true, ..Doubt::default() }.share(&mut causes, 1));
+        assert_eq!(causes.iter().map(|c| c.posterior).collect::<Vec<_>>(), [0.45]);
     }
 
     #[test]
