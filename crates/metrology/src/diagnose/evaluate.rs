@@ -75,7 +75,7 @@ pub(super) struct FoundModel {
     pub log_evidence: f64,
     /// Whether something in it drifts by the minutes: by a law of time, or in a line, which the beginning of one is.
     pub drifts: bool,
-    /// Whether something in it changes over time.
+    /// Whether something in it changes over time, or its noise is slow: what a pause has bent may look so.
     pub changes: bool,
 }
 
@@ -86,7 +86,8 @@ impl FoundModel {
         Self {
             log_evidence: fitted.log_evidence(),
             drifts: chosen().any(|one| matches!(one.variant.growth, Growth::Law(_) | Growth::Linear { .. })),
-            changes: chosen().any(|candidate| candidate.effect().time() != TimeCourse::Constant),
+            changes: fitted.model.slow.is_some()
+                || chosen().any(|candidate| candidate.effect().time() != TimeCourse::Constant),
         }
     }
 }
