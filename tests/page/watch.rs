@@ -76,3 +76,26 @@ fn a_watch_is_followed_by_its_page_alone() {
     assert!(browser.text("[data-name=fresh]").ends_with("The watch has ended."));
     assert!(browser.eval("document.querySelector('[name=reload]')").is_null(), "it loads itself no more");
 }
+
+/// In `ramp` no bucket says so: what the module last said does.
+#[test]
+#[ignore = "needs Chromium, and `npm ci` in assets"]
+fn originals_that_ramp_runs_are_not_said_to_be_corrected() {
+    let mut browser = Browser::launch();
+    let folder = tempfile::tempdir().unwrap();
+    let (made, made_name) = path(&folder, "Cube45.mod");
+    let cube = "fixtures/robodk/irc5/Cube45.mod";
+    driftpost(&["compensate", cube, "--form", "ramp", "-o", &made_name, "--diff", "none"], 0);
+    let double = Double::start(&Options::new(Personality::Rw7)).unwrap();
+    let text = String::from_utf8(fs::read(made).unwrap()).unwrap();
+    let said = "tcSaid:=\"Warm-up not known: original targets\"";
+    assert!(text.contains("tcSaid:=\"\""), "{text}");
+    double.with(|c| c.load(&text.replace("tcSaid:=\"\"", said), "ProgMod"));
+    let (page, page_name) = path(&folder, "watch.html");
+    let mut child = watch(&double, &page_name, &folder.path().join("known"));
+    wait_until("the page is there", || page.exists());
+    browser.open(&page, 390, "light");
+    assert_eq!(browser.text(".verdict"), "original targets");
+    Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    child.wait().unwrap();
+}
