@@ -274,6 +274,8 @@ def test_the_page_of_the_documentation(fixtures, tmp_path, monkeypatch, capsys):
     names = {}
     exec(writes, names)
     assert main(["compensate", "programs.parquet", "compensated", "--serial"]) == 0
+    told = [[message["code"] for message in row["messages"]] for row in results(tmp_path / "compensated")]
+    assert all("fleet::default-table" in codes for codes in told), told
     exec(reads, names)
     said = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert [line[:3] for line in said] == [["140-1", "done", "None"], ["140-2", "done", "None"]] and all(float(line[3]) <= 0.02 for line in said)

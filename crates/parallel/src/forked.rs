@@ -14,8 +14,11 @@ static OWN: Mutex<Option<(u32, Arc<ThreadPool>)>> = Mutex::new(None);
 /// Runs `work`, which shares out what it does, where that goes to threads of this process.
 pub(super) fn on_own_threads(work: &mut (dyn FnMut() + Send)) {
     let this = process::id();
-    let first = FIRST.compare_exchange(0, this, Ordering::Relaxed, Ordering::Relaxed).unwrap_or(0);
-    if first == 0 || first == this {
+    let first = match FIRST.compare_exchange(0, this, Ordering::Relaxed, Ordering::Relaxed) {
+        Ok(_) => this,
+        Err(first) => first,
+    };
+    if first == this {
         return work();
     }
     match own_threads(this) {

@@ -14,7 +14,7 @@ import pyarrow as pa
 
 from .. import compensate
 from .._command import command
-from .._errors import DriftpostError
+from .._errors import DriftpostError, Message
 from .._files import Folder
 from ._layout import BUCKETS, CAUSES, LENGTHS, MOTIONS, NUMBERS, WORDS
 
@@ -25,6 +25,10 @@ OPTIONS = {"absolute_accuracy", "allow_non_nominal", "allow_other_robot", "base_
            "wobj"}
 UNITS = {"mm", "m", "inch"}
 TIME_BASES = {"cold_start", "first_row", "none"}
+
+
+OF_THE_PAPER = Message("fleet::default-table", "warning", "the row has neither model nor deformation: the program is corrected by the reference paper's table, "
+                       "which is that of one IRB 140", "give each robot a model or a table of its own", None, None)
 
 
 def compensated(row: dict) -> dict:
@@ -39,15 +43,15 @@ def compensated(row: dict) -> dict:
         raise DriftpostError(f"model_hash is {row['model_hash']}, the model's is {found}", "fleet::model-hash",
                              "Take model and model_hash of the same row of a diagnosis.")
     with Folder() as folder:
-        result = compensate(dict(modules), robot=_robot(folder, row["robot"]), model=_text("model", model),
-                            deformation=_text("deformation", row["deformation"]), **_options(row["options"]))
+        drift = {name: _text(name, row[name]) for name in ("model", "deformation") if row[name] is not None}
+        result = compensate(dict(modules), robot=_robot(folder, row["robot"]), **drift, **_options(row["options"]))
     motions = pa.table(result.motions).to_pylist()
     buckets = pa.table(result.buckets).to_pylist()
     files = [{"name": name, "text": text} for name, text in sorted(result.files.items())]
     figures = ("worst_before_mm", "worst_after_mm", "worst_switch_jump_mm", "rigid_shift_worst_mm")
     return {"model_hash": found, "motions": [_only(MOTIONS, motion) for motion in motions],
             "buckets": [_only(BUCKETS, bucket) for bucket in buckets], "files": files,
-            "result_hash": modules_hash(files), "messages": [message._asdict() for message in result.messages],
+            "result_hash": modules_hash(files), "messages": [message._asdict() for message in [*([] if drift else [OF_THE_PAPER]), *result.messages]],
             **{name: result.summary.get(name) for name in figures}}
 
 
