@@ -23,19 +23,20 @@ pub(super) fn on_own_threads(work: &mut (dyn FnMut() + Send)) {
     }
     match own_threads(this) {
         Some(threads) => threads.install(work),
-        // Threads cannot be had: on this one, as every pool of rayon's would be the lost one.
         None => work(),
     }
 }
 
-/// The threads of the forked process `this`; `None` where the system gives none.
+/// The threads of the forked process `this`; `None` where there can be none.
 fn own_threads(this: u32) -> Option<Arc<ThreadPool>> {
     let mut own = OWN.lock().unwrap_or_else(PoisonError::into_inner);
     match &*own {
         Some((of, threads)) if *of == this => return Some(threads.clone()),
         _ => {}
     }
-    let threads = Arc::new(ThreadPoolBuilder::new().build().ok()?);
+    // Where the system gives no threads, this one is all there is.
+    let alone = || ThreadPoolBuilder::new().num_threads(1).use_current_thread().build();
+    let threads = Arc::new(ThreadPoolBuilder::new().build().or_else(|_| alone()).ok()?);
     // Those of a process between are as lost as the first one's: nobody may wait for their end.
     std::mem::forget(own.replace((this, threads.clone())));
     Some(threads)
