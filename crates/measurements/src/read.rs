@@ -282,6 +282,13 @@ mod tests {
         assert_eq!(read(&format!("{HEADER}{temperatures}\n{warm}")).unwrap().rows.len(), 4);
     }
 
+    #[test]
+    fn a_trackers_poses_are_called_as_the_file_calls_them() {
+        let rows: String = (0..6).map(|k| format!("0,0,0,0,0,{},1,2,3,P{},{k}\n", k % 2, k % 2)).collect();
+        let touches = Touches::from_csv(format!("{HEADER},pose_id,t_min\n{rows}").as_bytes()).unwrap();
+        assert_eq!(touches.points, ["P0", "P1"]);
+    }
+
     /// What a hand-held probe, or the pose before, has written beside a nest is no orientation of the arm; nor is a nest without one left out.
     #[test]
     fn nests_have_no_orientation() {

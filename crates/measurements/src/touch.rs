@@ -51,7 +51,12 @@ impl Touches {
             });
         }
         sorting::by(&mut touches, |a, b| a.t_min.total_cmp(&b.t_min).then(a.line.cmp(&b.line)));
-        let points = (0..=last).map(|k| format!("pose {}", k + 1)).collect();
+        let mut points: Vec<String> = (0..=last).map(|k| format!("pose {}", k + 1)).collect();
+        for row in measurements.rows.iter().rev() {
+            if let (Some(name), Some(point)) = (&row.pose_id, points.get_mut(row.pose)) {
+                point.clone_from(name);
+            }
+        }
         let warnings = measurements.warnings.iter().cloned().chain(without_nests(&nests)).collect();
         Some(Self { touches, points, warnings })
     }
