@@ -46,13 +46,7 @@ impl RobustWeights {
         let distances: Vec<f64> = linear.residuals.iter().map(shift_m).collect();
         let limit_m = GROSS * upper_median(&mut distances.clone()).unwrap_or(0.0);
         let most = short_runs::MOST.max(linear.dataset.stops.len() / MOST_OF_GROSS);
-        let of_run = short_runs(linear, &distances, limit_m, most);
-        let mut gross: Vec<bool> = (0..distances.len())
-            .map(|i| {
-                distances[i] > limit_m
-                    && (of_run[i] || !has_similar_neighbours(linear, &linear.residuals, i, limit_m))
-            })
-            .collect();
+        let mut gross = stand_alone(linear, &linear.residuals, &distances, limit_m, most);
         moved_together::excuse(linear, &linear.residuals, &mut gross);
         for (i, distance) in distances.iter().enumerate().filter(|(i, _)| gross[*i]) {
             beyond[i] = beyond[i].max(distance / limit_m);
@@ -77,13 +71,7 @@ impl RobustWeights {
             .collect();
         let sigma_m = upper_median(&mut sigmas).unwrap_or(0.0);
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
-        let of_run = short_runs(linear, &distances, limit_m, short_runs::MOST);
-        let mut outliers: Vec<bool> = (0..residuals.len())
-            .map(|i| {
-                distances[i] > limit_m
-                    && (of_run[i] || !has_similar_neighbours(linear, residuals, i, limit_m))
-            })
-            .collect();
+        let mut outliers = stand_alone(linear, residuals, &distances, limit_m, short_runs::MOST);
         moved_together::excuse(linear, residuals, &mut outliers);
         let mut beyond: Vec<f64> =
             distances.iter().zip(&outliers).map(|(d, out)| if *out { d / limit_m } else { 1.0 }).collect();
@@ -95,6 +83,19 @@ impl RobustWeights {
         let weights = beyond.iter().map(|beyond| beyond.powi(-4)).collect();
         Self { weights, outliers }
     }
+}
+
+/// Which stations are further off than `limit_m` and alone there, or in a run of at most `most` stops whose neighbours are not off.
+fn stand_alone(
+    linear: &Linearised,
+    residuals: &[Twist],
+    distances: &[f64],
+    limit_m: f64,
+    most: usize,
+) -> Vec<bool> {
+    let of_run = short_runs(linear, distances, limit_m, most);
+    let is_alone = |i: usize| of_run[i] || !has_similar_neighbours(linear, residuals, i, limit_m);
+    (0..distances.len()).map(|i| distances[i] > limit_m && is_alone(i)).collect()
 }
 
 /// How far each station's orientation is from the model, as a share of what makes it false; 0 where none was measured, and where some joint,

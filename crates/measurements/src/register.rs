@@ -82,13 +82,13 @@ pub fn register(
         true => from_handfuls(found, stations, base_from_flange),
         false => found,
     };
-    let open = tool_m.filter(|_| targets == 1 && found.tool_sigma_m > TOLD_M);
-    Ok(open.map_or(found.clone(), |tool_m| {
-        let known_tool = Some(KnownTool { tool_m, sigma_m: TOLD_M });
-        let start = Registration { tools_m: vec![tool_m], ..found };
-        let fitting = Fitting { known_tool, ..Fitting::of(FreeParameters::All) };
-        gauss_newton(start, stations, base_from_flange, fitting)
-    }))
+    let Some(tool_m) = tool_m.filter(|_| targets == 1 && found.tool_sigma_m > TOLD_M) else {
+        return Ok(found);
+    };
+    let known_tool = Some(KnownTool { tool_m, sigma_m: TOLD_M });
+    let start = Registration { tools_m: vec![tool_m], ..found };
+    let fitting = Fitting { known_tool, ..Fitting::of(FreeParameters::All) };
+    Ok(gauss_newton(start, stations, base_from_flange, fitting))
 }
 
 /// The same where many guesses are tried at what is wrong: false stations may lead it astray.

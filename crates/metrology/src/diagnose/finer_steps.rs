@@ -27,10 +27,11 @@ pub(super) fn with_finer_steps(candidates: &[Candidate], fitted: &FittedModel<'_
     let place = |t0_min: f64| tried.partition_point(|moment| *moment < t0_min);
     let is_near = |candidate: &Candidate, t0_min: f64| {
         let key = candidate.cause_key();
-        let near = |(of, found_min): &&(CauseKey, f64)| {
-            *of == key && (place(*found_min)..=place(*found_min) + 1).contains(&(place(t0_min) + 1))
-        };
-        steps.iter().any(|step| near(&step))
+        let this = place(t0_min);
+        steps.iter().any(|(of, found_min)| {
+            let found = place(*found_min);
+            *of == key && (this == found || this + 1 == found)
+        })
     };
     let mut finer = Vec::with_capacity(candidates.len());
     for candidate in candidates {

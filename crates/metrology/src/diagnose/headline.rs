@@ -20,7 +20,7 @@ pub enum Headline<'a> {
     MostlyExplained {
         /// Of the gap's square.
         share: f64,
-        /// The largest first.
+        /// What leads in it, by how much of the gap it is.
         leading: Vec<LeadingCandidate<'a>>,
     },
     /// Small errors of all joints' geometry are more of it than the causes that are named.
@@ -33,7 +33,7 @@ pub enum Headline<'a> {
 /// A candidate that leads in what the model explains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeadingCandidate<'a> {
-    /// The candidate.
+    /// As it is listed among the causes.
     pub cause: &'a Cause,
     /// What it moves the measured point by beside base and target, mm; where others take some of that back, what of the gap rests on it.
     pub in_gap_mm: f64,

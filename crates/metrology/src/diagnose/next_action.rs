@@ -19,7 +19,7 @@ pub enum NextAction {
     Nothing,
     /// Measure again with the columns that an effect is untestable for.
     NoteMissingColumns,
-    /// Measure more poses.
+    /// Measure the poses that are proposed, or, where none are, more of any.
     MeasurePoses,
 }
 

@@ -11,14 +11,14 @@ use robot_model::deform::{Deformation, GrowthLaw, TIMES_MIN};
 /// How the drift grows while the robot runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DriftGrowth {
-    /// By a law.
+    /// By a law of its own, which says how it cools, too.
     Law(GrowthLaw),
     /// As a scheduled table has it; with the law that is nearest to its rows, by which what is there falls back while the robot stands.
     Table(Option<GrowthLaw>),
 }
 
 impl DriftGrowth {
-    /// How `deformation` grows.
+    /// The law of a static table; of a scheduled one the law that its rows are nearest to.
     #[must_use]
     pub fn of(deformation: &Deformation) -> Self {
         match deformation.growth() {

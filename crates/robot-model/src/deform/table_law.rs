@@ -6,7 +6,7 @@ use super::{Deformation, GrowthLaw, Knot, TIMES_MIN, TableIndex, Tabulation, int
 /// A growth law and how far a table departs from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FittedLaw {
-    /// The law.
+    /// One lag or two equal ones, with the time constant to a hundredth of a minute.
     pub law: GrowthLaw,
     /// What it leaves of the table's changes, rms, as a share of theirs.
     pub left: f64,
