@@ -113,6 +113,31 @@ fn a_motion_that_was_copied_with_the_name_of_its_array_is_told() {
     assert_eq!(back, source.replace("MoveL p20,v100,fine,tGun;\n", &"MoveL p20,v100,fine,tGun;\n".repeat(2)));
 }
 
+/// One that is deleted took its correction with it.
+#[test]
+fn a_correction_taken_off_a_target_that_is_written_out_is_told() {
+    let bench = Bench::default();
+    let source = source();
+    let plain = source.lines().find(|line| line.contains("MoveL [[425")).unwrap();
+    for form in ["ramp", "schedule", "auto", "live"] {
+        let text = compensated(&bench, &source, form);
+        let is_it =
+            |line: &&str| line.starts_with("MoveL") && (line.contains("[[425") || line.contains("tc1"));
+        let motion = text.lines().find(is_it).unwrap();
+        let changed = once(&text, motion, plain);
+        let (message, back) = restored(&bench, &changed, 1);
+        let told = format!(
+            "the correction of [[425,35,350],...] was taken out of a motion: it goes to [[425,35,350],...] as it is, line {}",
+            line_of(&text, motion)
+        );
+        assert!(message.contains("restore::uncorrected") && message.contains(&told), "{form}: {message}");
+        assert_eq!(back, source, "{form}");
+        assert_eq!(compared(&bench, &source, &changed).0, Some(1), "{form}");
+        let (message, _) = restored(&bench, &once(&text, &format!("{motion}\n"), ""), 0);
+        assert!(!message.contains("warning"), "{form}: {message}");
+    }
+}
+
 /// The original is the same, byte for byte, whatever asks: what is corrected is not.
 #[test]
 fn a_correction_that_was_taken_out_or_put_in_is_told() {

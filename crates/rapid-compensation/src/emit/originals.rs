@@ -292,6 +292,12 @@ fn is_value(text: &[u8]) -> bool {
     text.first() == Some(&b'[') && is_plain(text)
 }
 
+/// Whether a motion's target is written out, a robtarget or a jointtarget of numbers.
+#[must_use]
+pub(super) fn is_written_target(text: &[u8]) -> bool {
+    is_value(text) && is_target(text)
+}
+
 /// How many numbers each part of an aggregate has, where all of its parts are aggregates.
 fn shape(text: &[u8]) -> Option<Vec<usize>> {
     let whole = TextRange::new(0, text.len() as u32);

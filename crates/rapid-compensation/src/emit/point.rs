@@ -6,12 +6,15 @@ use super::checksum::{self, Chained};
 use super::originals::{Named, Original, Originals, TargetText};
 use super::scopes::Scopes;
 use super::six_digits::six_digits;
+use std::collections::{HashMap, HashSet};
 
 /// The smallest step of a position, mm, and of a joint, degrees.
 const STEP_MM: f64 = 0.001;
 const STEP_DEG: f64 = 0.0001;
 /// Numbers of a jointtarget.
 const JOINTTARGET: usize = 12;
+/// Characters of the checksum that a fingerprint begins with: all lengths are multiples of it.
+const CHECKSUM: usize = 3;
 /// Characters of one coordinate: 24 bits.
 const COORDINATE: usize = 4;
 
@@ -60,13 +63,36 @@ pub(super) fn of_targets<'a>(
     fingerprints.text()
 }
 
+/// How the fingerprint of a target ends, whoever's it is: with its position, or its joints.
+#[must_use]
+pub(super) fn place(text: &[u8]) -> Vec<u8> {
+    let mut fingerprint = Vec::new();
+    FingerprintReader::new(Named::AsItsOwn).add(text, Chained::default(), &mut fingerprint);
+    fingerprint.split_off(CHECKSUM)
+}
+
+/// How many of the fingerprints in `text`, one after another, end with one of these places of one length.
+#[must_use]
+pub(super) fn count_places<'t>(text: &'t [u8], places: &HashSet<Vec<u8>>) -> HashMap<&'t [u8], usize> {
+    let lengths: HashSet<usize> = places.iter().map(Vec::len).collect();
+    let mut count = HashMap::new();
+    for from in (CHECKSUM..text.len()).step_by(CHECKSUM) {
+        for place in lengths.iter().filter_map(|length| text.get(from..from + length)) {
+            if places.contains(place) {
+                *count.entry(place).or_default() += 1;
+            }
+        }
+    }
+    count
+}
+
 /// How far a target is from where it was when a fingerprint of it was made: mm or degrees, with the unit.
 #[must_use]
 pub(super) fn moved(text: &[u8], made: &[u8], named: Named) -> (f64, &'static str) {
     let TargetNumbers { values, count, step, .. } =
         FingerprintReader::new(named).numbers(text, Chained::default());
     let values = &values[..count];
-    let was = made.get(3..).unwrap_or_default().chunks(COORDINATE).map(|coordinate| {
+    let was = made.get(CHECKSUM..).unwrap_or_default().chunks(COORDINATE).map(|coordinate| {
         let steps = checksum::number_of(coordinate).unwrap_or_default();
         (steps as f64 - 8_388_608.0) * step
     });

@@ -19,6 +19,7 @@ mod removal;
 mod rounded;
 mod seen;
 mod still_named;
+mod uncorrected;
 mod undo;
 
 pub use altered::{altered_core, core_names};
@@ -145,6 +146,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
             code: Vec::new(),
             altered: Vec::new(),
             corrections: Vec::new(),
+            written_as_it_is: Vec::new(),
         };
         let mut arrays = remover.data()?;
         let (routines, added_routines) = remover.routines()?;

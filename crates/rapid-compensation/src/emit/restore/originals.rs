@@ -111,7 +111,7 @@ impl<'w> Remover<'w> {
     }
 
     /// Hands over each original with the target of the motion that asks with it, as the source has that, and the array that it goes by.
-    fn each_original<'a>(
+    pub(super) fn each_original<'a>(
         &self,
         asking: Asking<'a, 'w>,
         named: Named,

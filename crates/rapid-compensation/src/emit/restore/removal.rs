@@ -15,6 +15,7 @@ use crate::emit::here;
 use crate::emit::insertion;
 use crate::emit::mentions::named_alone;
 use crate::emit::names::{is_name, words};
+use crate::emit::originals::is_written_target;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ArgKind, DataDecl, ExprKind, Module, ModuleItem, Routine, StmtKind};
 
@@ -38,6 +39,8 @@ pub(super) struct Remover<'w> {
     pub(super) altered: Vec<Altered>,
     /// Names of the corrections that were added, in lower case.
     pub(super) corrections: Vec<Vec<u8>>,
+    /// Targets that are written out in a call, as they are.
+    pub(super) written_as_it_is: Vec<TextRange>,
 }
 
 impl<'w> Remover<'w> {
@@ -206,6 +209,7 @@ impl<'w> Remover<'w> {
         self.altered.extend(seen.altered(self.lines));
         let asking = Asking { routines, arrays, declarations: &declarations };
         self.misled(asking);
+        self.uncorrected(asking);
         let mut touched = self.touched_originals(asking);
         touched.extend(self.put_back(arrays, &declarations, &seen)?);
         sorting::by_key(&mut touched, |t| t.line);
@@ -247,6 +251,8 @@ impl<'w> Remover<'w> {
             } else {
                 if let Some(name) = named_alone(expr, self.bytes) {
                     seen.as_it_is(name, expr.range.start);
+                } else if is_written_target(expr.range.of(self.bytes)) {
+                    self.written_as_it_is.push(expr.range);
                 }
                 continue;
             };
