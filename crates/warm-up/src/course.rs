@@ -89,6 +89,7 @@ pub(super) fn histories(has_stops: bool) -> Vec<ThermalHistory> {
             let of_cooling = |k| ThermalHistory {
                 law: law.with_tau_min(tau_min),
                 tau_cool_min: Some(tau_min * 1.32_f64.powi(k)),
+                resumed_min: 0.0,
             };
             grid.extend(coolings.clone().map(of_cooling));
         }

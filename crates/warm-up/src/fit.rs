@@ -3,7 +3,9 @@
 use super::doubtful;
 use super::fit_error::FitError;
 use super::fitted::{TouchedPoint, WarmUp};
-use super::history::{self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, readings, taus_min};
+use super::history::{
+    self, Standstill, ThermalHistory, WeighedHistory, cool_taus_min, cooling_histories, readings, taus_min,
+};
 use super::knocked;
 use super::observed::{Observed, observed};
 use super::parameters::PARAMETERS;
@@ -55,6 +57,11 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
         Standstill::merged(options.stops.clone().unwrap_or_else(|| history::pauses(&readings(touches))));
     // Of one after the last touch the touches tell nothing.
     stops.retain(|stop| stop.from_min < last_min);
+    let resumed_min = match options.stops {
+        Some(_) => vec![0.0],
+        None => history::may_have_resumed_min(&readings(touches)),
+    };
+    let standing = Standing { stops: &stops, resumed_min: &resumed_min };
     let Observed { mut points, moved, warnings } = observed(touches, robot, options.tool_m, &stops)?;
     if last_min - first_min < 20.0 {
         return Err(FitError::NoTime { span_min: last_min - first_min });
@@ -63,7 +70,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     for knock in &knocks {
         points[knock.index].moves_at(knock.between_min[1]);
     }
-    let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, &stops);
+    let of = |aside: &BTreeSet<u64>| fit_without(touches, &points, aside, standing);
     let (found, aside) = without_accidents(of)?;
     // Asked at the end: false touches hide a drift.
     let mut gain_nats = found.gain_nats;
@@ -82,7 +89,7 @@ pub fn fit(touches: &Touches, robot: &Robot, options: &FitOptions) -> Result<War
     if let Some(reason) = doubtful::refusal(&warm_up) {
         return Err(FitError::Absurd { reason });
     }
-    let across = across_pauses(touches, &points, &aside, &stops, &warm_up)?;
+    let across = across_pauses(touches, &points, &aside, standing, &warm_up)?;
     let doubts = doubtful::warnings(&warm_up).into_iter().chain(across);
     let found_in_touches = plausible::warnings(touches, robot, &warm_up, options.tool_m);
     let is_touched = touches.touches.iter().all(|touch| touch.measured_m.is_none());
@@ -101,7 +108,7 @@ fn across_pauses(
     touches: &Touches,
     points: &[Point],
     aside: &BTreeSet<u64>,
-    stops: &[Standstill],
+    standing: Standing<'_>,
     warm_up: &WarmUp,
 ) -> Result<Vec<Diagnostic>, FitError> {
     let mut found = Vec::new();
@@ -111,7 +118,7 @@ fn across_pauses(
         }
         let mut apart: Vec<Point> = points.iter().map(|point| point.without(&BTreeSet::new())).collect();
         apart.iter_mut().for_each(|point| point.moves_at((pause.from_min + pause.to_min) / 2.0));
-        if fit_without(touches, &apart, aside, stops)?.gain_nats < ALARM_NATS {
+        if fit_without(touches, &apart, aside, standing)?.gain_nats < ALARM_NATS {
             found.push(doubtful::across(&pause));
         }
     }
@@ -145,7 +152,7 @@ fn without_accidents(
 
 /// The touches that look false where nothing is taken to have moved; none where they are many.
 fn aside_without_drift(points: &[Point], names: &[String], stops: &[Standstill]) -> BTreeSet<u64> {
-    let any = ThermalHistory { law: GrowthLaw::Exp { tau_min: 1.0 }, tau_cool_min: None };
+    let any = ThermalHistory { law: GrowthLaw::Exp { tau_min: 1.0 }, tau_cool_min: None, resumed_min: 0.0 };
     let mut aside = BTreeSet::new();
     for _ in 0..MOST_ROUNDS {
         let residuals = touch_residuals(points, &aside, names, &any, stops, &[0.0; PARAMETERS]);
@@ -173,8 +180,9 @@ fn fit_without(
     touches: &Touches,
     all: &[Point],
     aside: &BTreeSet<u64>,
-    stops: &[Standstill],
+    standing: Standing<'_>,
 ) -> Result<DriftFit, FitError> {
+    let Standing { stops, resumed_min } = standing;
     let points: Vec<Point> = all.iter().map(|point| point.without(aside)).collect();
     let sums =
         |history: &ThermalHistory| points.iter().map(|p| p.sums(history, stops)).collect::<Vec<Sums>>();
@@ -184,7 +192,7 @@ fn fit_without(
         });
         weighed.into_iter().flatten().collect()
     };
-    let coarse = weigh(coarse_grid(!stops.is_empty()));
+    let coarse = weigh(coarse_grid(standing));
     let Some(likeliest) = coarse.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)) else {
         return Err(FitError::TooFew { touches: touches.touches.len(), points: points.len() });
     };
@@ -193,7 +201,8 @@ fn fit_without(
     let gain_nats = drift - log_evidence_of_none(&sums(&likeliest.history));
     let other_law = share_of_other_law(&coarse, likeliest);
     // Round the likeliest, as wide as the evidence is and fine enough for it.
-    let weighed = history::narrowed(weigh(history::finer_grid(&coarse, likeliest)), weigh);
+    let weighed =
+        history::narrowed(weigh(history::finer_grid(&coarse, likeliest, resumed_min)), resumed_min, weigh);
     let fits = fitted(weighed, &sums);
     let weights = weights(&fits);
     let best = weights.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(i, _)| i);
@@ -210,7 +219,7 @@ fn fit_without(
         tau_sigma_min: spread(|h| h.law.tau_min(), history.law.tau_min().unwrap_or(0.0)),
         other_law,
         tau_cool_min: history.tau_cool_min.map(|cool| [cool, spread(|h| h.tau_cool_min, cool)]),
-        stops: stops.to_vec(),
+        stops: stops.iter().map(|stop| history.as_it_was(*stop)).collect(),
         sigma_m: chosen.sigma_m,
         settled,
         covariance,
@@ -236,17 +245,27 @@ fn touched(point: &Point, names: &[String], history: &ThermalHistory, stops: &[S
     }
 }
 
-/// Laws with their time constants all over their ranges; `cooling`: with time constants of cooling, too.
-fn coarse_grid(cooling: bool) -> Vec<ThermalHistory> {
+/// When the robot stood.
+#[derive(Clone, Copy)]
+struct Standing<'a> {
+    stops: &'a [Standstill],
+    /// How long it may have worked before the end of each, minutes.
+    resumed_min: &'a [f64],
+}
+
+/// Laws with their time constants all over their ranges; where the robot stood with those of cooling, too.
+fn coarse_grid(standing: Standing<'_>) -> Vec<ThermalHistory> {
     let mut grid = Vec::new();
     for law in [GrowthLaw::Exp { tau_min: 1.0 }, GrowthLaw::TwoStage { tau_min: 1.0 }] {
         for tau_min in taus_min() {
             let law = law.with_tau_min(tau_min);
-            if cooling {
-                let with = |tau_cool| ThermalHistory { law, tau_cool_min: Some(tau_cool) };
-                grid.extend(cool_taus_min(tau_min).map(with));
+            if standing.stops.is_empty() {
+                grid.push(ThermalHistory { law, tau_cool_min: None, resumed_min: 0.0 });
             } else {
-                grid.push(ThermalHistory { law, tau_cool_min: None });
+                let cooling = cool_taus_min(tau_min);
+                grid.extend(
+                    cooling.flat_map(|tau_cool| cooling_histories(law, tau_cool, standing.resumed_min)),
+                );
             }
         }
     }

@@ -60,6 +60,16 @@ pub(super) struct ThermalHistory {
     pub law: GrowthLaw,
     /// Time constant of cooling, minutes; `None` where the robot never stood.
     pub tau_cool_min: Option<f64>,
+    /// How long before the end of each stop the robot had begun to work again, minutes, less than nothing where it stood on; 0 where it is
+    /// known when it did.
+    pub resumed_min: f64,
+}
+
+impl ThermalHistory {
+    /// A stop, as long as the robot stood in it under this history.
+    pub(super) fn as_it_was(&self, stop: Standstill) -> Standstill {
+        Standstill { to_min: (stop.to_min - self.resumed_min).max(stop.from_min), ..stop }
+    }
 }
 
 /// A history with the evidence of the touches under it.
@@ -98,28 +108,35 @@ fn logs(history: &ThermalHistory) -> [f64; 2] {
     [history.law.tau_min().unwrap_or(1.0).ln(), history.tau_cool_min.unwrap_or(1.0).ln()]
 }
 
-/// A finer grid round the likeliest history of a coarse one: four standard deviations to each side in the logarithms.
-pub(super) fn finer_grid(coarse: &[WeighedHistory], likeliest: &WeighedHistory) -> Vec<ThermalHistory> {
+/// A finer grid round the likeliest history of a coarse one: four standard deviations to each side in the logarithms, and all of
+/// `resumed_min`.
+pub(super) fn finer_grid(
+    coarse: &[WeighedHistory],
+    likeliest: &WeighedHistory,
+    resumed_min: &[f64],
+) -> Vec<ThermalHistory> {
     /// The least half width: a step of the coarse grid.
     const LEAST: [f64; 2] = [0.1, 0.19];
     let [middle, deviation] = moments(coarse, likeliest);
-    grid_about(&likeliest.history, middle, [0, 1].map(|k: usize| (4.0 * deviation[k]).max(LEAST[k])))
+    let half = [0, 1].map(|k: usize| (4.0 * deviation[k]).max(LEAST[k]));
+    grid_about((&likeliest.history, resumed_min), middle, half)
 }
 
 /// `grid`, or a finer one where its steps are too wide to show how exactly the touches tell the time constants.
 pub(super) fn narrowed(
     mut grid: Vec<WeighedHistory>,
+    resumed_min: &[f64],
     weigh: impl Fn(Vec<ThermalHistory>) -> Vec<WeighedHistory>,
 ) -> Vec<WeighedHistory> {
     for _ in 0..NARROWINGS {
-        let Some(narrower) = narrower_grid(&grid) else { break };
+        let Some(narrower) = narrower_grid(&grid, resumed_min) else { break };
         grid = weigh(narrower);
     }
     grid
 }
 
 /// A finer grid than `grid`, where its steps are so wide that one history alone holds the weight; `None` where they are not.
-fn narrower_grid(grid: &[WeighedHistory]) -> Option<Vec<ThermalHistory>> {
+fn narrower_grid(grid: &[WeighedHistory], resumed_min: &[f64]) -> Option<Vec<ThermalHistory>> {
     let likeliest = grid.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence))?;
     let at = logs(&likeliest.history);
     let far = |one: &WeighedHistory, k: usize| (logs(&one.history)[k] - at[k]).abs();
@@ -140,7 +157,7 @@ fn narrower_grid(grid: &[WeighedHistory]) -> Option<Vec<ThermalHistory>> {
     let [middle, deviation] = moments(grid, likeliest);
     // The summit lies within a step of the likeliest.
     let half = [0, 1].map(|k: usize| (4.0 * deviation[k]).max(if is_alone[k] { 2.0 * step[k] } else { 0.0 }));
-    Some(grid_about(&likeliest.history, middle, half))
+    Some(grid_about((&likeliest.history, resumed_min), middle, half))
 }
 
 /// Mean and standard deviation of the logarithms over all histories of the likeliest's kind.
@@ -155,18 +172,48 @@ fn moments(all: &[WeighedHistory], likeliest: &WeighedHistory) -> [[f64; 2]; 2] 
     [mean, [0, 1].map(|k| square(k).sqrt())]
 }
 
-fn grid_about(likeliest: &ThermalHistory, middle: [f64; 2], half: [f64; 2]) -> Vec<ThermalHistory> {
+fn grid_about(
+    (likeliest, resumed_min): (&ThermalHistory, &[f64]),
+    middle: [f64; 2],
+    half: [f64; 2],
+) -> Vec<ThermalHistory> {
     let at = |k: usize, i: i32| (middle[k] + half[k] * f64::from(i) / f64::from(SIDE)).exp();
     let mut grid = Vec::new();
     for i in -SIDE..=SIDE {
         let law = likeliest.law.with_tau_min(at(0, i));
-        let cooling = |j| ThermalHistory { law, tau_cool_min: Some(at(1, j)) };
         match likeliest.tau_cool_min {
-            None => grid.push(ThermalHistory { law, tau_cool_min: None }),
-            Some(_) => grid.extend((-SIDE..=SIDE).map(cooling)),
+            None => grid.push(ThermalHistory { law, tau_cool_min: None, resumed_min: 0.0 }),
+            Some(_) => {
+                grid.extend((-SIDE..=SIDE).flat_map(|j| cooling_histories(law, at(1, j), resumed_min)));
+            }
         }
     }
     grid
+}
+
+/// One for each time that the robot may have worked before the end of its stops.
+pub(super) fn cooling_histories(
+    law: GrowthLaw,
+    tau_cool_min: f64,
+    resumed_min: &[f64],
+) -> impl Iterator<Item = ThermalHistory> {
+    resumed_min.iter().map(move |&resumed_min| ThermalHistory {
+        law,
+        tau_cool_min: Some(tau_cool_min),
+        resumed_min,
+    })
+}
+
+/// How long a robot may have worked before the end of its [`pauses`], minutes, less than nothing where it stood on after that: it began
+/// between one usual round before the first reading that follows and that reading, and nothing but the drift tells when.
+pub(super) fn may_have_resumed_min(readings: &[TimedReading]) -> Vec<f64> {
+    const QUARTERS: u32 = 4;
+    let mut rounds: Vec<f64> =
+        round_gaps(readings).iter().map(|[from_min, to_min]| to_min - from_min).collect();
+    let round_min = upper_median(&mut rounds).unwrap_or(0.0);
+    let usual_min = usual_gap_min(readings.iter().map(|reading| reading.0));
+    let before_min = |quarters: u32| round_min * f64::from(quarters) / f64::from(QUARTERS);
+    (0..=QUARTERS).map(|quarters| before_min(quarters) - usual_min).collect()
 }
 
 /// When something was read, minutes, and which point or pose it was of.
@@ -182,8 +229,7 @@ pub(super) fn readings(touches: &Touches) -> Vec<TimedReading> {
 #[must_use]
 pub fn pauses(readings: &[TimedReading]) -> Vec<Standstill> {
     let times: Vec<f64> = readings.iter().map(|reading| reading.0).collect();
-    let mut between: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).filter(|p| *p > 0.0).collect();
-    let usual_min = upper_median(&mut between).unwrap_or(0.0);
+    let usual_min = usual_gap_min(times.iter().copied());
     let is_stop = |s: &Standstill| s.to_min - s.from_min > (USUAL_PAUSES * usual_min).max(SHORTEST_STOP_MIN);
     let longest = times.windows(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
     let long = rounds_apart(readings).into_iter().filter_map(|[from_min, to_min]| {
@@ -194,6 +240,12 @@ pub fn pauses(readings: &[TimedReading]) -> Vec<Standstill> {
     // The first round of touches after it takes its usual time.
     let stops = all.map(|w| Standstill { from_min: w[0], to_min: (w[1] - usual_min).max(w[0]) });
     Standstill::merged(stops.filter(is_stop).collect())
+}
+
+/// Between readings one after the other, minutes.
+fn usual_gap_min(times_min: impl Iterator<Item = f64> + Clone) -> f64 {
+    let gaps = times_min.clone().zip(times_min.skip(1)).map(|(before, after)| after - before);
+    upper_median(&mut gaps.filter(|gap| *gap > 0.0).collect::<Vec<f64>>()).unwrap_or(0.0)
 }
 
 /// A gap of poses that are measured once is longer than so many usual ones where the robot stood in it, and than so long, minutes.
@@ -217,22 +269,29 @@ pub fn long_gaps(t_min: &[f64]) -> Vec<Standstill> {
 /// From when to when the point that is read most often was not, where that is several times as long as in the rounds before and after:
 /// rounds that are further apart in some part of the day are none.
 fn rounds_apart(readings: &[TimedReading]) -> Vec<[f64; 2]> {
-    let mut times_read: BTreeMap<usize, usize> = BTreeMap::new();
-    readings.iter().for_each(|(_, point)| *times_read.entry(*point).or_default() += 1);
-    let Some((&point, _)) = times_read.iter().max_by_key(|(_, times)| **times) else { return Vec::new() };
-    let minutes: Vec<f64> = readings.iter().filter(|reading| reading.1 == point).map(|r| r.0).collect();
-    let apart: Vec<f64> = minutes.windows(2).map(|w| w[1] - w[0]).collect();
+    let gaps = round_gaps(readings);
+    let apart: Vec<f64> = gaps.iter().map(|[from_min, to_min]| to_min - from_min).collect();
     let is_long = |&k: &usize| {
         let about = k.saturating_sub(ROUNDS_ABOUT)..(k + ROUNDS_ABOUT + 1).min(apart.len());
         let mut others: Vec<f64> = about.filter(|i| *i != k).map(|i| apart[i]).collect();
         upper_median(&mut others).is_some_and(|usual_min| apart[k] > USUAL_PAUSES * usual_min)
     };
-    (0..apart.len()).filter(is_long).map(|k| [minutes[k], minutes[k + 1]]).collect()
+    (0..apart.len()).filter(is_long).map(|k| gaps[k]).collect()
+}
+
+/// From one reading to the next of the point that is read most often, minutes.
+fn round_gaps(readings: &[TimedReading]) -> Vec<[f64; 2]> {
+    let mut times_read: BTreeMap<usize, usize> = BTreeMap::new();
+    readings.iter().for_each(|(_, point)| *times_read.entry(*point).or_default() += 1);
+    let Some((&point, _)) = times_read.iter().max_by_key(|(_, times)| **times) else { return Vec::new() };
+    let minutes: Vec<f64> = readings.iter().filter(|reading| reading.1 == point).map(|r| r.0).collect();
+    minutes.windows(2).map(|w| [w[0], w[1]]).collect()
 }
 
 /// The share of the settled deformation at each minute, 0 cold to 1.
 pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
-    let ThermalHistory { law, tau_cool_min: cool_min } = *history;
+    let ThermalHistory { law, tau_cool_min: cool_min, .. } = *history;
+    let stops: Vec<Standstill> = stops.iter().map(|stop| history.as_it_was(*stop)).collect();
     t_min
         .iter()
         .map(|&t| {
@@ -253,7 +312,7 @@ pub(super) fn warmth(history: &ThermalHistory, stops: &[Standstill], t_min: &[f6
 /// its last minute.
 #[must_use]
 pub fn warm_minutes(law: GrowthLaw, tau_cool_min: f64, stops: &[Standstill], t_min: &[f64]) -> Vec<f64> {
-    let history = ThermalHistory { law, tau_cool_min: Some(tau_cool_min) };
+    let history = ThermalHistory { law, tau_cool_min: Some(tau_cool_min), resumed_min: 0.0 };
     let shares = warmth(&history, stops, t_min);
     shares.iter().zip(t_min).map(|(share, clock_min)| law.minute_of(*share).unwrap_or(*clock_min)).collect()
 }
@@ -274,6 +333,23 @@ mod tests {
         assert_eq!(long_gaps(&minutes(&[[0, 60], [70, 100]])), [], "ten minutes");
         assert_eq!(long_gaps(&[0.0, 20.0, 40.0, 60.0]), [], "as between all");
         assert_eq!(long_gaps(&[3.0, 3.0]), []);
+    }
+
+    /// By hand: rounds every five minutes of two touches 0.3 min apart, the first after the stop at minute 105, of which a usual gap is taken off.
+    #[test]
+    fn a_robot_may_have_worked_up_to_a_round_before_the_first_reading_after_a_stop() {
+        let every = |from: u32, to: u32| (from..=to).step_by(5).map(f64::from);
+        let read = readings(&touched_at(every(0, 60).chain(every(105, 150))));
+        let stop = pauses(&read)[0];
+        let ends: Vec<f64> = may_have_resumed_min(&read)
+            .into_iter()
+            .map(|resumed_min| {
+                let law = GrowthLaw::Exp { tau_min: 40.0 };
+                ThermalHistory { law, tau_cool_min: Some(50.0), resumed_min }.as_it_was(stop).to_min
+            })
+            .collect();
+        let expected = [105.0, 103.75, 102.5, 101.25, 100.0];
+        assert!(ends.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9) && ends.len() == 5, "{ends:?}");
     }
 
     fn touched_at(minutes: impl IntoIterator<Item = f64>) -> Touches {
@@ -301,8 +377,9 @@ mod tests {
             grid.into_iter().map(weighed).collect()
         };
         let law = GrowthLaw::Exp { tau_min: 43.8 };
-        let start = ThermalHistory { law, tau_cool_min: None };
-        let grid = narrowed(weigh(grid_about(&start, [43.8_f64.ln(), 0.0], [0.1, 0.0])), weigh);
+        let start = ThermalHistory { law, tau_cool_min: None, resumed_min: 0.0 };
+        let grid = weigh(grid_about((&start, &[0.0]), [43.8_f64.ln(), 0.0], [0.1, 0.0]));
+        let grid = narrowed(grid, &[0.0], weigh);
         let likeliest = grid.iter().max_by(|a, b| a.log_evidence.total_cmp(&b.log_evidence)).unwrap();
         let [mean, found] = moments(&grid, likeliest);
         assert!((mean[0] - at).abs() < 0.2 * deviation, "{}", mean[0].exp());

@@ -25,7 +25,7 @@ pub(super) fn smooth_courses(t_min: &[f64], stops: &[Standstill]) -> Vec<DMatrix
         let mut columns = vec![vec![1.0; t_min.len()]];
         columns.extend(LAGS_MIN.map(|tau_min| {
             let law = GrowthLaw::Exp { tau_min };
-            let history = ThermalHistory { law, tau_cool_min: Some(cooling * tau_min) };
+            let history = ThermalHistory { law, tau_cool_min: Some(cooling * tau_min), resumed_min: 0.0 };
             warmth(&history, stops, t_min)
         }));
         DMatrix::from_fn(t_min.len(), columns.len(), |i, j| columns[j][i])
