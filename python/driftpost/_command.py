@@ -18,4 +18,4 @@ def command(folder: Folder, given: list[str], accepted: str | None = None) -> tu
         raise folder.error(error) from None
     if code == 2 and not (accepted and data.exists()):
         raise DriftpostError(said.strip() or output.strip() or "the command was refused")
-    return code, json.loads(data.read_text()), output
+    return code, folder.as_given(json.loads(data.read_text())), folder.as_given(output)

@@ -40,10 +40,19 @@ class Folder(tempfile.TemporaryDirectory):
     def path(self, name: str) -> Path:
         return Path(self.name) / name
 
+    def as_given(self, said):
+        """The same with names as the caller gave them, in place of the files here: a text, or all texts of what JSON holds."""
+        if isinstance(said, str):
+            return re.sub(re.escape(self.name) + r"[/\\](?:[^/\\\s]+\.d[/\\])?", "", said)
+        if isinstance(said, list):
+            return [self.as_given(one) for one in said]
+        if isinstance(said, dict):
+            return {name: self.as_given(one) for name, one in said.items()}
+        return said
+
     def error(self, error: DriftpostError) -> DriftpostError:
-        """The same with names as the caller gave them, in place of the files here."""
-        here = re.compile(re.escape(self.name) + r"[/\\](?:[^/\\\s]+\.d[/\\])?")
-        return DriftpostError._of([Message(*(here.sub("", part) if isinstance(part, str) else part for part in one)) for one in error.messages])
+        """The same with names as the caller gave them."""
+        return DriftpostError._of([Message(*map(self.as_given, one)) for one in error.messages])
 
     def table(self, given, name: str) -> str:
         """The path of a table: a path, CSV text, or whatever has ``__arrow_c_stream__``."""

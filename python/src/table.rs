@@ -7,7 +7,7 @@ use arrow_schema::{ArrowError, DataType, Field, Schema};
 use driftpost::Diagnostic;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyCapsule;
+use pyo3::types::{PyCapsule, PyDict};
 use pyo3_arrow::PyTable;
 use serde_json::Value;
 use std::sync::Arc;
@@ -16,6 +16,8 @@ use std::sync::Arc;
 #[pyclass(frozen, module = "driftpost._driftpost")]
 pub struct Table {
     batch: RecordBatch,
+    /// What it was made of, a list of JSON objects.
+    json: String,
 }
 
 #[pymethods]
@@ -40,7 +42,7 @@ impl Table {
         let arrays = columns.iter().map(|(_, array)| Arc::clone(array)).collect();
         let options = arrow_array::RecordBatchOptions::new().with_row_count(Some(rows.len()));
         let batch = RecordBatch::try_new_with_options(schema, arrays, &options).map_err(python_error)?;
-        Ok(Self { batch })
+        Ok(Self { batch, json: text.to_owned() })
     }
 
     #[getter]
@@ -50,6 +52,33 @@ impl Table {
 
     fn __len__(&self) -> usize {
         self.batch.num_rows()
+    }
+
+    /// A dict for each row, None where a cell is missing.
+    fn rows<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
+        let names = self.column_names();
+        let rows: Vec<Bound<'py, PyDict>> =
+            py.import("json")?.call_method1("loads", (&self.json,))?.extract()?;
+        let whole = |row: Bound<'py, PyDict>| {
+            let all = PyDict::new(py);
+            for name in &names {
+                all.set_item(name, row.get_item(name)?)?;
+            }
+            Ok(all)
+        };
+        rows.into_iter().map(whole).collect()
+    }
+
+    fn __repr__(&self) -> String {
+        let rows = match self.batch.num_rows() {
+            1 => "1 row".to_owned(),
+            rows => format!("{rows} rows"),
+        };
+        format!("<driftpost.Table, {rows}: {}>", self.column_names().join(", "))
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (&str,))> {
+        Ok((py.get_type::<Self>().getattr("from_json")?, (&self.json,)))
     }
 
     #[pyo3(signature = (requested_schema=None))]

@@ -92,7 +92,7 @@ fn verdict(found: &MeasurementComparison, is_changed: bool) -> &'static str {
             "not changed, if the instrument was moved in between; if it stood still, the base has moved or the zero of axis 1 has"
         }
         (false, false, None) => {
-            "not changed, as far as that can be told: nothing says how large the noise is (--sigma-mm, or poses that are repeated)"
+            "not changed, as far as that can be told: nothing says how large the noise is (--sigma-mm, or poses that are repeated within ten minutes)"
         }
         (false, false, Some(_)) => "not changed",
     }
