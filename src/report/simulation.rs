@@ -118,8 +118,9 @@ pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, wit
         mm_from_m(most(|p| p.path_after_m.unwrap_or(0.0))),
     )?;
     if let Some(w) = &report.worst {
-        let (mm, t) = (mm_from_m(w.error_m), w.t_min);
-        writeln!(to, "worst: {}:{} {} {mm:.4} mm at warm-up minute {t:.1}", w.file, w.line, w.target)?;
+        let (mm, when) = (mm_from_m(w.error_m), minute(w.t_min));
+        let when = if w.t_min.is_finite() { format!("at warm-up {when}") } else { when };
+        writeln!(to, "worst: {}:{} {} {mm:.4} mm {when}", w.file, w.line, w.target)?;
     }
     if !report.switches.is_empty() {
         let jump = report.switches.iter().map(|s| s.jump_m).fold(0.0, f64::max);
@@ -134,17 +135,22 @@ pub fn write_summary(to: &mut dyn Write, report: &Report, tolerance_mm: f64, wit
     writeln!(to, "{verdict} {tolerance_mm} mm of what was meant")
 }
 
+/// When, on the way from cold to fully warm, which is at no minute.
+fn minute(t_min: f64) -> String {
+    if t_min.is_finite() { format!("minute {t_min:.1}") } else { "fully warm".to_owned() }
+}
+
 /// What went wrong, what is not known, what the controller showed.
 fn write_trouble(to: &mut dyn Write, report: &Report) -> io::Result<()> {
     for p in &report.passes {
         let mismatch = p.mismatch.as_ref().map(ToString::to_string);
         for why in p.failure.iter().chain(&mismatch) {
-            writeln!(to, "minute {:.1}: {why}", p.t_min)?;
+            writeln!(to, "{}: {why}", minute(p.t_min))?;
         }
         if p.unreached > 0 {
             let moves = counted(p.unreached, "move");
             let verb = if p.unreached == 1 { "is" } else { "are" };
-            writeln!(to, "minute {:.1}: {moves} {verb} not made", p.t_min)?;
+            writeln!(to, "{}: {moves} {verb} not made", minute(p.t_min))?;
         }
     }
     if !report.unknown_instructions.is_empty() {
