@@ -62,7 +62,7 @@ impl Compensation {
         let emit = EmitOptions {
             form: options.form,
             clock: Clock::Warmth {
-                growth: DriftGrowth::of(&deformation.model),
+                growth: DriftGrowth::of(&deformation.model, None),
                 tau_cool_min: None,
                 gap_min: options.gap_min.unwrap_or_default(),
             },
@@ -96,7 +96,8 @@ impl Compensation {
         let mut new = Self::new(robot, Named::of_model_alone(&identified, None));
         new.emit.growth = new.deformation.model.one_law(Some(&identified.model));
         new.emit.deformation = None;
-        if let Clock::Warmth { tau_cool_min, .. } = &mut new.emit.clock {
+        if let Clock::Warmth { growth, tau_cool_min, .. } = &mut new.emit.clock {
+            *growth = DriftGrowth::of(&new.deformation.model, Some(&identified.model));
             *tau_cool_min = identified.model.tau_cool_min;
         }
         new.emit.model = Some(identified.source);

@@ -219,20 +219,25 @@ impl Compensation {
         Some(Diagnostic::warning("deform::late-start", text).help(help))
     }
 
-    /// A table by warm-up time that follows no single law, by which what there is of it falls back while the robot stands.
+    /// A table or a model that follows no single law, by which what there is of it falls back while the robot stands.
     fn check_cooling(&self) -> Option<Diagnostic> {
         if !matches!(self.emit.clock, Clock::Warmth { .. }) {
             return None;
         }
-        let fitted = self.deformation.model.warm_up_law().filter(|fitted| !fitted.is_followed())?;
+        let fitted = self
+            .deformation
+            .model
+            .warm_up_law(self.options.model.as_deref())
+            .filter(|fitted| !fitted.is_followed())?;
         let text = format!(
-            "{}: its rows follow no single law of growth ({} is nearest, and leaves {:.0} % of their change): after a pause the warm-up minute is near the \
-             robot's, and no more",
+            "{}: what grows follows no single law ({} is nearest, and leaves {:.0} % of the change): while the robot works all is as the table or model has \
+             it; after a pause all of it has fallen back by that law, in the program as in `simulate`",
             self.deformation.source.name,
             fitted.law,
             100.0 * fitted.left
         );
-        let help = "joints that warm at rates of their own are held by a model (--model, as `fit` and `diagnose` write it)";
+        let help = "joints that warm at rates of their own cool so, too: after a stop of an hour let the robot warm up again before it is relied upon, or \
+                    let it get cold and call tcColdStart";
         Some(Diagnostic::warning("deform::no-single-law", text).help(help))
     }
 
@@ -266,8 +271,11 @@ impl Compensation {
 
     fn of_another_robot(&self, program: &Program) -> Vec<Diagnostic> {
         let robot = &self.robot.model.name;
-        let other =
-            self.options.model.as_deref().and_then(|m| model_of_another_robot(m, &self.robot.model.name));
+        let other = self
+            .options
+            .model
+            .as_deref()
+            .and_then(|m| model_of_another_robot(m, robot, &self.robot.model.geometry()));
         let mut messages: Vec<Diagnostic> = other.into_iter().collect();
         if let Some(remark) = program.facts.made_for.iter().find(|remark| !remark.may_be(robot)) {
             let text = format!("made for {}, and taken as one for {robot}", remark.robot);

@@ -38,7 +38,7 @@ impl ModelCheck {
     /// What says that the model is of another robot.
     #[must_use]
     pub fn warning(&self) -> Option<Diagnostic> {
-        model_of_another_robot(&self.model, &self.robot.name)
+        model_of_another_robot(&self.model, &self.robot.name, &self.robot.geometry())
     }
 
     /// What says that a file of this SHA-256 is the one that the model was fitted to.

@@ -50,7 +50,7 @@ impl Named<Deformation> {
     /// No deformation beside an identified model, growing as the model's own terms do, or by `growth`.
     #[must_use]
     pub fn of_model_alone(model: &Named<Identified>, growth: Option<GrowthLaw>) -> Self {
-        let law = growth.or_else(|| model.model.growth()).unwrap_or(GrowthLaw::None);
+        let law = growth.or_else(|| Some(model.model.warm_up_law()?.law)).unwrap_or(GrowthLaw::None);
         let deformation = Deformation::from_static(FrameOffsets::default(), law);
         Self { model: deformation, source: model.source.clone() }
     }

@@ -2,19 +2,34 @@
 
 use rapid_syntax::diagnostic::{Diagnostic, Severity};
 use robot_model::deform::identified::Identified;
-use robot_model::robot::{Robot, same_type};
+use robot_model::robot::{ArmGeometry, Robot, RobotDigest, same_type};
 
 /// The robot that the built-in deformation table is of.
 pub(super) const PAPER_ROBOT: &str = "irb140";
 
-/// A warning where a model was found on another robot.
+/// A warning where a model was found on another robot, or with another file of it.
 #[must_use]
-pub fn model_of_another_robot(model: &Identified, robot: &str) -> Option<Diagnostic> {
-    let same = model.robot.is_empty() || model.robot == robot || same_type(&model.robot, robot) == Some(true);
-    (!same).then(|| {
-        Diagnostic::warning("model::robot", format!("the model is of {}, the robot is {robot}", model.robot))
-            .help("name the robot it was found on with --robot")
-    })
+pub fn model_of_another_robot(model: &Identified, name: &str, arm: &ArmGeometry<'_>) -> Option<Diagnostic> {
+    let same = model.robot.is_empty() || model.robot == name || same_type(&model.robot, name) == Some(true);
+    if !same {
+        let text = format!("the model is of {}, the robot is {name}", model.robot);
+        let help = "name the robot it was found on with --robot";
+        return Some(Diagnostic::warning("model::robot", text).help(help));
+    }
+    let (found, now) = (model.robot_digest?, RobotDigest::of(arm));
+    let text = if found.geometry != now.geometry {
+        format!(
+            "the model was found with another robot file of {name}: other dimensions, or mounted otherwise (rpy_deg of joint 1)"
+        )
+    } else if found.masses != now.masses && model.needs_load() {
+        format!(
+            "the model was found with another robot file of {name}: other masses of its links, or none, and gravity is in the model"
+        )
+    } else {
+        return None;
+    };
+    let help = "name the file it was found with by --robot: what it leaves with another nobody knows";
+    Some(Diagnostic::warning("model::robot-file", text).help(help))
 }
 
 /// A warning where the table is the built-in one, and the robot not the one that it was measured on.

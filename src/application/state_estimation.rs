@@ -44,7 +44,8 @@ impl StateEstimation {
     #[must_use]
     pub fn with_model(robot: Robot, identified: &Identified) -> Self {
         let (robot, model) = (Arc::new(robot), Arc::new(identified.for_programs().0));
-        let law = model.growth().filter(|law| model.drifts_beside(*law).is_empty());
+        let law =
+            model.warm_up_law().map(|fitted| fitted.law).filter(|law| model.drifts_beside(*law).is_empty());
         let arms = [0.0, f64::INFINITY].map(|t_min| {
             let when = ThermalState { t_min, joint_temperature_c: None };
             DeformedArm::of_model(&robot, &FrameOffsets::default(), &model, when)

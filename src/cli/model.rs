@@ -88,9 +88,10 @@ pub fn deformation_beside(
 
 /// Refuses a growth law beside a model whose terms have one of their own, which it does not change.
 fn own_growth(model: &Identified, growth: Option<GrowthLaw>) -> Result<(), Diagnostic> {
-    match (model.growth(), growth) {
-        (Some(own), Some(growth)) if own != growth => {
-            let text = format!("the model's terms grow by {own}, and --growth {growth} does not change them");
+    match (model.warm_up_law(), growth) {
+        (Some(own), Some(growth)) if own.law != growth => {
+            let text =
+                format!("the model's terms grow by {}, and --growth {growth} does not change them", own.law);
             Err(Diagnostic::error("deform::growth-not-used", text).help("leave --growth out"))
         }
         _ => Ok(()),

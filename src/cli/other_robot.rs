@@ -19,7 +19,7 @@ impl OtherRobotArgs {
     /// built in is taken for any arm, and a warning says whose it is.
     ///
     /// # Errors
-    /// `model::robot`.
+    /// `model::robot`, `model::robot-file`.
     pub fn check(
         &self,
         robot: &Robot,
@@ -27,7 +27,7 @@ impl OtherRobotArgs {
         model: Option<&Identified>,
         console: &mut Console,
     ) -> Result<(), Diagnostic> {
-        let of_model = model.and_then(|model| model_of_another_robot(model, &robot.name));
+        let of_model = model.and_then(|model| model_of_another_robot(model, &robot.name, &robot.geometry()));
         if let Some(message) = of_model.clone().filter(|_| !self.allow_other_robot) {
             return Err(refusal(message));
         }

@@ -76,14 +76,7 @@ impl TrueRobot {
     #[must_use]
     pub fn arm(&self, warmth: &Warmth) -> DeformedArm {
         let t_min = warmth.minute().unwrap_or(f64::INFINITY);
-        match self.deformation.growth() {
-            Some(_) => {
-                let grown = warmth.share();
-                let settled = self.deformation.settled();
-                self.deformed(&FrameOffsets(settled.0.map(|row| row.map(|x| x * grown))), t_min)
-            }
-            None => self.arm_at(t_min),
-        }
+        self.arm_at(t_min)
     }
 
     fn deformed(&self, offsets: &FrameOffsets, t_min: f64) -> DeformedArm {
@@ -104,10 +97,10 @@ impl TrueRobot {
 
     /// A cold robot; `tau_cool_min` is how fast it cools, `None` = as fast as it warms.
     ///
-    /// A scheduled table warms by its minutes, and cools by the law that it follows.
+    /// It warms by the minutes of its table and its model's terms, and cools by the law that is nearest to all of them.
     #[must_use]
     pub fn cold(&self, tau_cool_min: Option<f64>) -> Warmth {
-        let law = match self.deformation.warm_up_law() {
+        let law = match self.deformation.warm_up_law(self.model.as_deref()) {
             Some(fitted) => fitted.law,
             None => GrowthLaw::Exp { tau_min: tau_cool_min.unwrap_or(SCHEDULED_MIN) },
         };

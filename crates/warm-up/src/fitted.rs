@@ -11,7 +11,7 @@ use robot_model::deform::identified::{
 };
 use robot_model::deform::{Deformation, EffectKind, GrowthLaw};
 use robot_model::kinematics::FrameOffsets;
-use robot_model::robot::{Axis, Robot};
+use robot_model::robot::{Axis, Robot, RobotDigest};
 
 /// A settled deformation with its growth, fitted to touches.
 #[derive(Clone, Debug)]
@@ -141,6 +141,7 @@ impl WarmUp {
         }
         Identified {
             robot: robot.name.clone(),
+            robot_digest: Some(RobotDigest::of(&robot.geometry())),
             found_by: Some(FoundBy::WarmUp),
             sigma_m: Some(self.sigma_m),
             // To a tenth of a minute: no fit knows it better.

@@ -147,7 +147,7 @@ impl Args {
                 Clock::Sensor { source: source.clone(), hold_min: self.hold_min, stale_min: self.stale_min }
             }
             ClockName::Warmth => Clock::Warmth {
-                growth: DriftGrowth::of(&deformation.model),
+                growth: DriftGrowth::of(&deformation.model, model.map(|model| &model.model)),
                 tau_cool_min: self.tau_cool.or(model.and_then(|model| model.model.tau_cool_min)),
                 gap_min: self.gap_min,
             },

@@ -216,7 +216,8 @@ mod long {
             );
         }
         let table = Deformation::from_csv(text.as_bytes(), None).unwrap();
-        let clock = Clock::Warmth { growth: DriftGrowth::of(&table), tau_cool_min: Some(40.0), gap_min: 5.0 };
+        let clock =
+            Clock::Warmth { growth: DriftGrowth::of(&table, None), tau_cool_min: Some(40.0), gap_min: 5.0 };
         let files = ramp("robodk/irc5/Cube45.mod", &table, &clock);
         let text = String::from_utf8_lossy(&files.0[0].1).into_owned();
         assert!(text.contains("FUNC robtarget tcAt(robtarget tcP,pose tcC1,pose tcC2)"), "{text}");

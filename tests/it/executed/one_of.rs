@@ -72,7 +72,8 @@ fn each_function_of_time_has_a_correction_for_each_target() {
         table += &format!("{t},2,0,0,{quick},0,0,0\n{t},5,0,0,0,{slow},0,{}\n", slow / 2.0);
     }
     let table = Deformation::from_csv(table.as_bytes(), None).unwrap();
-    let clock = Clock::Warmth { growth: DriftGrowth::of(&table), tau_cool_min: Some(40.0), gap_min: 5.0 };
+    let clock =
+        Clock::Warmth { growth: DriftGrowth::of(&table, None), tau_cool_min: Some(40.0), gap_min: 5.0 };
     let (program, kept) = made_as(FormChoice::Ramp, &original, &table, &clock).unwrap();
     assert_eq!(kept, 0);
     let made = text(&program);

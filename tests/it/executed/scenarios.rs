@@ -73,7 +73,8 @@ fn a_scheduled_table_cools_by_the_law_that_its_rows_follow() {
         }
     }
     let table = Deformation::from_csv(rows.as_bytes(), None).unwrap();
-    let clock = Clock::Warmth { growth: DriftGrowth::of(&table), tau_cool_min: Some(41.0), gap_min: 5.0 };
+    let clock =
+        Clock::Warmth { growth: DriftGrowth::of(&table, None), tau_cool_min: Some(41.0), gap_min: 5.0 };
     let original = fixture("robodk/irc5/Cube45.mod");
     for form in [FormChoice::Ramp, FormChoice::Schedule] {
         let made = made_as(form, &original, &table, &clock).unwrap().0;

@@ -22,7 +22,7 @@ use nalgebra::{DVector, Isometry3, Vector3};
 use robot_model::deform::EffectKind;
 use robot_model::deform::identified::{Growth, Identified, MeasuredRange, Mounting, Term, ThermalState};
 use robot_model::deform::{DeformedSerialArm, Payload};
-use robot_model::robot::{Joints, SerialArm};
+use robot_model::robot::{Joints, RobotDigest, SerialArm};
 use std::sync::Arc;
 
 const ROUNDS: usize = 3;
@@ -48,6 +48,7 @@ pub(super) fn identify(
     let Parameters { columns, named, chosen, size_rad } = parameters(fitted, dataset, stations.targets);
     let start = Identified {
         robot: robot.name.clone(),
+        robot_digest: Some(RobotDigest::of(&robot.geometry())),
         joint_kinds: robot.kinds(),
         sigma_m: Some(model.peak.sigma_m),
         measured_range: measured_range(measurements.rows.len(), stations, robot.joints.len()),

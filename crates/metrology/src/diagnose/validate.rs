@@ -185,7 +185,10 @@ pub fn validate(
 /// clock alone.
 #[must_use]
 pub fn warming(model: &Identified) -> Option<(GrowthLaw, f64)> {
-    let law = model.growth().filter(|law| model.drifts_beside(*law).is_empty())?;
+    let law = model.warm_up_law()?.law;
+    if !model.drifts_beside(law).is_empty() {
+        return None;
+    }
     Some((law, model.tau_cool_min.or(law.tau_min())?))
 }
 

@@ -6,6 +6,7 @@ use super::options::{Clock, Core, DriftGrowth, EmitOptions, Sensor};
 use super::touch::Touch;
 use crate::compensate::plan::{Form, Plan, Totals};
 use rapid_syntax::num;
+use robot_model::deform::GrowthLaw;
 use robot_model::units::{deg_from_rad, mm_from_m};
 
 /// What the comment block tells people.
@@ -157,6 +158,11 @@ fn where_the_clock_is(names: &Names, core: Core) -> String {
 fn clock(options: &EmitOptions, cold_start: &str) -> String {
     match &options.clock {
         Clock::Elapsed => format!("elapsed: minutes since {cold_start}"),
+        Clock::Warmth { growth: DriftGrowth::Law(GrowthLaw::None), .. } => {
+            format!(
+                "minutes since {cold_start}, standing or not: nothing that grows falls back while the robot stands"
+            )
+        }
         Clock::Warmth { growth, tau_cool_min, gap_min } => {
             let growth = match growth {
                 DriftGrowth::Law(law) => law.to_string(),

@@ -6,6 +6,7 @@ use super::touch::Touch;
 use crate::compensate::FormChoice;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::{Edit, EditError, Replaced, edits_of};
+use robot_model::deform::identified::Identified;
 use robot_model::deform::{Deformation, GrowthLaw, TIMES_MIN};
 
 /// How the drift grows while the robot runs.
@@ -13,17 +14,18 @@ use robot_model::deform::{Deformation, GrowthLaw, TIMES_MIN};
 pub enum DriftGrowth {
     /// By a law of its own, which says how it cools, too.
     Law(GrowthLaw),
-    /// As a scheduled table has it; with the law that is nearest to its rows, by which what is there falls back while the robot stands.
+    /// As a scheduled table has it, or a term that grows from one minute to another; with the law that is nearest to it, by which what is there falls back while the robot stands.
     Table(Option<GrowthLaw>),
 }
 
 impl DriftGrowth {
-    /// The law of a static table; of a scheduled one the law that its rows are nearest to.
+    /// Of a deformation and of a model besides: the law by which all of it grows, or the one that is nearest to it all.
     #[must_use]
-    pub fn of(deformation: &Deformation) -> Self {
+    pub fn of(deformation: &Deformation, model: Option<&Identified>) -> Self {
+        let nearest = deformation.warm_up_law(model).map(|fitted| fitted.law);
         match deformation.growth() {
-            Some(law) => Self::Law(*law),
-            None => Self::Table(deformation.warm_up_law().map(|fitted| fitted.law)),
+            Some(own) if !model.is_some_and(Identified::warms_linearly) => Self::Law(nearest.unwrap_or(*own)),
+            _ => Self::Table(nearest),
         }
     }
 }
@@ -178,7 +180,7 @@ pub enum EmitError {
     },
     /// The warmth clock does not know how fast the robot cools.
     #[error(
-        "the warmth clock needs to know how fast the robot cools, and a scheduled table does not say so: give --tau-cool MIN, or --clock elapsed"
+        "the warmth clock needs to know how fast the robot cools, and neither a scheduled table nor a term that grows straight from one minute to another says so: give --tau-cool MIN, or --clock elapsed"
     )]
     CoolingUnknown,
     /// A table by temperature and a clock by time, or the other way.

@@ -13,8 +13,8 @@ mod moments;
 mod paper;
 mod serial_arm;
 mod table;
-mod table_law;
 pub mod thermal_filter;
+mod warm_up_law;
 mod warmth;
 
 pub use arm::{ArmDeviation, ArmUnder, Conditions, DeformedArm, Payload};
@@ -23,7 +23,7 @@ pub use error::DeformError;
 pub use growth::{GrowthError, GrowthLaw, TIMES_MIN};
 pub use moments::DeformedArms;
 pub use serial_arm::DeformedSerialArm;
-pub use table_law::FittedLaw;
+pub use warm_up_law::FittedLaw;
 pub use warmth::Warmth;
 
 use crate::kinematics::FrameOffsets;

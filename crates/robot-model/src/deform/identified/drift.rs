@@ -5,7 +5,7 @@ use crate::deform::{Deformation, EffectKind, GrowthLaw};
 
 impl Term {
     /// How many of the values the growth scales, from the first on; those behind them are there from the cold start on.
-    fn growing(&self) -> usize {
+    pub(in crate::deform) fn growing(&self) -> usize {
         if self.growth == Growth::Always {
             return 0;
         }
@@ -20,7 +20,7 @@ impl Term {
         }
     }
 
-    fn drifts(&self) -> bool {
+    pub(in crate::deform) fn drifts(&self) -> bool {
         self.values.iter().take(self.growing()).any(|v| v.value != 0.0)
     }
 }

@@ -7,7 +7,7 @@ use super::error::ModelError;
 use super::table_reader::TableReader;
 use super::{FoundBy, Identified, MeasuredRange, Mounting};
 use crate::deform::TIMES_MIN;
-use crate::robot::{FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS};
+use crate::robot::{FEWEST_JOINTS, JointKind, Joints, MOST_JOINTS, RobotDigest};
 use crate::units::{deg_from_rad, m_from_mm, mm_from_m, rad_from_deg};
 use effect::{read_term, write_term};
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
@@ -39,6 +39,7 @@ impl Identified {
         };
         let mut model = Self {
             robot: top.text("robot")?.unwrap_or_default(),
+            robot_digest: read_digest(&mut top)?,
             joint_kinds,
             found_by: read_found_by(&mut top)?,
             tau_cool_min: read_tau_cool_min(&mut top)?,
@@ -78,6 +79,9 @@ impl Identified {
         let mut out =
             String::from("# An identified robot: docs/MODEL.md describes this file. mm, degrees, minutes.\n");
         let _ = writeln!(out, "format = {FORMAT}\nrobot = {}", quoted(&self.robot));
+        if let Some(digest) = self.robot_digest {
+            let _ = writeln!(out, "robot_digest = {}", quoted(&digest.to_string()));
+        }
         if !self.is_six_axis() {
             let kinds: Vec<String> = self.joint_kinds.iter().map(|kind| quoted(kind.name())).collect();
             let _ = writeln!(out, "joints = [{}]", kinds.join(", "));
@@ -143,6 +147,13 @@ fn read_found_by(top: &mut TableReader) -> Result<Option<FoundBy>, ModelError> {
     let Some(name) = top.text("verdict")?.filter(|name| !name.is_empty()) else { return Ok(None) };
     let known = FoundBy::named(&name);
     known.map(Some).ok_or_else(|| top.wrong("verdict", format!("`{name}` is no verdict")))
+}
+
+fn read_digest(top: &mut TableReader) -> Result<Option<RobotDigest>, ModelError> {
+    let Some(text) = top.text("robot_digest")? else { return Ok(None) };
+    let read =
+        text.parse().map_err(|_| top.wrong("robot_digest", format!("`{text}` is no digest of a robot")));
+    read.map(Some)
 }
 
 fn read_tau_cool_min(top: &mut TableReader) -> Result<Option<f64>, ModelError> {

@@ -19,8 +19,8 @@ pub use term::{Estimate, Growth, PayloadScaling, TILT_SHIFT, Term, compliance_of
 
 pub use verdict::{FoundBy, Verdict};
 
-use super::{EffectKind, GrowthLaw};
-use crate::robot::{JointKind, Joints};
+use super::EffectKind;
+use crate::robot::{JointKind, Joints, RobotDigest};
 use nalgebra::{Isometry3, Vector3};
 
 /// When, and how warm: what the terms of a model depend on besides the joints and the load.
@@ -63,6 +63,8 @@ pub struct Mounting {
 pub struct Identified {
     /// Name of the robot in its file.
     pub robot: String,
+    /// What the robot's file said when the model was found; `None` of an older model.
+    pub robot_digest: Option<RobotDigest>,
     /// How each joint of the robot moves.
     pub joint_kinds: Joints<JointKind>,
     /// File or set it was found from.
@@ -98,6 +100,7 @@ impl Default for Identified {
     fn default() -> Self {
         Self {
             robot: String::new(),
+            robot_digest: None,
             joint_kinds: Joints::all(SIX, JointKind::Revolute),
             data: String::new(),
             data_sha256: String::new(),
@@ -213,18 +216,5 @@ impl Identified {
         sorting::numbers(&mut all);
         all.dedup();
         all
-    }
-
-    /// The growth law of the term in time that moves most, for a clock that follows the robot's warmth.
-    #[must_use]
-    pub fn growth(&self) -> Option<GrowthLaw> {
-        self.terms
-            .iter()
-            .filter_map(|t| match t.growth {
-                Growth::Law(law) => Some((t, law)),
-                _ => None,
-            })
-            .max_by(|a, b| a.0.size().total_cmp(&b.0.size()))
-            .map(|(_, law)| law)
     }
 }
