@@ -137,3 +137,43 @@ fn names_that_another_form_writes_are_told() {
         assert!(all.len() == usize::from(told) && all.iter().all(is_told), "{form}, {asked}: {message}");
     }
 }
+
+/// A program that has our names itself, those that this form or clock does not write among them.
+#[test]
+fn a_program_may_have_all_names_that_others_ask_for() {
+    const NAMES: &str = "tcColdStart tcWarmStart tcStartAt tcUpdate tcTeach tcSelfTest tcMode tcBucket tcShare tcMinute tcDegrees \
+                         tcTouch tcTouchAge tcTouchSigma tcTouchSaid tcAmount tcTau tcTauCool tcLogFile";
+    let each = |declared: &dyn Fn(&str) -> String| NAMES.split(' ').map(declared).collect::<String>();
+    let variables = each(&|name| format!("  VAR num {name}:=0;\n"));
+    let routines = each(&|name| format!("  PROC {name}()\n  ENDPROC\n"));
+    let locals = variables.replace("VAR", "  VAR");
+    for (data, local, behind) in [(&*variables, "", ""), ("", "", &*routines), ("", &*locals, "")] {
+        let source = format!(
+            "MODULE m\n  PERS tooldata tAll:={TOOL};\n  CONST robtarget p1:={P1};\n{data}  PROC main()\n    MoveL p1,v100,fine,tAll;\n  \
+             ENDPROC\n  PROC rOwn()\n{local}    WaitTime 1;\n  ENDPROC\n{behind}ENDMODULE\n"
+        );
+        let by_temperature =
+            ["--clock", "signal:aiTemp", "--deformation", "fixtures/first_run/temperature.csv"];
+        for options in [
+            &["--form", "schedule"][..],
+            &["--form", "ramp"],
+            &["--form", "live"],
+            &["--form", "auto"],
+            &["--clock", "elapsed"],
+            &by_temperature,
+        ] {
+            let bench = Bench::default();
+            let (code, message) = compensated(&bench, &source, options);
+            assert_eq!(code, Some(0), "{options:?}: {message}");
+            assert!(!message.contains("emit::not-written"), "{options:?}: {message}");
+            let [made, back] =
+                ["out/m_tc.mod", "back.mod"].map(|name| bench.path(name).display().to_string());
+            let restored = driftpost(&["restore", &made, "-o", &back]);
+            assert!(
+                restored.status.code() == Some(0) && bench.text("back.mod") == source,
+                "{options:?}: {}",
+                err(&restored)
+            );
+        }
+    }
+}

@@ -46,7 +46,7 @@ pub(super) const MAX_NAME: usize = 32;
 pub(super) struct Names {
     taken: BTreeSet<String>,
     renamed: BTreeMap<String, String>,
-    /// Those of [`PUBLIC`] that given files name and none of them declares.
+    /// Those of [`PUBLIC`] that given files name and that stay as they are: none of them declares it, or the core has none of that name.
     on_purpose: Vec<&'static str>,
     /// Those of them that the core has not.
     not_written: Vec<&'static str>,
@@ -58,7 +58,7 @@ impl Names {
     /// Names that collide with none of the files of `program`; `core` is the core's RAPID text.
     #[must_use]
     pub(super) fn new<'a>(program: &Program, core: impl Iterator<Item = &'a str>) -> Self {
-        let mut names = Self::taken(program);
+        let (mut names, declared) = Self::taken(program);
         let mut ours: BTreeSet<String> = ASKED.map(str::to_owned).into();
         for text in core {
             words(text.as_bytes(), |word| {
@@ -69,6 +69,7 @@ impl Names {
         }
         let is_written = |name: &&str| ours.contains(*name);
         names.not_written = names.on_purpose.iter().copied().filter(|name| !is_written(name)).collect();
+        names.on_purpose.extend(declared.into_iter().filter(|name| !is_written(name)));
         let collide: Vec<String> =
             ours.iter().filter(|n| names.taken.contains(&n.to_ascii_lowercase())).cloned().collect();
         names.taken.extend(ours.iter().map(|n| n.to_ascii_lowercase()));
@@ -79,9 +80,9 @@ impl Names {
         names
     }
 
-    /// What the files of `program` take, in lower case.
-    fn taken(program: &Program) -> Self {
-        let mut names = Self::default();
+    /// What the files of `program` take, in lower case, and those of [`PUBLIC`] that they declare.
+    fn taken(program: &Program) -> (Self, Vec<&'static str>) {
+        let (mut names, mut declared) = (Self::default(), Vec::new());
         for file in &program.files {
             words(&file.bytes, |word| {
                 if begins_with_tc(word) {
@@ -91,12 +92,17 @@ impl Names {
         }
         for public in PUBLIC {
             let name = public.to_ascii_lowercase();
-            if names.taken.contains(&name) && !program.files.iter().any(|file| declares(file, &name)) {
+            if !names.taken.contains(&name) {
+                continue;
+            }
+            if program.files.iter().any(|file| declares(file, &name)) {
+                declared.push(public);
+            } else {
                 names.taken.remove(&name);
                 names.on_purpose.push(public);
             }
         }
-        names
+        (names, declared)
     }
 
     /// Those of [`PUBLIC`] that the code of a file in `bytes` names, in their order.
