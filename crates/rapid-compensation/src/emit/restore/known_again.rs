@@ -56,7 +56,19 @@ pub(super) fn pasts<'m>(now: &[&[u8]], made: &'m [u8]) -> Vec<Past<'m>> {
     }
     sorting::ascending(&mut held);
     elsewhere(&mut pasts, now, made, &held);
+    copied(&mut pasts, now);
     pasts
+}
+
+/// What is one more of those that are as they were made is a copy of it, and as it was made too: it is corrected as that one is.
+fn copied(pasts: &mut [Past<'_>], now: &[&[u8]]) {
+    let same = now.iter().zip(&*pasts).filter(|(_, past)| **past == Past::Same);
+    let same: HashSet<&[u8]> = same.map(|(own, _)| *own).collect();
+    for (past, own) in pasts.iter_mut().zip(now) {
+        if *past == Past::Unknown && same.contains(own) {
+            *past = Past::Same;
+        }
+    }
 }
 
 /// Originals of a piece that is as long as it was: each is the one in its place.
@@ -186,6 +198,12 @@ mod tests {
         assert_eq!(of(&["aaa", "bbbbbb", "xxx", "ccc", "ddd"], made), [Same, Same, Unknown, Same, Same]);
         assert_eq!(of(&["ddd", "aaa", "bbbbbb", "ccc"], made), [Same; 4]);
         assert_eq!(of(&["aaa", "ddd", "ccc"], made), [Same; 3]);
+        // Copied: beside itself, elsewhere, and beside one that was touched up.
+        assert_eq!(of(&["aaa", "aaa", "bbbbbb", "ccc", "ddd"], made), [Same; 5]);
+        assert_eq!(of(&["aaa", "bbbbbb", "ccc", "ddd", "bbbbbb"], made), [Same; 5]);
+        assert_eq!(of(&["aaa", "bbbbbb", "ccc", "ccc", "DDD"], made), [Same, Same, Same, Same, Unknown]);
+        // In the place of another it is no copy: that one was touched up.
+        assert_eq!(of(&["aaa", "bbbbbb", "ccc", "ccc"], made), [Same, Same, Same, Was(b"ddd")]);
         // One of several that are the same.
         assert_eq!(of(&["aaa", "bbb", "aaa", "ccc"], "aaabbbaaabbbaaaccc"), [Same; 4]);
         assert_eq!(of(&["aaa"], ""), [Unknown]);
