@@ -10,6 +10,7 @@ mod elements;
 mod kept_apart;
 mod other_robots;
 mod outputs;
+mod put_in;
 mod refusals;
 mod restored;
 mod restored_programs;

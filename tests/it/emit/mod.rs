@@ -468,17 +468,25 @@ fn what_is_not_ours_or_was_edited_beyond_is_said() {
     assert_eq!(restore(b"\xFF\x00("), Err(RestoreError::NotEmitted));
     let bytes = lone(NAMED);
     let used = edited(&bytes, "PROC weld()", "MoveL tcp10_2{tcK()}", "MoveL Offs(tcp10_2{tcK()},0,0,1)");
-    let after = edited(&bytes, "  ! The main routine", "\n", "\n  VAR num mine;\n");
-    let among = edited(&bytes, "LOCAL VAR string tcSaid:=\"\";", "\n", "\n  VAR num mine;\n");
-    let routine = edited(&bytes, "  PROC tcColdStart()", "ENDPROC", "ENDPROC\n  PROC mine() ENDPROC");
     let no_end = edited(&bytes, "MODULE Welding", "! driftpost end", "! end");
-    for (what, text) in
-        [("used", used), ("after", after), ("among", among), ("routine", routine), ("no end", no_end)]
-    {
+    for (what, text) in [("used", used), ("no end", no_end)] {
         match restore(&text) {
             Err(RestoreError::Damaged { line, .. }) => assert!(line > 5, "{what}"),
             other => panic!("{what}: {other:?}"),
         }
+    }
+    // What a person puts in behind what was added, or among it, stays there.
+    let (datum, routine) = ("  VAR num mine;\n", "  PROC mine() ENDPROC\n");
+    for (at, from, put_in) in [
+        ("  ! The main routine", "\n", datum),
+        ("LOCAL VAR string tcSaid:=\"\";", "\n", datum),
+        ("  PROC tcColdStart()", "ENDPROC\n", routine),
+    ] {
+        let restored = restore(&edited(&bytes, at, from, &format!("{from}{put_in}"))).unwrap();
+        let text = String::from_utf8_lossy(&restored.bytes);
+        assert_eq!(text.matches(put_in).count(), 1, "{at}");
+        assert_eq!(text.replace(put_in, ""), String::from_utf8_lossy(NAMED), "{at}");
+        assert!(!restored.exact && restored.altered.is_empty(), "{at}");
     }
     // what a person adds elsewhere stays, and the result is not called the original
     let line = edited(&bytes, "PROC weld()", "\n", "\n    TPWrite \"hello\";\n");

@@ -4,6 +4,7 @@
 //! layout, with targets touched up and PERS values moved on, is understood too; only then the result is
 //! the same program, not the same bytes.
 
+mod added_items;
 mod altered;
 mod arguments;
 mod arrays;
@@ -12,6 +13,7 @@ mod declared;
 mod findings;
 mod known_again;
 mod lines;
+mod known_items;
 mod misled;
 mod originals;
 mod program_names;
@@ -151,7 +153,7 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
         let mut arrays = remover.data()?;
         let (routines, added_routines) = remover.routines()?;
         touched.extend(remover.motions(&routines, &mut arrays)?);
-        added_routines.into_iter().for_each(|range| remover.edits.remove(range));
+        remover.take_out_routines(&added_routines);
         let code = altered_code(bytes, &lines, &remover.code, &record.code, module.name);
         if record.is_whole {
             altered.append(&mut remover.altered);

@@ -73,6 +73,21 @@ pub enum RestoreError {
         /// What the array means.
         meant: String,
     },
+    /// What was put in by hand is called as what was added is, another of which was changed: which is which cannot be told.
+    #[error(
+        "line {line}: whether {name} is one of the {what} that were added cannot be told, as one of those was changed or lost; move what \
+         was put in by hand above {first}, or take the original file"
+    )]
+    Mixed {
+        /// The line, from 1.
+        line: u32,
+        /// The first that may be the one or the other.
+        name: String,
+        /// `data` or `routines`.
+        what: &'static str,
+        /// The first that was added for certain.
+        first: String,
+    },
     /// The module was edited where it must not be.
     #[error("line {line}: {what}; take the original file, or undo that edit")]
     Damaged {
@@ -91,7 +106,7 @@ impl RestoreError {
             Self::NotEmitted => "restore::not-emitted",
             Self::IsCore => "restore::core",
             Self::Disagree { .. } | Self::DeclaredOtherwise { .. } => "restore::disagree",
-            Self::Damaged { .. } => "restore::damaged",
+            Self::Mixed { .. } | Self::Damaged { .. } => "restore::damaged",
         }
     }
 }

@@ -1,23 +1,19 @@
 //! Takes out of a module what was added, and puts back what stood in its motions.
 
 use super::arguments::{Arguments, Called, Element, Place};
-use super::arrays::{Array, NamedArray, Rows, Use};
+use super::arrays::{Array, NamedArray, Use};
 use super::findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};
 use super::lines::Lines;
 use super::seen::SeenMentions;
 use super::undo::{UndoEdits, UndoText};
-use crate::emit::array_reader::ArrayReader;
-use crate::emit::checksum::{self, Elements};
 use crate::emit::declarations::Declarations;
-use crate::emit::elements::elements;
 use crate::emit::header::Record;
-use crate::emit::here;
 use crate::emit::insertion;
 use crate::emit::mentions::named_alone;
 use crate::emit::names::{is_name, words};
 use crate::emit::originals::is_written_target;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{ArgKind, DataDecl, ExprKind, Module, ModuleItem, Routine, StmtKind};
+use rapid_syntax::tree::{ArgKind, Module, Routine, StmtKind};
 
 /// The module's own routines, whose motions ask, and the arrays that some of them go by, in the order in which they are looked for.
 #[derive(Clone, Copy)]
@@ -44,7 +40,7 @@ pub(super) struct Remover<'w> {
 }
 
 impl<'w> Remover<'w> {
-    fn damaged(&self, range: TextRange, what: impl Into<String>) -> RestoreError {
+    pub(super) fn damaged(&self, range: TextRange, what: impl Into<String>) -> RestoreError {
         RestoreError::Damaged { line: self.lines.line(range.start), what: what.into() }
     }
 
@@ -55,139 +51,6 @@ impl<'w> Remover<'w> {
     /// What the arguments of its motions are.
     pub(super) fn arguments(&self) -> Arguments<'w> {
         Arguments { bytes: self.bytes, record: self.record }
-    }
-
-    /// Takes out the data; gives the arrays in the order in which they are looked for.
-    pub(super) fn data(&mut self) -> Result<Vec<NamedArray<'w>>, RestoreError> {
-        let before = self.module.items.iter().take_while(|item| !matches!(item, ModuleItem::Routine(_)));
-        let all: Vec<&DataDecl> = before
-            .filter_map(|item| match item {
-                ModuleItem::Data(data) => Some(data),
-                _ => None,
-            })
-            .collect();
-        let count = self.record.data + self.record.targets;
-        let Some(ours) = all.len().checked_sub(count).and_then(|from| all.get(from..)) else {
-            return Err(self.damaged(self.module.head, "data that were added are missing"));
-        };
-        if let Some(foreign) = ours.iter().find(|d| !begins_with_tc(d.name.of(self.bytes))) {
-            return Err(self.damaged(foreign.range, "data were put among or after those that were added"));
-        }
-        let (Some(first), Some(last)) = (ours.first(), ours.last()) else { return Ok(Vec::new()) };
-        self.edits.remove(insertion::whole_lines(self.bytes, first.range.cover(last.range)));
-        self.code.extend(ours.iter().take(self.record.data).map(|data| (data.name, data.range)));
-        let mut arrays: Vec<NamedArray<'w>> = Vec::new();
-        let (mut reader, mut elements) = (ArrayReader::default(), Elements::default());
-        let (mut checksums, mut declared) =
-            (self.record.checksums.as_slice(), here::counts(&self.record.declared));
-        for data in ours.iter().skip(self.record.data) {
-            let is_target = [b"robtarget".as_slice(), b"jointtarget"]
-                .contains(&&*data.type_name.of(self.bytes).to_ascii_lowercase());
-            let init = data.init.as_ref();
-            if is_target && !data.dims.is_empty() {
-                let (rows, own) = self.rows(data, &mut reader, &mut elements, &mut checksums)?;
-                let name = self.text(data.name);
-                let was = self.record.was.get(&name.to_ascii_lowercase()).cloned();
-                let array = Array::new((self.bytes, data), rows, own, was)
-                    .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
-                arrays.push(NamedArray::new(&name, array, declared.next()));
-            } else {
-                self.corrections.push(data.name.of(self.bytes).to_ascii_lowercase());
-                let (own, rest) = checksums.split_at_checked(3).unwrap_or((checksums, &[]));
-                checksums = rest;
-                if !init.is_some_and(|init| checksum::is_of_numbers(own, init.range.of(self.bytes))) {
-                    let line = self.lines.line(data.range.start);
-                    self.altered.push(Altered::Code { name: self.text(data.name), line });
-                }
-            }
-        }
-        NamedArray::sort(&mut arrays);
-        Ok(arrays)
-    }
-
-    /// The elements of an array, and their checksums as they were made, which are taken off the front of `checksums`.
-    fn rows(
-        &self,
-        data: &DataDecl,
-        reader: &mut ArrayReader<'w>,
-        now: &mut Elements,
-        checksums: &mut &'w [u8],
-    ) -> Result<(Rows, &'w [u8]), RestoreError> {
-        let init = data.init.as_ref().ok_or_else(|| self.damaged(data.range, "an array has no value"))?;
-        let dims = data.dims.len();
-        let mut made = |elements: usize| {
-            let (own, rest) =
-                checksums.split_at_checked(Elements::checksums_len(elements)).unwrap_or((checksums, &[]));
-            *checksums = rest;
-            own
-        };
-        now.begin();
-        if dims == 1 && init.kind == ExprKind::Numbers {
-            let (mut first, mut count) = (None, 0);
-            let at = |at: usize| init.range.start + at as u32;
-            let read = reader.each(init.range.of(self.bytes), |from, to, own, tail| {
-                now.add_numbers(own, tail);
-                first.get_or_insert_with(|| TextRange::new(at(from), at(to)));
-                count += 1;
-            });
-            if let (Some(()), Some(first)) = (read, first) {
-                let own = made(count);
-                if now.are(own) {
-                    return Ok((Rows::AsMade(first), own));
-                }
-                let all = elements(self.bytes, init, 1);
-                let checksums = self.checksums(&all, own);
-                let as_made = checksums == own;
-                let rows =
-                    if as_made { Rows::AsMade(first) } else { Rows::All { ranges: vec![all], checksums } };
-                return Ok((rows, own));
-            }
-        }
-        let rows = elements(self.bytes, init, dims.saturating_sub(1)).len();
-        let elements = elements(self.bytes, init, dims);
-        let columns = elements
-            .len()
-            .checked_div(rows)
-            .filter(|columns| columns * rows == elements.len() && *columns > 0);
-        let columns = columns
-            .ok_or_else(|| self.damaged(data.range, "the rows of an array are not as long as each other"))?;
-        let own = made(elements.len());
-        let ranges = elements.chunks(columns).map(<[TextRange]>::to_vec).collect();
-        Ok((Rows::All { ranges, checksums: self.checksums(&elements, own) }, own))
-    }
-
-    /// The checksums of `elements` as they are now: of as many digits as those are of that were made of them, which older modules have of all.
-    fn checksums(&self, elements: &[TextRange], made: &[u8]) -> Vec<u8> {
-        let of = |mut now: Elements| {
-            now.begin();
-            elements.iter().for_each(|element| now.add(element.of(self.bytes)));
-            now.checksums()
-        };
-        let as_made = |now: &Vec<u8>| {
-            let each = |all: &[u8]| all.get(3..).unwrap_or_default().to_vec();
-            each(now).chunks(2).zip(each(made).chunks(2)).filter(|(now, made)| now == made).count()
-        };
-        let (short, all) = (of(Elements::default()), of(Elements::of_all_digits()));
-        if as_made(&all) > as_made(&short) { all } else { short }
-    }
-
-    /// The module's own routines, and what takes out those behind them.
-    pub(super) fn routines(&mut self) -> Result<(Vec<&'w Routine>, Option<TextRange>), RestoreError> {
-        let module: &'w Module = self.module;
-        let mut all: Vec<&Routine> = module.routines().collect();
-        let Some(from) = all.len().checked_sub(self.record.routines) else {
-            return Err(self.damaged(self.module.head, "routines that were added are missing"));
-        };
-        let ours = all.split_off(from);
-        if let Some(foreign) = ours.iter().find(|r| !begins_with_tc(r.name.of(self.bytes))) {
-            return Err(self.damaged(foreign.range, "a routine was put among or after those that were added"));
-        }
-        self.code.extend(ours.iter().map(|routine| (routine.name, routine.range)));
-        let added = ours.first().zip(ours.last()).map(|(first, last)| {
-            let lines = insertion::whole_lines(self.bytes, first.range.cover(last.range));
-            insertion::with_empty_line_before(self.bytes, lines)
-        });
-        Ok((all, added))
     }
 
     /// Puts back what stood in the motions; gives what was touched up.
@@ -419,8 +282,4 @@ impl<'w> Remover<'w> {
         }
         Ok(())
     }
-}
-
-fn begins_with_tc(name: &[u8]) -> bool {
-    name.get(..2).is_some_and(|two| two.eq_ignore_ascii_case(b"tc"))
 }
