@@ -99,6 +99,50 @@ fn what_may_be_added_or_put_in_is_not_taken_out() {
 }
 
 #[test]
+fn a_motion_that_was_made_a_comment_has_its_target_again() {
+    let bench = Bench::default();
+    let source = module(
+        "CONST robtarget p20:=[[430,60,300],@;\n\
+         CONST robtarget pa{3}:=[[[420,30,350],@,[[420,40,350],@,[[420,50,350],@];",
+        "MoveL p20,v100,fine,tGun;\nMoveL [[444,50,300],@,v100,fine,tGun;\nMoveL Offs(p20,0,0,5),v100,fine,tGun;\n\
+         MoveL pa{nPos},v100,fine,tGun;\nMoveL Offs(pa{nPos},0,0,7),v100,fine,tGun;\nMoveC p20,[[444,70,300],@,v100,fine,tGun;",
+    );
+    // As a pendant and an editor make comments.
+    let commented = |text: &str| {
+        let motion = |line: &str| match line {
+            HOME => line.to_owned(),
+            _ if line.starts_with("MoveL") => format!("!{line}"),
+            _ if line.starts_with("MoveC") => format!("  ! {line}"),
+            _ => line.to_owned(),
+        };
+        text.lines().map(|line| motion(line) + "\n").collect::<String>()
+    };
+    for form in FORMS {
+        let text = compensated(&bench, &source, form);
+        let (message, back) = restored(&bench, &commented(&text), 0);
+        assert_eq!(back, commented(&source), "{form}");
+        assert!(!message.contains("warning") && !message.contains("touched up"), "{form}: {message}");
+    }
+    // A whole routine behind the others, and a target that stands on two lines.
+    let two = once(&source, "MoveL [[444,50,300],", "MoveL [[444,50,300], ! there\n  ");
+    let text = compensated(&bench, &two, "schedule");
+    let (_, back) = restored(&bench, &commented(&text), 0);
+    assert_eq!(back, commented(&source));
+    let element = line_with(&text, "MoveL tcp20{tcK()}");
+    let (_, back) =
+        restored(&bench, &before(&text, "ENDMODULE", &format!("!PROC rOld()\n!{element}\n!ENDPROC\n")), 0);
+    assert!(back.contains("!PROC rOld()\n!MoveL p20,v100,fine,tGun;\n!ENDPROC\n"), "{back}");
+    // Touched up before: the comment has the new value.
+    let array = text.find("robtarget tcp20{").unwrap();
+    let moved = format!("{}{}", &text[..array], text[array..].replacen("[[430,60,300]", "[[433,64,300]", 1));
+    let (message, back) = restored(&bench, &commented(&moved), 1);
+    assert!(
+        message.contains("p20 was touched up") && back.contains("!MoveL [[433,64,300],"),
+        "{message}{back}"
+    );
+}
+
+#[test]
 fn a_motion_that_was_copied_is_as_it_was_made() {
     let bench = Bench::default();
     let source = source();

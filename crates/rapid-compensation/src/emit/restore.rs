@@ -9,6 +9,7 @@ mod altered;
 mod arguments;
 mod arrays;
 mod comment_block;
+mod commented;
 mod declared;
 mod findings;
 mod known_again;
@@ -138,13 +139,15 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
             return Err(RestoreError::IsCore);
         }
         let last = block.get(count.saturating_sub(1)).map_or(comment.end, |r| r.end);
-        edits.remove(insertion::whole_lines(bytes, TextRange::new(comment.start, last)));
+        let header = TextRange::new(comment.start, last);
+        edits.remove(insertion::whole_lines(bytes, header));
         let mut remover = Remover {
             bytes,
             lines: &lines,
             module,
             record: &record,
             edits: &mut edits,
+            header,
             code: Vec::new(),
             altered: Vec::new(),
             corrections: Vec::new(),

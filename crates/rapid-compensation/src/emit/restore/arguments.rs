@@ -86,6 +86,23 @@ impl Arguments<'_> {
         range.of(self.bytes).eq_ignore_ascii_case(self.record.core(name).as_bytes())
     }
 
+    /// Whether a name is that of a function of ours which stands round a target.
+    pub(super) fn stands_round(&self, name: &[u8]) -> bool {
+        let is = |function: &&str| name.eq_ignore_ascii_case(self.record.core(function).as_bytes());
+        BY_POSE.iter().chain(&BY_MODEL).any(is)
+    }
+
+    /// Whether a text is the last index of an element of ours: `tcI`, or `tcK()` with or without blanks.
+    pub(super) fn is_asking(&self, index: &[u8]) -> bool {
+        let (name, behind) = index.split_at(word_length(index));
+        let is = |asked: &str| name.eq_ignore_ascii_case(self.record.core(asked).as_bytes());
+        match behind.trim_ascii() {
+            [] => is("tcI"),
+            [b'(', blanks @ .., b')'] => blanks.trim_ascii().is_empty() && is("tcK"),
+            _ => false,
+        }
+    }
+
     /// An argument as the element of an array of ours.
     pub(super) fn element(&self, expr: &Expr) -> Option<Element> {
         let ExprKind::Index(element) = &expr.kind else { return None };

@@ -42,6 +42,8 @@ pub(super) struct NamedArray<'w> {
     pub(super) array: Array<'w>,
     /// The motions that name it, in source order.
     pub(super) uses: Vec<Use<'w>>,
+    /// The comments that name it as a motion does.
+    pub(super) commented: Vec<Commented>,
     /// For each row the original that a touched-up element means.
     pub(super) meant: Vec<Option<Meant>>,
 }
@@ -54,10 +56,24 @@ pub(super) struct Use<'w> {
     pub(super) routine: &'w Routine,
 }
 
+/// Where a comment names an array as a motion does.
+pub(super) struct Commented {
+    pub(super) expr: TextRange,
+    /// As of [`Use`].
+    pub(super) index: Option<TextRange>,
+}
+
 impl<'w> NamedArray<'w> {
     /// Nothing is known of it yet.
     pub(super) fn new(name: &str, array: Array<'w>, declared: Option<usize>) -> Self {
-        Self { name: name.to_ascii_lowercase(), declared, array, uses: Vec::new(), meant: Vec::new() }
+        Self {
+            name: name.to_ascii_lowercase(),
+            declared,
+            array,
+            uses: Vec::new(),
+            commented: Vec::new(),
+            meant: Vec::new(),
+        }
     }
 
     /// Puts arrays in the order in which [`find`](Self::find) looks for them: by the length of their names, which is most often the

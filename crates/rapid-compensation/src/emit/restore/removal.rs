@@ -28,6 +28,8 @@ pub(super) struct Remover<'w> {
     pub(super) bytes: &'w [u8],
     pub(super) lines: &'w Lines<'w>,
     pub(super) module: &'w Module,
+    /// The comment block.
+    pub(super) header: TextRange,
     pub(super) record: &'w Record,
     pub(super) edits: &'w mut UndoEdits,
     /// Name and range of the data and routines that were added beside targets.
@@ -64,11 +66,13 @@ impl<'w> Remover<'w> {
         let mut seen = SeenMentions::new(&self.record.mentions);
         for routine in routines {
             for stmt in insertion::statements(routine) {
+                self.comment_of_statement(stmt, arrays);
                 let StmtKind::Call(call) = &stmt.kind else { continue };
                 let called = Called { args: &call.args, routine, declarations: &declarations };
                 self.call(called, (&mut *arrays, &mut next), &mut seen);
             }
         }
+        self.comments_of_module(arrays);
         self.altered.extend(seen.altered(self.lines));
         let asking = Asking { routines, arrays, declarations: &declarations };
         self.misled(asking);
@@ -154,8 +158,11 @@ impl<'w> Remover<'w> {
         seen: &SeenMentions,
     ) -> Result<Vec<ModifiedTarget>, RestoreError> {
         if arrays.iter().all(NamedArray::is_as_made) {
-            let uses = arrays.iter().flat_map(|of| of.uses.iter().map(|one| (one.expr, of.array.undo())));
-            uses.for_each(|(range, text)| self.edits.put(range, text));
+            for NamedArray { array, uses, commented, .. } in arrays {
+                uses.iter().for_each(|one| self.edits.put(one.expr, array.undo()));
+                let text = || array.undo().on_one_line(self.bytes);
+                commented.iter().for_each(|one| self.edits.put(one.expr, text()));
+            }
             return Ok(Vec::new());
         }
         sorting::by(arrays, |a, b| a.name.cmp(&b.name)); // in this order findings are told
@@ -163,25 +170,26 @@ impl<'w> Remover<'w> {
         let arrays = &*arrays;
         let mut touched = self.declared_otherwise(arrays, declarations)?;
         let declared = self.declare(arrays, declarations)?;
-        for NamedArray { name, array, uses, meant, .. } in arrays {
+        for NamedArray { name, array, uses, commented, meant, .. } in arrays {
             let into = declared.contains(&name.as_str());
-            for one in uses {
-                let text = match (one.index, meant.first()) {
-                    (Some(_), _) if !is_name(array.was()) => array.undo(),
-                    (Some(index), _) => {
-                        UndoText::Own([array.was(), b"{", index.of(self.bytes), b"}"].concat())
-                    }
-                    (None, Some(Some(new))) if !into => UndoText::Own(new.text.clone()),
-                    (None, _) => array.undo(),
-                };
-                self.edits.put(one.expr, text);
+            let text = |index: Option<TextRange>| match (index, meant.first()) {
+                (Some(_), _) if !is_name(array.was()) => array.undo(),
+                (Some(index), _) => UndoText::Own([array.was(), b"{", index.of(self.bytes), b"}"].concat()),
+                (None, Some(Some(new))) if !into => UndoText::Own(new.text.clone()),
+                (None, _) => array.undo(),
+            };
+            uses.iter().for_each(|one| self.edits.put(one.expr, text(one.index)));
+            for one in commented {
+                self.edits.put(one.expr, text(one.index).on_one_line(self.bytes));
             }
             let declared = self.lines.line(array.range.start);
             let names_it = into && array.dims.is_empty();
             for (row, new) in meant.iter().enumerate().filter_map(|(row, new)| Some((row, new.as_ref()?))) {
                 let target = array.target(row);
                 let value = String::from_utf8_lossy(&new.text).into_owned();
-                if uses.is_empty() && !into {
+                let of_motions = uses.iter().map(|one| one.expr);
+                let named = of_motions.chain(commented.iter().map(|one| one.expr)).next();
+                if named.is_none() && !into {
                     let gone = Altered::Gone { target, array: name.clone(), meant: value, line: declared };
                     self.altered.push(gone);
                     continue;
@@ -191,7 +199,7 @@ impl<'w> Remover<'w> {
                     others: if names_it { self.named_too(array.was(), arrays, seen) } else { Vec::new() },
                     target,
                     value,
-                    line: uses.first().map_or(declared, |one| self.lines.line(one.expr.start)),
+                    line: named.map_or(declared, |expr| self.lines.line(expr.start)),
                     into: if into { ModifiedIn::Declaration } else { ModifiedIn::Motion },
                     moved: new.moved,
                     unit: new.unit,

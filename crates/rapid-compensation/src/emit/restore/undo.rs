@@ -27,6 +27,17 @@ impl UndoText {
             Self::Own(text) => text,
         }
     }
+
+    /// The text as it goes into a comment: on one line, without comments of its own.
+    pub(super) fn on_one_line(self, bytes: &[u8]) -> Self {
+        let lines = self.of(bytes);
+        if memchr::memchr2(b'\n', b'\r', lines).is_none() {
+            return self;
+        }
+        let parts = lines.split(|byte| matches!(byte, b'\n' | b'\r'));
+        let code = parts.map(|line| line.split(|byte| *byte == b'!').next().unwrap_or_default().trim_ascii());
+        Self::Own(code.collect::<Vec<_>>().concat())
+    }
 }
 
 impl UndoEdits {
@@ -80,5 +91,12 @@ mod tests {
         edits.put_in_order();
         let all: Vec<_> = edits.of(b"ab").map(|edit| (edit.range.start, edit.range.end, edit.text)).collect();
         assert_eq!(all, [(2, 2, &b"own"[..]), (2, 5, b""), (7, 9, b"ab"), (10, 12, b"")]);
+    }
+
+    #[test]
+    fn what_goes_into_a_comment_is_one_line() {
+        let one = |text: &str| UndoText::Own(text.into()).on_one_line(b"").of(b"").to_vec();
+        assert_eq!(one("[[1,2,3], ! here\r\n   [1,0,0,0],\n[0,0,0,0]]"), b"[[1,2,3],[1,0,0,0],[0,0,0,0]]");
+        assert_eq!(one("Offs(p1, 0,0,1)"), b"Offs(p1, 0,0,1)");
     }
 }
