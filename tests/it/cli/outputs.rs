@@ -212,6 +212,27 @@ fn a_restored_module_goes_over_itself_and_over_no_other_program() {
     assert!(bench.text("own.mod").as_bytes() == std::fs::read(CUBE).unwrap());
 }
 
+/// A transfer as text that takes LF for the line end writes CR LF for each, be there a CR before it or not.
+#[test]
+fn a_module_with_doubled_carriage_returns_is_what_it_was() {
+    let bench = Bench::default();
+    let to = bench.path("o.mod").display().to_string();
+    let original = std::fs::read_to_string(CUBE).unwrap().replace('\n', "\r\n");
+    let source = bench.file("Cube45.mod", &original);
+    for form in ["schedule", "ramp"] {
+        let made = driftpost(&["compensate", &source, "-o", &to, "--form", form, "--quiet", "--force"]);
+        assert!(made.status.success(), "{}", err(&made));
+        let sent = bench.file("sent.mod", bench.text("o.mod").replace('\n', "\r\n"));
+        let output = driftpost(&["restore", &sent, "-o", "-"]);
+        assert_eq!(output.status.code(), Some(0), "{form}: {}", err(&output));
+        assert!(
+            out(&output) == original && err(&output).contains("byte for byte"),
+            "{form}: {}",
+            err(&output)
+        );
+    }
+}
+
 /// A file whose name is a hyphen is never what was meant.
 #[test]
 fn what_goes_to_a_file_alone_refuses_standard_output() {

@@ -13,8 +13,8 @@ mod commented;
 mod declared;
 mod findings;
 mod known_again;
-mod lines;
 mod known_items;
+mod lines;
 mod misled;
 mod originals;
 mod program_names;
@@ -33,7 +33,7 @@ use super::checksum::hex;
 use super::header;
 use super::insertion;
 use altered::altered_code;
-use comment_block::{comment_block, header_of};
+use comment_block::{comment_block, header_of, with_single_ends};
 use lines::Lines;
 use rapid_syntax::diagnostic::{LineIndex, TextRange};
 use rapid_syntax::tree::{FileItem, Module};
@@ -65,6 +65,7 @@ pub struct Restored {
 /// Byte for byte where nothing was changed since. Originals that stay in the module keep the values that they were touched
 /// up to. Where an element of an array was touched up the original is the one that it means, its own correction taken off:
 /// an inline target gets it in the motion, a named one in its declaration, an expression becomes an inline target.
+/// Where a transfer as text has made CR CR LF of each CR LF, the original has CR LF again, and lines are counted by those.
 ///
 /// # Errors
 /// [`RestoreError`] where the file is none of ours or was edited beyond that.
@@ -77,6 +78,7 @@ pub fn restore(bytes: &[u8]) -> Result<Restored, RestoreError> {
 /// # Errors
 /// As of [`restore`].
 pub fn restore_beside(bytes: &[u8], core: &[Vec<u8>]) -> Result<Restored, RestoreError> {
+    let bytes = &*with_single_ends(bytes);
     let TakenApart { edits, mut added, source_sha256, source_name, touched, mut altered } =
         take_apart(bytes)?;
     let edits: Vec<Edit<&[u8]>> = edits.of(bytes).collect();
@@ -145,9 +147,9 @@ fn take_apart(bytes: &[u8]) -> Result<TakenApart, RestoreError> {
             bytes,
             lines: &lines,
             module,
+            header,
             record: &record,
             edits: &mut edits,
-            header,
             code: Vec::new(),
             altered: Vec::new(),
             corrections: Vec::new(),
