@@ -101,6 +101,17 @@ pub enum RestoredFile {
     Other,
 }
 
+impl RestoredFile {
+    /// The original; `None` of what has none.
+    #[must_use]
+    pub fn original(&self) -> Option<&Restored> {
+        match self {
+            Self::Original(restored) => Some(restored),
+            Self::Core(_) | Self::Other => None,
+        }
+    }
+}
+
 /// What the files of an emitted program were.
 #[derive(Clone, Debug)]
 pub struct RestoredFiles {
@@ -114,10 +125,8 @@ pub struct RestoredFiles {
 impl RestoredFiles {
     /// The emitted modules with their originals, by the path of each.
     pub fn originals(&self) -> impl Iterator<Item = (&str, &Restored)> {
-        self.paths.iter().zip(&self.files).filter_map(|(path, file)| match file {
-            RestoredFile::Original(restored) => Some((path.as_str(), restored)),
-            _ => None,
-        })
+        let all = self.paths.iter().zip(&self.files);
+        all.filter_map(|(path, file)| Some((path.as_str(), file.original()?)))
     }
 
     /// The common modules and what was changed in each, by the path of each.

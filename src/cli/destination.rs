@@ -8,6 +8,7 @@ use crate::application::EarlierResult;
 use rapid_compensation::emit::EmittedFile;
 use rapid_program::{modules_of_pgf, pgf_with_module};
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +25,9 @@ pub struct Destination {
     /// What was copied into the result's folder, where it is one.
     pub(super) copies: Option<Copies>,
 }
+
+/// What the name of a result ends with that goes beside its source.
+const TC: &str = "_tc";
 
 /// Name that stands for standard output.
 pub(super) const STANDARD: &str = "-";
@@ -252,12 +256,35 @@ fn with_tc(path: &Path, keep_extension: bool) -> PathBuf {
     let whole_name = named.is_dir();
     let stem = if whole_name { named.file_name() } else { named.file_stem() };
     let mut name = stem.unwrap_or_default().to_os_string();
-    name.push("_tc");
+    name.push(TC);
     if let (true, Some(extension)) = (keep_extension, path.extension()) {
         name.push(".");
         name.push(extension);
     }
     named.with_file_name(name)
+}
+
+/// `prog_tc.mod` → `prog.mod`; `None` of another name.
+pub(super) fn without_tc(path: &Path) -> Option<OsString> {
+    let mut name = without_ending(path.file_stem()?, TC)?;
+    if let Some(extension) = path.extension() {
+        name.push(".");
+        name.push(extension);
+    }
+    Some(name)
+}
+
+/// A name without its ending, be its letters of whatever coding.
+#[cfg(unix)]
+fn without_ending(name: &OsStr, ending: &str) -> Option<OsString> {
+    use std::os::unix::ffi::OsStrExt;
+    let own = name.as_bytes().strip_suffix(ending.as_bytes())?;
+    Some(OsStr::from_bytes(own).to_os_string())
+}
+
+#[cfg(not(unix))]
+fn without_ending(name: &OsStr, ending: &str) -> Option<OsString> {
+    name.to_str()?.strip_suffix(ending).map(OsString::from)
 }
 
 #[cfg(test)]
@@ -269,6 +296,8 @@ mod tests {
         assert_eq!(with_tc(Path::new("a/Cube45.MOD"), true), PathBuf::from("a/Cube45_tc.MOD"));
         assert_eq!(with_tc(Path::new("a/cell.pgf"), false), PathBuf::from("a/cell_tc"));
         assert_eq!(with_tc(Path::new("src"), false), PathBuf::from("src_tc"));
+        assert_eq!(without_tc(Path::new("a/Größe_tc.MOD")), Some(OsString::from("Größe.MOD")));
+        assert_eq!(without_tc(Path::new("a/tc.mod")), None);
         let here = with_tc(Path::new("."), false);
         assert!(here.is_absolute() && here.to_string_lossy().ends_with("_tc"), "{}", here.display());
     }

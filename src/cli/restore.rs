@@ -1,7 +1,7 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
 use super::copies::Copies;
-use super::destination::{is_folder, is_pgf};
+use super::destination::{is_folder, is_pgf, without_tc};
 use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
 use super::overwriting::RestoredOver;
 use super::program_input::ProgramInput;
@@ -9,6 +9,7 @@ use super::{Console, Outcome, overwriting};
 use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
 use rapid_compensation::emit::{Altered, ModifiedIn, ModifiedTarget, Restored};
 use rapid_syntax::diagnostic::Diagnostic;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -52,8 +53,10 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let found = Restoration::new(ProgramFiles::new(emitted)).run().map_err(Diagnostic::from)?;
     note_cores(&found, console);
     let (mut outputs, mut places) = (Vec::new(), Vec::new());
-    for (path, restored) in found.originals() {
-        let to = place(Path::new(path), restored, args)?;
+    // By the paths as they were given: a name in another coding is no text.
+    let given = args.emitted.iter().map(PathBuf::as_path).zip(&found.files);
+    for (path, restored) in given.filter_map(|(path, file)| Some((path, file.original()?))) {
+        let to = place(path, restored, args)?;
         overwriting::check_original(&to, &restored.bytes)?;
         places.push(to.clone());
         keep_apart(&[], &args.json.iter().chain(&places).map(PathBuf::as_path).collect::<Vec<_>>())?;
@@ -238,12 +241,15 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
     // The header is text that anybody may have edited: a name, never a way to elsewhere.
     let name = || {
         let name = restored.source_name.rsplit(['/', '\\']).next().unwrap_or_default();
+        if let Some(own) = original_name(path, name) {
+            return Ok(own);
+        }
         if name.is_empty() || name == ".." {
             let text = format!("the header of {} names no file", path.display());
             let help = "say with -o which file the original goes to";
             return Err(Diagnostic::error("restore::damaged", text).help(help));
         }
-        Ok(name)
+        Ok(OsString::from(name))
     };
     let to = match &args.output {
         Some(standard) if standard == Path::new("-") && args.emitted.len() > 1 => {
@@ -262,6 +268,19 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         return Err(Diagnostic::error("output::exists", text).help("say with -o where the original goes"));
     }
     apart(path, to)
+}
+
+/// The name of an original whose header says it with question marks, in place of letters that are none of ASCII, where the emitted module is
+/// called by it and `_tc`.
+fn original_name(emitted: &Path, name: &str) -> Option<OsString> {
+    if !name.contains('?') {
+        return None;
+    }
+    let own = without_tc(emitted)?;
+    let shown = own.to_string_lossy();
+    let is_it = shown.chars().count() == name.chars().count()
+        && shown.chars().zip(name.chars()).all(|(own, said)| own == said || said == '?' && !own.is_ascii());
+    is_it.then_some(own)
 }
 
 /// A place that is not the input's.

@@ -233,6 +233,24 @@ fn a_module_with_doubled_carriage_returns_is_what_it_was() {
     }
 }
 
+/// A header holds a name in ASCII alone; a module that kept the name of its result is called as its original was.
+#[test]
+fn an_original_whose_name_is_not_ascii_has_it_again() {
+    let bench = Bench::default();
+    let source = bench.file("Größe.mod", std::fs::read(CUBE).unwrap());
+    assert!(driftpost(&["compensate", &source, "--quiet", "--diff", "none"]).status.success());
+    std::fs::remove_file(&source).unwrap();
+    let emitted = bench.path("Größe_tc.mod").display().to_string();
+    assert_eq!(driftpost(&["restore", &emitted]).status.code(), Some(0));
+    let folder = bench.path("back/").display().to_string();
+    assert_eq!(driftpost(&["restore", &emitted, "-o", &folder]).status.code(), Some(0));
+    assert_eq!(bench.files(), ["Größe.mod", "Größe_tc.mod", "back/Größe.mod"]);
+    // Of another length it is another name.
+    let renamed = bench.file("Größer_tc.mod", std::fs::read(&emitted).unwrap());
+    assert_eq!(driftpost(&["restore", &renamed, "-o", &folder]).status.code(), Some(0));
+    assert!(bench.path("back/Gr??e.mod").exists());
+}
+
 /// A file whose name is a hyphen is never what was meant.
 #[test]
 fn what_goes_to_a_file_alone_refuses_standard_output() {
