@@ -186,14 +186,19 @@ fn put_in_place(
 ) -> anyhow::Result<Outcome> {
     let names: Vec<String> = outputs.iter().map(Output::name).collect();
     json.write_json(console, &found.json(&names))?;
-    let mut all = copies;
+    let (mut all, mut is_taken) = (copies, true);
     for ((_, restored), output) in found.originals().zip(outputs) {
         if output.is_standard() {
             console.out().write_all(&restored.bytes)?;
+            is_taken = console.out().flush().is_ok();
         }
         all.extend(output.into_pending());
     }
     place_all(all, &[])?;
+    if !is_taken {
+        // Why is told at the end.
+        return Ok(Outcome::Refused);
+    }
     for ((path, restored), to) in found.originals().zip(&names) {
         restored.touched.iter().for_each(|touched| note_touched(path, touched, console));
         warn(path, &restored.altered, console);

@@ -52,6 +52,10 @@ fn a_full_disk_is_told_with_what_was_written() {
     let program = run(&["compensate", CUBE, "-o", "-"]);
     assert_eq!(program.status.code(), Some(2));
     assert!(err(&program).contains("the program was not written whole"), "{}", err(&program));
+    let restored = run(&["restore", &made, "-o", "-"]);
+    assert_eq!(restored.status.code(), Some(2));
+    let message = err(&restored);
+    assert!(message.contains("standard output cannot be written") && !message.contains("wrote"), "{message}");
     for arguments in [&["inspect", CUBE][..], &["simulate", CUBE], &["diff", CUBE, CUBE], &["--help"]] {
         let output = run(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?} {}", err(&output));
