@@ -50,7 +50,7 @@ pub fn check_original(path: &Path, original: &[u8]) -> Result<(), Diagnostic> {
         return Ok(());
     }
     let why = format!("is another program, with module {}", there.join(", "));
-    Err(kept(path, &why, "name another place with -o"))
+    Err(kept(path, &why, "name another place with -o, or say --force"))
 }
 
 /// Refuses to overwrite a module that measures where a module of another name stands.
@@ -186,9 +186,9 @@ pub fn check_copy(copies: &Copies, to: &Path, new: impl FnOnce() -> Vec<u8>) -> 
         .help("take it away, name another place with -o, or say --force"))
 }
 
-/// What of a folder that a program is restored to may be overwritten.
+/// What may be overwritten where a module or a program is restored to.
 pub struct RestoredOver {
-    /// Files that `restore` put there before.
+    /// Files that `restore` put there before, in the folder.
     pub restored: Copies,
     /// Files that `compensate` copied from there, and where their copies stand.
     pub copied: Copies,
@@ -218,11 +218,11 @@ impl RestoredOver {
                 || self.restored.is_as_copied(to, &there)
                 || self.copied.is_as_copied(from, &there)
         };
-        if is_source || there == new || is_known() {
+        if there.is_empty() || is_source || there == new || is_known() {
             return Ok(());
         }
         let why = "is not as it was when the program was compensated: what was changed there would be lost";
-        Err(kept(to, why, "name another folder with -o, or say --force"))
+        Err(kept(to, why, "name another place with -o, or say --force"))
     }
 }
 

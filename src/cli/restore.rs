@@ -1,9 +1,10 @@
 //! `driftpost restore`: emitted modules in, their originals out.
 
 use super::copies::Copies;
-use super::destination::{is_folder, is_pgf, without_tc};
+use super::destination::{STANDARD, is_folder, is_pgf, without_tc};
 use super::files::{self, Output, Pending, is_standard, keep_apart, place_all};
 use super::overwriting::RestoredOver;
+use super::pending::folder_of;
 use super::program_input::ProgramInput;
 use super::{Console, Outcome, overwriting};
 use driftpost::application::{ProgramFiles, Restoration, RestoredFile, RestoredFiles};
@@ -25,7 +26,7 @@ pub struct Args {
     #[arg(short, long, value_name = "PATH")]
     pub output: Option<PathBuf>,
 
-    /// Overwrite what was changed in the folder since the program was compensated.
+    /// Overwrite what stands where the original goes, changed since the program was compensated as it may be.
     #[arg(long)]
     pub force: bool,
 
@@ -57,14 +58,38 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let given = args.emitted.iter().map(PathBuf::as_path).zip(&found.files);
     for (path, restored) in given.filter_map(|(path, file)| Some((path, file.original()?))) {
         let to = place(path, restored, args)?;
-        overwriting::check_original(&to, &restored.bytes)?;
+        if !args.force && to != Path::new(STANDARD) {
+            overwriting::check_original(&to, &restored.bytes)?;
+            let over = RestoredOver {
+                restored: Copies::of(folder_of(&to)),
+                copied: Copies::of(folder_of(path)),
+                force: false,
+            };
+            over.check((path, &to), &restored.bytes, Some(&restored.source_sha256))?;
+        }
         places.push(to.clone());
         keep_apart(&[], &args.json.iter().chain(&places).map(PathBuf::as_path).collect::<Vec<_>>())?;
         let mut output = Output::of_program(Some(&to))?;
         output.fill(|out| Ok(out.write_all(&restored.bytes)?))?;
         outputs.push(output);
     }
-    put_in_place(&found, outputs, Vec::new(), json, console)
+    let records = records(&places, &found)?;
+    put_in_place(&found, outputs, records, json, console)
+}
+
+/// The records of the folders that originals go to one by one.
+fn records(places: &[PathBuf], found: &RestoredFiles) -> Result<Vec<Pending>, Diagnostic> {
+    // A device or pipe is no place to be known again.
+    let is_kept = |to: &Path| to != Path::new(STANDARD) && (to.is_file() || !to.exists());
+    let mut folders: Vec<&Path> = places.iter().filter(|to| is_kept(to)).map(|to| folder_of(to)).collect();
+    sorting::ascending(&mut folders);
+    folders.dedup();
+    let originals =
+        || places.iter().map(PathBuf::as_path).zip(found.originals().map(|(_, restored)| restored));
+    let record_of = |folder: &Path| {
+        record(&Copies::of(folder), originals().filter(|(to, _)| is_kept(to) && folder_of(to) == folder))
+    };
+    folders.into_iter().filter_map(|folder| record_of(folder).transpose()).collect()
 }
 
 /// A whole program, folder by folder: emitted modules become their originals, the common module goes, a `.pgf` loses it, and
@@ -113,7 +138,10 @@ fn restore_program(
         let bytes = if is_pgf(path) { found.list_without_cores(path, bytes) } else { bytes };
         copies.push(beside_place(path, place, &bytes, None)?);
     }
-    copies.extend(record(&over.restored, folder, &given, &found)?);
+    let places: Vec<PathBuf> = given.places.iter().map(|place| folder.join(place)).collect();
+    let originals = places.iter().zip(&found.files);
+    let originals = originals.filter_map(|(to, file)| Some((to.as_path(), file.original()?)));
+    copies.extend(record(&over.restored, originals)?);
     put_in_place(&found, outputs, copies, json, console)
 }
 
@@ -131,19 +159,15 @@ fn check_all_read(given: &ProgramInput) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// The folder's record with the originals that are not as they were compensated: they may be overwritten by what is got back another time.
-fn record(
+/// A folder's record with those of the originals in it that are not as they were compensated: they may be overwritten by what is got back
+/// another time. `None` where it stays as it is.
+fn record<'f>(
     known: &Copies,
-    folder: &Path,
-    given: &ProgramInput,
-    found: &RestoredFiles,
+    originals: impl Iterator<Item = (&'f Path, &'f Restored)>,
 ) -> Result<Option<Pending>, Diagnostic> {
-    let changed = given.places.iter().zip(&found.files).filter_map(|(place, file)| match file {
-        RestoredFile::Original(restored) if !restored.exact => {
-            Some(known.line(&folder.join(place), &restored.bytes))
-        }
-        _ => None,
-    });
+    let changed = originals
+        .filter(|(to, restored)| !restored.exact && !known.is_as_copied(to, &restored.bytes))
+        .map(|(to, restored)| known.line(to, &restored.bytes));
     let changed: String = changed.collect();
     if changed.is_empty() {
         return Ok(None);
@@ -160,7 +184,7 @@ fn folder<'a>(program: &Path, args: &'a Args) -> Result<&'a Path, Diagnostic> {
             let text = format!("where the program {} goes must be said", program.display());
             Err(Diagnostic::error("output::needed", text).help("name a folder with -o"))
         }
-        Some(standard) if standard == Path::new("-") => {
+        Some(standard) if standard == Path::new(STANDARD) => {
             let text = "a whole program does not go to standard output";
             Err(Diagnostic::error("output::one-file", text).help("name a folder with -o"))
         }
@@ -257,20 +281,21 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         Ok(OsString::from(name))
     };
     let to = match &args.output {
-        Some(standard) if standard == Path::new("-") && args.emitted.len() > 1 => {
+        Some(standard) if standard == Path::new(STANDARD) && args.emitted.len() > 1 => {
             let text = "several modules do not go to standard output";
             return Err(Diagnostic::error("output::one-file", text).help("name a folder with -o"));
         }
         Some(folder) if args.emitted.len() > 1 || is_folder(folder) => folder.join(name()?),
         Some(file) => file.clone(),
-        None if is_standard(path) => PathBuf::from("-"),
+        None if is_standard(path) => PathBuf::from(STANDARD),
         None => path.with_file_name(name()?),
     };
     // What is there already may stay.
     let is_there = || fs::read(&to).is_ok_and(|bytes| bytes == restored.bytes);
-    if args.output.is_none() && !is_standard(path) && to.exists() && !is_there() {
+    if args.output.is_none() && !args.force && !is_standard(path) && to.exists() && !is_there() {
         let text = format!("{} exists", to.display());
-        return Err(Diagnostic::error("output::exists", text).help("say with -o where the original goes"));
+        return Err(Diagnostic::error("output::exists", text)
+            .help("say with -o where the original goes, or say --force"));
     }
     apart(path, to)
 }

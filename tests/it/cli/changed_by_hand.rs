@@ -29,7 +29,7 @@ pub(super) fn compensated(bench: &Bench, source: &str, form: &str) -> String {
 /// What is said of a changed module, and the original that is got back; it ends with `code`.
 pub(super) fn restored(bench: &Bench, changed: &str, code: i32) -> (String, String) {
     let (from, to) = (bench.file("changed.mod", changed), bench.path("back.mod").display().to_string());
-    let output = driftpost(&["restore", &from, "-o", &to]);
+    let output = driftpost(&["restore", &from, "-o", &to, "--force"]);
     assert_eq!(output.status.code(), Some(code), "{}\n{changed}", err(&output));
     (err(&output), if code == 2 { String::new() } else { bench.text("back.mod") })
 }

@@ -199,7 +199,8 @@ fn a_restored_module_goes_over_itself_and_over_no_other_program() {
     assert!(driftpost(&["compensate", CUBE, "-o", &emitted, "--quiet"]).status.success());
     let [other, own] = ["other.mod", "own.mod"].map(|name| bench.path(name).display().to_string());
     std::fs::write(&other, "MODULE Other\r\nENDMODULE\r\n").unwrap();
-    std::fs::write(&own, "MODULE mod_cube45\r\nENDMODULE\r\n").unwrap();
+    let edited = "MODULE mod_cube45\r\nENDMODULE\r\n";
+    std::fs::write(&own, edited).unwrap();
     let output = driftpost(&["restore", &emitted, "-o", &other]);
     assert_eq!(output.status.code(), Some(2));
     assert!(
@@ -208,8 +209,58 @@ fn a_restored_module_goes_over_itself_and_over_no_other_program() {
         err(&output)
     );
     assert_eq!(bench.text("other.mod"), "MODULE Other\r\nENDMODULE\r\n");
-    assert_eq!(driftpost(&["restore", &emitted, "-o", &own]).status.code(), Some(0));
-    assert!(bench.text("own.mod").as_bytes() == std::fs::read(CUBE).unwrap());
+    // Its own, which somebody has gone on with.
+    let output = driftpost(&["restore", &emitted, "-o", &own]);
+    assert!(
+        output.status.code() == Some(2) && err(&output).contains("own.mod is not as it was"),
+        "{}",
+        err(&output)
+    );
+    assert_eq!(bench.text("own.mod"), edited);
+    for to in [&own, &other] {
+        assert_eq!(driftpost(&["restore", &emitted, "-o", to, "--force"]).status.code(), Some(0));
+        assert!(std::fs::read(to).unwrap() == std::fs::read(CUBE).unwrap());
+        // What is there is the original now.
+        assert_eq!(driftpost(&["restore", &emitted, "-o", to]).status.code(), Some(0));
+    }
+    // What was got back of modules that were touched up goes over each other.
+    let text = bench.text("Cube45_tc.mod");
+    for moved in ["tcMode:=0;", "tcMode:=1;"] {
+        let comment = text.replacen("tcMode:=-1;", &format!("{moved} ! held"), 1);
+        assert_ne!(comment, text);
+        let changed = bench.file("changed.mod", comment);
+        let output = driftpost(&["restore", &changed, "-o", &own]);
+        assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+        assert!(bench.text("own.mod").contains("! held"));
+    }
+    assert!(bench.text(".driftpost").lines().all(|line| line.ends_with("  own.mod")));
+    // Of several the one that was gone on with keeps all from being written.
+    let folder = bench.path("all/").display().to_string();
+    bench.file("all/Cube45.mod", edited);
+    let second = bench.file("second.mod", &text.replace("Cube45.mod", "B.mod"));
+    let output = driftpost(&["restore", &second, &emitted, "-o", &folder]);
+    assert!(output.status.code() == Some(2) && err(&output).contains("output::changed"), "{}", err(&output));
+    assert!(bench.text("all/Cube45.mod") == edited && !bench.path("all/B.mod").exists());
+    let output = driftpost(&["restore", &emitted, "-o", &bench.file("notes.txt", "of the cell\n")]);
+    assert!(output.status.code() == Some(2) && err(&output).contains("output::changed"), "{}", err(&output));
+}
+
+/// A header holds a name in ASCII alone; a module that kept the name of its result is called as its original was.
+#[test]
+fn an_original_whose_name_is_not_ascii_has_it_again() {
+    let bench = Bench::default();
+    let source = bench.file("Größe.mod", std::fs::read(CUBE).unwrap());
+    assert!(driftpost(&["compensate", &source, "--quiet", "--diff", "none"]).status.success());
+    std::fs::remove_file(&source).unwrap();
+    let emitted = bench.path("Größe_tc.mod").display().to_string();
+    assert_eq!(driftpost(&["restore", &emitted]).status.code(), Some(0));
+    let folder = bench.path("back/").display().to_string();
+    assert_eq!(driftpost(&["restore", &emitted, "-o", &folder]).status.code(), Some(0));
+    assert_eq!(bench.files(), ["Größe.mod", "Größe_tc.mod", "back/Größe.mod"]);
+    // Of another length it is another name.
+    let renamed = bench.file("Größer_tc.mod", std::fs::read(&emitted).unwrap());
+    assert_eq!(driftpost(&["restore", &renamed, "-o", &folder]).status.code(), Some(0));
+    assert!(bench.path("back/Gr??e.mod").exists());
 }
 
 /// A transfer as text that takes LF for the line end writes CR LF for each, be there a CR before it or not.
@@ -231,24 +282,6 @@ fn a_module_with_doubled_carriage_returns_is_what_it_was() {
             err(&output)
         );
     }
-}
-
-/// A header holds a name in ASCII alone; a module that kept the name of its result is called as its original was.
-#[test]
-fn an_original_whose_name_is_not_ascii_has_it_again() {
-    let bench = Bench::default();
-    let source = bench.file("Größe.mod", std::fs::read(CUBE).unwrap());
-    assert!(driftpost(&["compensate", &source, "--quiet", "--diff", "none"]).status.success());
-    std::fs::remove_file(&source).unwrap();
-    let emitted = bench.path("Größe_tc.mod").display().to_string();
-    assert_eq!(driftpost(&["restore", &emitted]).status.code(), Some(0));
-    let folder = bench.path("back/").display().to_string();
-    assert_eq!(driftpost(&["restore", &emitted, "-o", &folder]).status.code(), Some(0));
-    assert_eq!(bench.files(), ["Größe.mod", "Größe_tc.mod", "back/Größe.mod"]);
-    // Of another length it is another name.
-    let renamed = bench.file("Größer_tc.mod", std::fs::read(&emitted).unwrap());
-    assert_eq!(driftpost(&["restore", &renamed, "-o", &folder]).status.code(), Some(0));
-    assert!(bench.path("back/Gr??e.mod").exists());
 }
 
 /// A file whose name is a hyphen is never what was meant.

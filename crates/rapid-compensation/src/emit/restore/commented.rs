@@ -8,7 +8,7 @@ use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{ModuleItem, Stmt, StmtKind};
 
 impl<'w> Remover<'w> {
-    /// The same for a statement that is a comment, and for nothing else.
+    /// Takes out what stands round targets in a statement that is a comment, and notes which arrays it names; another is left alone.
     pub(super) fn comment_of_statement(&mut self, stmt: &Stmt, arrays: &mut [NamedArray<'w>]) {
         if matches!(stmt.kind, StmtKind::Comment) {
             self.comment(stmt.range, arrays);
@@ -18,13 +18,9 @@ impl<'w> Remover<'w> {
     /// The same for the module's comments outside routines.
     pub(super) fn comments_of_module(&mut self, arrays: &mut [NamedArray<'w>]) {
         for item in &self.module.items {
-            match item {
-                ModuleItem::Comment(range)
-                    if range.end <= self.header.start || range.start >= self.header.end =>
-                {
-                    self.comment(*range, arrays);
-                }
-                _ => {}
+            let ModuleItem::Comment(range) = item else { continue };
+            if range.end <= self.header.start || range.start >= self.header.end {
+                self.comment(*range, arrays);
             }
         }
     }
