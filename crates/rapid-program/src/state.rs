@@ -7,6 +7,7 @@
 //! An error leaves a routine with the state at the statement that fails; where a handler of a caller goes
 //! on with TRYNEXT or RETRY, it goes on with that.
 
+mod earlier_rounds;
 mod entry;
 mod held_parts;
 mod in_force;
@@ -31,6 +32,7 @@ use super::open_variables::has_main;
 use super::own_position::OwnPositions;
 use super::tracked::{TrackedData, names_in};
 use super::value::{Value, Why};
+use earlier_rounds::{CallPath, EarlierRounds};
 use rapid_syntax::tree::{Expr, RoutineKind};
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -113,9 +115,10 @@ struct StateAnalysis<'w, 'a> {
     at_motions: Vec<Option<Rc<State>>>,
     /// The last one seen: most motions of a routine see the same.
     last_seen: Option<Rc<State>>,
-    walked: Table<RoutineIndex, Vec<(State, After)>>,
+    walked: Table<RoutineIndex, Vec<Walked>>,
     common: Table<RoutineIndex, Option<State>>,
     busy: Vec<Busy>,
+    earlier: EarlierRounds,
     steps: u64,
     effects: Table<RoutineIndex, RoutineEffects>,
     /// What the handlers of each routine and those they call may change.
@@ -170,9 +173,20 @@ struct After {
     failed: Option<State>,
 }
 
+/// A routine that has been walked.
+#[derive(Clone)]
+struct Walked {
+    /// What it was called with.
+    asked: Rc<State>,
+    /// What it was entered with in the end, by the calls of itself further down too.
+    entry: State,
+    after: After,
+}
+
 /// A routine that is being walked.
 struct Busy {
     routine: RoutineIndex,
+    path: CallPath,
     /// What it was entered with, by the calls of itself further down too.
     entry: State,
     /// What it is known to leave so far.
@@ -196,6 +210,7 @@ impl<'w, 'a> StateAnalysis<'w, 'a> {
             walked: Table::filled(routines, Vec::new()),
             common: Table::filled(routines, None),
             busy: Vec::new(),
+            earlier: EarlierRounds::default(),
             steps: 0,
             in_handlers: Table::default(),
             effects: routine_effects(control_flow),

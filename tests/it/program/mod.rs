@@ -3,6 +3,7 @@
 
 mod at_any_time;
 mod called_by_text;
+mod circles;
 mod corpus;
 mod errors;
 mod named_on_reading;

@@ -5,7 +5,7 @@
 
 use super::held_parts::HeldParts;
 use super::in_force::{lose, same, same_or_none, unknown};
-use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, StateAnalysis};
+use super::{After, Busy, DEEPEST_CALL, MOST_STATES, MOST_STEPS, State, StateAnalysis, Walked};
 use crate::flow::{ForwardAnalysis, walk};
 use crate::ids::RoutineIndex;
 use crate::index::DatumKind;
@@ -41,11 +41,13 @@ impl StateAnalysis<'_, '_> {
         if let Some(at) = self.busy.iter().rposition(|b| b.routine == routine) {
             return self.call_again(at, &entry);
         }
-        if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
-            return after.clone();
+        if let Some(after) = self.walked_before(routine, &entry) {
+            return after;
         }
         if self.busy.len() >= DEEPEST_CALL {
             self.steps = MOST_STEPS + 1;
+        }
+        if self.steps > MOST_STEPS {
             return After { exit: Some(entry), failed: None };
         }
         if self.walked[routine].len() >= MOST_STATES {
@@ -54,16 +56,30 @@ impl StateAnalysis<'_, '_> {
                 entry = common;
             }
             self.common[routine] = Some(entry.clone());
-            if let Some((_, after)) = self.walked[routine].iter().find(|(known, _)| same(known, &entry)) {
-                return after.clone();
+            if let Some(after) = self.walked_before(routine, &entry) {
+                return after;
             }
         }
+        let walked = self.walk_until_settled(routine, Rc::new(entry));
+        if self.busy.is_empty() {
+            self.earlier.clear();
+        }
+        let after = walked.after.clone();
+        self.walked[routine].push(walked);
+        after
+    }
+
+    /// Walks a routine until it covers the calls of itself further down; not for ever, as what it is entered with and leaves only grows.
+    fn walk_until_settled(&mut self, routine: RoutineIndex, asked: Rc<State>) -> Walked {
         let known: Vec<usize> = self.walked.iter().map(Vec::len).collect();
-        let mut after = After::default();
+        let path = self.earlier.path(self.busy.last().map(|busy| busy.path), routine, &asked);
+        let found = self.earlier.found(path);
+        let (mut entry, mut after) = found.unwrap_or_else(|| ((*asked).clone(), After::default()));
         loop {
             let (entered, known_after) = (entry.clone(), after.clone());
             self.busy.push(Busy {
                 routine,
+                path,
                 entry: entered,
                 after: known_after,
                 failed: None,
@@ -76,7 +92,11 @@ impl StateAnalysis<'_, '_> {
             after.failed = self.either(before.failed.clone(), busy.failed);
             let settled = same_or_none(before.exit.as_ref(), after.exit.as_ref())
                 && same_or_none(before.failed.as_ref(), after.failed.as_ref());
-            if !busy.recursive || settled && same(&busy.entry, &entry) {
+            if !busy.recursive {
+                break;
+            }
+            self.earlier.note(path, &busy.entry, &after);
+            if settled && same(&busy.entry, &entry) {
                 break;
             }
             // What was walked on the way rests on what this routine was taken to do.
@@ -85,8 +105,13 @@ impl StateAnalysis<'_, '_> {
             }
             entry = busy.entry;
         }
-        self.walked[routine].push((entry, after.clone()));
-        after
+        Walked { asked, entry, after }
+    }
+
+    /// What a routine left that was entered with the same, or that has to be with what it was walked with in the end.
+    fn walked_before(&self, routine: RoutineIndex, entry: &State) -> Option<After> {
+        let is_it = |walked: &&Walked| same(&walked.entry, entry) || same(&walked.asked, entry);
+        self.walked[routine].iter().find(is_it).map(|walked| walked.after.clone())
     }
 
     /// What a call has left, seen from the caller, in which it was `before`: where routines call themselves, another call of the caller may
