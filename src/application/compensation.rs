@@ -208,17 +208,19 @@ impl Compensation {
     }
 
     /// The program with its warnings; refused where its text is none, or speaks against compensating it.
-    fn read(&self, program: &ProgramFiles) -> Result<(Program, Vec<LocatedDiagnostic>), Box<Refusal>> {
-        program.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
-        let files = program.sources();
+    fn read(&self, given: &ProgramFiles) -> Result<(Program, Vec<LocatedDiagnostic>), Box<Refusal>> {
+        given.iter().try_for_each(|(path, bytes)| check_text(path, bytes))?;
+        let files = given.sources();
         if let Err(message) = check_modules(&files).and_then(|()| check_names(&files)) {
             let messages = vec![LocatedDiagnostic::new(message, &files)];
             let program = Program { files, ..Program::default() };
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }
         let mut program = Program::read(files, &self.overrides);
+        let unused = self.unused_frames(&|name| given.mentions(name), &program);
         compensate::leave_out_unreached(&mut program, &self.robot.model);
-        let messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);
+        let mut messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);
+        messages.extend(LocatedDiagnostic::all(unused, &program.files));
         if messages.iter().any(is_error) {
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }

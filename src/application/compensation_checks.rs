@@ -7,7 +7,7 @@ use rapid_program::{Program, is_of_task, task_of};
 use rapid_syntax::SourceFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId, Severity, TextRange, is_or_are, plural};
 use rapid_syntax::tree::{FileItem, ModuleItem, Scope};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Makers of arms that run no RAPID, as they stand in the names of robots.
 const OTHER_MAKERS: [&str; 12] = [
@@ -186,6 +186,38 @@ impl Compensation {
             found.push(Diagnostic::new(severity, "refuse::not-nominal", text).at(remark.span).help(help));
         }
         found
+    }
+
+    /// Tools and work objects that are given for names which stand nowhere in the program, as far as it `mentions` any.
+    pub(super) fn unused_frames(
+        &self,
+        mentions: &dyn Fn(&str) -> bool,
+        program: &Program,
+    ) -> Vec<Diagnostic> {
+        let setups = || program.motions.iter().map(|motion| &motion.setup);
+        let tools: BTreeSet<&str> = setups()
+            .filter(|setup| setup.tool.is_none())
+            .filter_map(|setup| setup.tool_name.as_deref())
+            .collect();
+        let wobjs: BTreeSet<&str> = setups()
+            .filter(|setup| setup.wobj.is_none())
+            .filter_map(|setup| setup.wobj_name.as_deref())
+            .collect();
+        let given = [("--tool", &self.overrides.tools, tools), ("--wobj", &self.overrides.wobjs, wobjs)];
+        let warning = |option: &str, name: &str, lacking: &BTreeSet<&str>| {
+            let text = format!("{option} {name}=: the program names no {name}");
+            let lacking: Vec<&str> = lacking.iter().copied().take(MOST_NAMED).collect();
+            let help = match lacking.as_slice() {
+                [] => "correct the name, or leave the option out".to_owned(),
+                names => format!("no value is known for {}", names.join(", ")),
+            };
+            Diagnostic::warning("override::unused", text).help(help)
+        };
+        let of = |(option, given, lacking): (&str, &Vec<(String, String)>, BTreeSet<&str>)| {
+            let unused = given.iter().filter(|(name, _)| !mentions(name));
+            unused.map(|(name, _)| warning(option, name, &lacking)).collect::<Vec<_>>()
+        };
+        given.into_iter().flat_map(of).collect()
     }
 
     /// The files of the task that is compensated, or all.
