@@ -8,7 +8,7 @@ use crate::report::LocatedDiagnostic;
 use rapid_compensation::compensate::plan::{Plan, Totals};
 use rapid_compensation::compensate::{self, CompensateError, FormChoice, Options, TouchingArm};
 use rapid_compensation::emit::{
-    Clock, DriftGrowth, EmitOptions, EmittedFile, MAX_AMOUNT, NotWritten, Touch, emit_each,
+    self, Clock, DriftGrowth, EmitOptions, EmittedFile, MAX_AMOUNT, NotWritten, Touch, emit_each,
 };
 use rapid_program::motion::SkipReason;
 use rapid_program::{Overrides, Program};
@@ -216,7 +216,9 @@ impl Compensation {
             let program = Program { files, ..Program::default() };
             return Err(Box::new(Refusal { program, messages, ..Refusal::default() }));
         }
-        let mut program = Program::read(files, &self.overrides);
+        let added_routines = emit::routines_to_call(&self.emit.clock, self.touch.is_some());
+        let overrides = Overrides { added_routines, ..self.overrides.clone() };
+        let mut program = Program::read(files, &overrides);
         let unused = self.unused_frames(&|name| given.mentions(name), &program);
         compensate::leave_out_unreached(&mut program, &self.robot.model);
         let mut messages = LocatedDiagnostic::all(self.check_program(&program), &program.files);

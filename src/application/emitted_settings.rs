@@ -3,7 +3,7 @@
 use super::named::{Named, sha256};
 use super::other_robot::PAPER_ROBOT;
 use super::program_files::ProgramFiles;
-use rapid_compensation::emit::{Provenance, made_with};
+use rapid_compensation::emit::{self, Clock, Provenance, made_with};
 use rapid_program::{Overrides, is_of_task};
 use rapid_syntax::diagnostic::Diagnostic;
 use robot_model::deform::Deformation;
@@ -142,6 +142,8 @@ impl EmittedSettings {
             home: None,
             base_fixed,
             other_tasks: Vec::new(),
+            // The original that a program is compared with calls what the program was given.
+            added_routines: emit::routines_to_call(&Clock::Elapsed, true),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::program_files::{ProgramFiles, check_modules};
 use crate::report::{self, LocatedDiagnostic};
+use rapid_compensation::emit::{self, Clock};
 use rapid_program::{Overrides, Program};
 use std::io::{self, Write};
 
@@ -39,7 +40,10 @@ impl Inspection {
         if let Err(why) = check_modules(&files) {
             return Err(Box::new(LocatedDiagnostic::new(why, &files)));
         }
-        let program = Program::read(files, &self.overrides);
+        // Which clock and which touch there will be nobody has said; a program is written with any of them.
+        let added_routines = emit::routines_to_call(&Clock::Elapsed, true);
+        let overrides = Overrides { added_routines, ..self.overrides.clone() };
+        let program = Program::read(files, &overrides);
         let warnings = program.files.iter().flat_map(|file| &file.warnings);
         let messages = LocatedDiagnostic::all(warnings.chain(&program.diagnostics).cloned(), &program.files);
         Ok(Inspected { program, messages })

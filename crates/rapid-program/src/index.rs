@@ -8,6 +8,7 @@ mod declare;
 
 use declare::task_of;
 
+use super::AddedRoutine;
 use super::ids::{DatumId, IdSet, ModuleId, RoutineIndex, Table};
 use super::names::{ByNumber, Interner, Sym};
 use rapid_syntax::SourceFile;
@@ -116,12 +117,19 @@ pub(super) struct Index<'a> {
     pub(super) called_by_moves: IdSet<RoutineIndex>,
     /// Variables that only what is not given can set, once they are looked for.
     pub(super) open_variables: IdSet<DatumId>,
+    /// Procedures that the program is given when it is written.
+    pub(super) added_routines: &'a [AddedRoutine],
 }
 
 impl<'a> Index<'a> {
     /// Whether a routine may run between any two statements of its task: a trap, or a procedure that a move calls in its corner.
     pub(super) fn interrupts(&self, id: RoutineIndex) -> bool {
         self.routines[id].tree.kind == RoutineKind::Trap || self.called_by_moves.contains(id)
+    }
+
+    /// The procedure of a name that the program is given when it is written; where the program declares one itself that one is meant.
+    pub(super) fn added_routine(&self, name: &str) -> Option<&'a AddedRoutine> {
+        self.added_routines.iter().find(|added| added.name.eq_ignore_ascii_case(name))
     }
 
     /// Whether what stands there belongs to a measuring program that `plan` has written: its module's name.
@@ -146,6 +154,7 @@ impl<'a> Index<'a> {
             aliases: ByNumber::default(),
             called_by_moves: IdSet::default(),
             open_variables: IdSet::default(),
+            added_routines: &[],
         };
         index.intern_predefined(super::record::TYPES);
         let mut tasks: Vec<String> = Vec::new();

@@ -96,6 +96,17 @@ pub struct Overrides {
     pub base_fixed: [bool; 6],
     /// Tasks of the same controller whose modules are not given.
     pub other_tasks: Vec<String>,
+    /// Procedures that the program is given when it is written, and may call before.
+    pub added_routines: Vec<AddedRoutine>,
+}
+
+/// A procedure that a program is given when it is written: what it does is known, it sets nothing of the program's own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AddedRoutine {
+    /// Its name.
+    pub name: &'static str,
+    /// Whether it may leave the arm elsewhere.
+    pub moves_arm: bool,
 }
 
 /// A program: all given files, read and understood together.

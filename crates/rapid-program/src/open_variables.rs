@@ -70,9 +70,10 @@ fn calls_others(index: &Index<'_>, task: Option<u32>) -> bool {
 }
 
 fn calls_another(index: &Index<'_>, ctx: Ctx, stmt: &Stmt) -> bool {
-    let is_another = |name: TextRange, is_own: fn(&str) -> bool| {
+    let is_another = |name: TextRange, is_own: &dyn Fn(&str) -> bool| {
         !index.declares_routine(name, ctx) && !is_own(&lower_case(index.text(ctx.file, name)))
     };
+    let is_known = |name: &str| is_controllers_own(name) || index.added_routine(name).is_some();
     let calls_by_number = |name: TextRange, args: &[Arg]| {
         let is_call = lower_case(index.text(ctx.file, name)) == "callbyvar";
         let text = args.first().and_then(value_of).filter(|_| is_call);
@@ -81,18 +82,18 @@ fn calls_another(index: &Index<'_>, ctx: Ctx, stmt: &Stmt) -> bool {
     let mut found = match &stmt.kind {
         StmtKind::Call(call) => match &call.callee {
             Callee::Name(name) => {
-                is_another(*name, is_controllers_own)
+                is_another(*name, &is_known)
                     || calls_by_number(*name, &call.args)
                     || called_by(index, ctx, call)
                         .is_some_and(|name| reached(index, ctx, name, &[]).is_empty())
             }
             Callee::Late(name) => reached(index, ctx, name, &call.args).is_empty(),
         },
-        StmtKind::Connect(connect) => is_another(connect.trap, |_| false),
+        StmtKind::Connect(connect) => is_another(connect.trap, &|_| false),
         _ => false,
     };
     for expr in expressions_of(stmt) {
-        every_call(expr, &mut |name, _| found = found || is_another(name, is_built_in_function));
+        every_call(expr, &mut |name, _| found = found || is_another(name, &is_built_in_function));
     }
     found
 }

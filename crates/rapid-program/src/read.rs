@@ -53,7 +53,7 @@ impl Program {
     pub fn read(mut files: Vec<SourceFile>, overrides: &Overrides) -> Self {
         let mut diagnostics = Vec::new();
         let given = super::overrides::given(overrides, &mut diagnostics);
-        let (index, writes) = indexed(&files);
+        let (index, writes) = indexed(&files, overrides);
         let mut evaluator = ConstEvaluator::new(&index, &writes);
         evaluator.given = given;
         super::overrides::unused(&evaluator, overrides, &mut diagnostics);
@@ -111,8 +111,9 @@ impl Program {
 }
 
 /// What the files declare, and what they change of it.
-fn indexed(files: &[SourceFile]) -> (Index<'_>, Writes) {
+fn indexed<'a>(files: &'a [SourceFile], overrides: &'a Overrides) -> (Index<'a>, Writes) {
     let mut index = Index::new(files);
+    index.added_routines = &overrides.added_routines;
     index.called_by_moves = called_by_moves(&index);
     let writes = Writes::new(&index);
     index.open_variables = open_variables(&index, &writes);

@@ -183,14 +183,7 @@ impl Args {
         for axis in &self.base_fixed {
             base_fixed[axis.0] = true;
         }
-        Overrides {
-            task: None,
-            tools: self.tool.clone(),
-            wobjs: self.wobj.clone(),
-            home: None,
-            base_fixed,
-            other_tasks: Vec::new(),
-        }
+        Overrides { tools: self.tool.clone(), wobjs: self.wobj.clone(), base_fixed, ..Overrides::default() }
     }
 
     /// Refuses numbers that make no sense before any work is done.

@@ -4,6 +4,7 @@ mod asked_by_hand;
 mod asked_names;
 mod bad_input;
 mod changed_by_hand;
+mod clock_calls;
 mod compensate;
 mod diff;
 mod elements;

@@ -50,7 +50,9 @@ pub use header::{CommonModule, common_module, made_with, renamed};
 pub use identity::{Difference, Undeclared, WithoutAdded};
 pub use mode::HeldMode;
 pub use not_written::NotWritten;
-pub use options::{Clock, Core, DriftGrowth, EmitError, EmitOptions, EmittedFile, Provenance, Sensor};
+pub use options::{
+    Clock, Core, DriftGrowth, EmitError, EmitOptions, EmittedFile, Provenance, Sensor, routines_to_call,
+};
 pub use record_text::{write_orient, write_pos};
 pub use restore::{
     AddedToProgram, Altered, ModifiedIn, ModifiedTarget, RestoreError, Restored, altered_core, core_names,

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use super::touch::Touch;
 use crate::compensate::FormChoice;
+use rapid_program::AddedRoutine;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::{Edit, EditError, Replaced, edits_of};
 use robot_model::deform::identified::Identified;
@@ -95,6 +96,19 @@ impl Provenance {
         let (sha256, name) = text.strip_prefix("SHA-256 ")?.split_once(' ')?;
         Some(Self { name: name.to_owned(), sha256: sha256.to_owned() })
     }
+}
+
+/// The procedures that an emitted program is given and that it may call: those of a clock, and where a fixed point is touched the one that
+/// does it, which moves the arm. They set nothing but their own data.
+#[must_use]
+pub fn routines_to_call(clock: &Clock, touches: bool) -> Vec<AddedRoutine> {
+    let starts: &[&'static str] = match clock {
+        Clock::Warmth { .. } | Clock::Elapsed => &["tcColdStart", "tcWarmStart", "tcStartAt"],
+        Clock::Sensor { .. } => &[],
+    };
+    let clock = starts.iter().chain(&["tcUpdate"]).map(|&name| AddedRoutine { name, moves_arm: false });
+    let touch = AddedRoutine { name: "tcTouch", moves_arm: true };
+    clock.chain(touches.then_some(touch)).collect()
 }
 
 /// How a program is emitted.

@@ -44,6 +44,7 @@ impl<'a> CfgBuilder<'_, 'a> {
         let displaces_nothing = lower == "pdispset" && self.is_no_displacement(call);
         let offsets_nothing = lower == "eoffsset" && self.offsets_nothing(call);
         let active = |what: &str| Some(self.why(at, format!("{what} ({written})")));
+        let added = self.index().added_routine(&lower);
         let step = match lower.as_str() {
             "confl" => FlowStep::ConfL(on),
             "confj" => FlowStep::ConfJ(on),
@@ -76,8 +77,8 @@ impl<'a> CfgBuilder<'_, 'a> {
                 FlowStep::UnknownPosition
             }
             "exitcycle" => FlowStep::ExitCycle,
-            _ if moves_arm(&lower) => FlowStep::UnknownPosition,
-            _ if harmless(&lower) => return,
+            _ if moves_arm(&lower) || added.is_some_and(|added| added.moves_arm) => FlowStep::UnknownPosition,
+            _ if harmless(&lower) || added.is_some() => return,
             _ => {
                 self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
                 self.not_given(lower, name);

@@ -158,6 +158,7 @@ impl WriteScan<'_, '_> {
             "setdataval" => self.by_name(&call.args, ctx, at),
             "setalldataval" => self.by_type(&call.args, ctx, at),
             _ if harmless(&lower) || move_form(&lower).is_some() => {}
+            _ if self.index.added_routine(&lower).is_some() => {}
             _ => self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful }),
         }
     }
