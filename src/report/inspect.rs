@@ -246,14 +246,14 @@ fn spelling(target: &Target) -> String {
     match target.origin() {
         Origin::Named { name, .. } => name.clone(),
         Origin::Inline => "[...]".to_owned(),
-        Origin::Expression => "expression".to_owned(),
+        Origin::Expression(_) => "expression".to_owned(),
     }
 }
 
 fn target(target: &Target) -> Value {
     let name = match target.origin() {
         Origin::Named { name, .. } => Some(name),
-        Origin::Inline | Origin::Expression => None,
+        Origin::Inline | Origin::Expression(_) => None,
     };
     let (position_mm, joints_deg) = match &target.value() {
         Some(TargetValue::Rob(rob)) => (

@@ -100,7 +100,7 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
 pub(super) fn target_name(motion: &Motion) -> Option<&str> {
     match motion.targets.last()?.origin() {
         Origin::Named { name, .. } => Some(name),
-        Origin::Inline | Origin::Expression => None,
+        Origin::Inline | Origin::Expression(_) => None,
     }
 }
 

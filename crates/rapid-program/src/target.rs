@@ -4,6 +4,7 @@ use super::data::{ConfData, ExtJoint, JointTarget, RobTarget};
 use nalgebra::{Isometry3, Quaternion, Translation3, Unit};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 /// How a target is written in its motion.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -17,9 +18,13 @@ pub enum Origin {
         /// The whole declaration of the data.
         declaration: Span,
     },
-    /// An element of an array, Offs, RelTool, CalcRobT and so on: a constant expression.
-    Expression,
+    /// An element of an array, Offs, RelTool, CalcRobT and so on: an expression, with the names of the targets that it is made of; of an
+    /// array's element also as it is written, without blanks.
+    Expression(Box<[String]>),
 }
+
+/// An expression that names no target.
+static NAMELESS: LazyLock<Origin> = LazyLock::new(|| Origin::Expression(Box::default()));
 
 /// What a target is worth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,9 +113,10 @@ impl Target {
     #[must_use]
     pub fn new(range: TextRange, origin: Origin) -> Self {
         let inline = origin == Origin::Inline;
-        let details = match origin {
-            Origin::Inline | Origin::Expression => None,
-            Origin::Named { .. } => Some(Box::new(Details {
+        let details = match &origin {
+            Origin::Inline => None,
+            Origin::Expression(names) if names.is_empty() => None,
+            Origin::Named { .. } | Origin::Expression(_) => Some(Box::new(Details {
                 origin,
                 literal: None,
                 elements: Box::default(),
@@ -188,7 +194,7 @@ impl Target {
         match &self.details {
             Some(details) => &details.origin,
             None if self.inline => &Origin::Inline,
-            None => &Origin::Expression,
+            None => &NAMELESS,
         }
     }
 
@@ -343,7 +349,7 @@ mod tests {
     #[test]
     fn elements_stand_in_for_a_value_that_only_run_time_tells() {
         let joints = TargetValue::Joint(JointTarget { q_rad: [Some(0.5); 6], ext: [None; 6] });
-        let written = || Target::new(TextRange::new(0, 5), Origin::Expression);
+        let written = || Target::new(TextRange::new(0, 5), Origin::Expression(Box::default()));
         let indices =
             Indices { range: TextRange::new(2, 4), dims: [3].into(), is_element: true, occurring: None };
         let some = Indices { occurring: Some([0, 2].into()), ..indices.clone() };
@@ -358,7 +364,7 @@ mod tests {
         let element = written().with_elements(vec![joints; 3], indices.clone());
         assert_eq!(
             (element.value(), element.values().count(), element.origin()),
-            (None, 3, &Origin::Expression)
+            (None, 3, &Origin::Expression(Box::default()))
         );
         assert_eq!((element.indices(), element.is_one_of()), (Some(&indices), false));
         let one_of = written().with_one_of(vec![joints; 3]);

@@ -9,6 +9,7 @@ mod compensate;
 mod diff;
 mod elements;
 mod kept_apart;
+mod kept_by_name;
 mod other_robots;
 mod outputs;
 mod put_in;

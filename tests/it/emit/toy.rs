@@ -145,7 +145,7 @@ impl Reader<'_> {
     }
 
     fn target(&self, expr: &Expr, joint: bool) -> Target {
-        let (mut origin, mut literal) = (Origin::Expression, None);
+        let (mut origin, mut literal) = (Origin::Expression(Box::default()), None);
         match &expr.kind {
             ExprKind::Aggregate(_) | ExprKind::Numbers => {
                 origin = Origin::Inline;

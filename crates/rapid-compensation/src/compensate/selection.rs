@@ -96,7 +96,8 @@ fn first_match(patterns: &mut [Pattern], names: &[&str]) -> Option<String> {
     first
 }
 
-/// The names that a motion goes by: its targets', its routine's, its module's.
+/// The names that a motion goes by: its targets' and those that its targets are made of (`p30` of `Offs(p30,0,0,10)`), its routine's, its
+/// module's.
 fn names<'p>(program: &'p Program, motion: &'p Motion) -> Vec<&'p str> {
     let routine = program.routine_of(motion);
     let routine = routine.into_iter().flat_map(|routine| [routine.name.as_str(), routine.module.as_str()]);
@@ -104,8 +105,13 @@ fn names<'p>(program: &'p Program, motion: &'p Motion) -> Vec<&'p str> {
 }
 
 fn target_names(motion: &Motion) -> impl Iterator<Item = &str> {
-    motion.targets.iter().filter_map(|target| match target.origin() {
-        Origin::Named { name, .. } => Some(name.as_str()),
-        Origin::Inline | Origin::Expression => None,
+    motion.targets.iter().flat_map(|target| {
+        match target.origin() {
+            Origin::Named { name, .. } => std::slice::from_ref(name),
+            Origin::Expression(names) => names,
+            Origin::Inline => &[],
+        }
+        .iter()
+        .map(String::as_str)
     })
 }

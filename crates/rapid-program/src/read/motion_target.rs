@@ -13,7 +13,7 @@ use crate::motion::{MotionId, Origin, Path, PersTarget, PersUse, SkipReason, Tar
 use crate::motion_site::MoveArgs;
 use crate::names::as_text;
 use crate::state::{State, View};
-use crate::tracked::names_in_where;
+use crate::tracked::{names_in, names_in_where};
 use crate::value::{DataName, Reached, Value, Why};
 use rapid_syntax::diagnostic::{Diagnostic, Span};
 use rapid_syntax::tree::{Expr, ExprKind, UnaryOp};
@@ -198,7 +198,7 @@ impl<'a> MotionReader<'_, 'a> {
             converted.map_err(|(code, reason)| {
                 let because = match origin {
                     Origin::Named { declaration, .. } => Some(*declaration),
-                    Origin::Inline | Origin::Expression => None,
+                    Origin::Inline | Origin::Expression(_) => None,
                 };
                 Rc::new(SkipReason { code, reason, because })
             })
@@ -226,8 +226,26 @@ impl<'a> MotionReader<'_, 'a> {
                     }
                 }
             }
-            _ => (Origin::Expression, None),
+            _ => (Origin::Expression(self.targets_named(expr, ctx)), None),
         }
+    }
+
+    /// The targets by name of which an expression is made, each once.
+    fn targets_named(&self, expr: &Expr, ctx: Ctx) -> Box<[String]> {
+        let index = self.evaluator.index;
+        let mut names: Vec<String> = Vec::new();
+        names_in(index, ctx, expr, &mut |datum| {
+            if matches!(index.type_text(index.data[datum].type_name), "robtarget" | "jointtarget") {
+                let name = self.evaluator.name_of(datum);
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        });
+        if matches!(expr.kind, ExprKind::Index(_)) {
+            names.push(as_text(index.text(ctx.file, expr.range)).split_whitespace().collect());
+        }
+        names.into()
     }
 }
 

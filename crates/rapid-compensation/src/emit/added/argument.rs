@@ -40,7 +40,7 @@ impl<'t> Argument<'t> {
                 Origin::Named { declaration, .. } => {
                     Some(TargetKey { declaration: Some(*declaration), text: argument.to_vec() })
                 }
-                Origin::Inline | Origin::Expression => None,
+                Origin::Inline | Origin::Expression(_) => None,
             };
             return Ok(Self { base: argument, index: None, dims: Vec::new(), key });
         }

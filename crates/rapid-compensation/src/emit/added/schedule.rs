@@ -91,7 +91,7 @@ impl<'p> Added<'p> {
         let tells_itself = match target.origin() {
             Origin::Named { .. } => name.as_bytes().strip_prefix(b"tc") == Some(argument),
             Origin::Inline => rows.first().is_some_and(|row| *row.first_element == *argument),
-            Origin::Expression => index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base),
+            Origin::Expression(_) => index.is_some() && name.as_bytes().strip_prefix(b"tc") == Some(base),
         };
         if !tells_itself {
             self.was.insert(name.clone(), was.to_vec());
