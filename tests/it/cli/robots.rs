@@ -92,6 +92,19 @@ fn a_description_that_is_no_arm_is_refused_with_its_line() {
     let file = fs::read_to_string("crates/robot-model/src/robot/built_in/irb140.toml").unwrap();
     let fanuc = bench.file("fanuc.toml", file.replace("ABB IRB 140-6/0.8", "FANUC M-10"));
     assert!(message(&fanuc).contains("robot::not-abb"), "{}", message(&fanuc));
+    // A description of independent joints that bears the name of an arm whose joints are coupled.
+    let coupled = bench.file("own.toml", file.replace("ABB IRB 140-6/0.8", "ABB IRB 2400-16"));
+    let urdf = fs::read_to_string(URDF).unwrap();
+    let named = urdf.split_once("<robot name=\"").unwrap().1.split_once('"').unwrap().0.to_owned();
+    let coupled_urdf = bench.file("own.urdf", urdf.replacen(&named, "abb_irb4400", 1));
+    for robot in [&coupled, &coupled_urdf] {
+        let text = message(robot);
+        assert!(text.contains("robot::coupled") && text.contains("another name in its file"), "{text}");
+        for command in [&["robot", "--robot"][..], &["tabulate", "--robot"], &["diagnose", CUBE, "--robot"]] {
+            let output = driftpost(&[command, &[robot]].concat());
+            assert_eq!(output.status.code(), Some(2), "{command:?}");
+        }
+    }
     let output = driftpost(&["robot", "-o", &bench.path("arm.step").display().to_string()]);
     assert!(err(&output).contains("robot::format"));
 }

@@ -6,6 +6,7 @@
 
 mod table;
 
+use super::refused::unless_coupled;
 use super::size::beyond_any_arm;
 use super::{FEWEST_JOINTS, Joint, JointKind, MOST_JOINTS, RobotError, SerialArm};
 use nalgebra::{Isometry3, Translation3, UnitQuaternion, Vector3};
@@ -65,7 +66,7 @@ impl SerialArm {
             links: None,
         };
         match beyond_any_arm(&arm) {
-            None => Ok(arm),
+            None => unless_coupled(arm),
             Some(problem) => Err(RobotError::DhTable {
                 line: 1,
                 problem: format!("{problem}; give the lengths in millimetres"),

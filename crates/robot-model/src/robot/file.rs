@@ -1,5 +1,6 @@
 //! A robot from its TOML file: mm and degrees in, SI out; every number checked, every unknown key refused.
 
+use super::refused::unless_coupled;
 use super::size::beyond_any_arm;
 use super::{FEWEST_JOINTS, Joint, JointKind, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
 use crate::units::{m_from_mm, rad_from_deg};
@@ -66,7 +67,7 @@ impl SerialArm {
             links,
         };
         match beyond_any_arm(&arm) {
-            None => Ok(arm),
+            None => unless_coupled(arm),
             Some(problem) => Err(RobotError::Value {
                 place: "origin_mm".to_owned(),
                 problem,

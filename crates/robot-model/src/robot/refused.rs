@@ -1,7 +1,7 @@
 //! ABB's robots that no chain of six independent turning joints describes, by name and with the reason.
 
-use super::RobotError;
 use super::kind::TypeName;
+use super::{RobotError, SerialArm};
 
 /// Why a family is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,9 +68,55 @@ pub(super) fn by_name(name: &str) -> Option<RobotError> {
     Some(RobotError::Refused { name, reason })
 }
 
+/// An arm that a file describes, unless the file names a robot whose joints are coupled: whatever chain it describes, a controller's joints
+/// are not those of that chain.
+pub(super) fn unless_coupled(arm: SerialArm) -> Result<SerialArm, RobotError> {
+    match by_name(&arm.name) {
+        Some(RobotError::Refused { name, reason }) => {
+            let reason = format!(
+                "{reason}; if the joints of this one are independent, give it another name in its file"
+            );
+            Err(RobotError::Refused { name, reason })
+        }
+        // A file can describe arms with other numbers of joints.
+        _ => Ok(arm),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use crate::robot::{Robot, RobotError};
+    use crate::robot::{DhConvention, Robot, RobotError, SerialArm};
+
+    const TURNING: &str = "[[joint]]\norigin_mm = [0, 0, 100]\naxis = [0, 0, 1]\n";
+
+    fn toml(name: &str, joints: usize) -> Result<SerialArm, RobotError> {
+        let joints = TURNING.repeat(joints);
+        SerialArm::from_toml(&format!(
+            "name = \"{name}\"\nsource = \"a test\"\n{joints}[flange]\norigin_mm = [0, 0, 10]\n"
+        ))
+    }
+
+    #[test]
+    fn a_file_that_names_a_coupled_robot_is_refused_as_its_name_is() {
+        for name in ["ABB IRB 2400-16", "abb_irb4400l_30_243", "IRB 660-180/3.15", "IRB 360-1/1130"] {
+            let error = toml(name, 6).unwrap_err();
+            assert_eq!(error.code(), "robot::coupled", "{name}");
+            assert!(error.to_string().contains("another name"), "{error}");
+        }
+        let table = "a_mm,alpha_deg,d_mm,theta_deg\n".to_owned() + &"100,90,0,0\n".repeat(6);
+        let error = SerialArm::from_dh(table.as_bytes(), DhConvention::Standard, "irb2400").unwrap_err();
+        assert_eq!(error.code(), "robot::coupled", "{error}");
+    }
+
+    /// Seven joints of a YuMi and four of a SCARA are chains that a file describes.
+    #[test]
+    fn a_file_of_an_arm_with_other_joints_is_read() {
+        for (name, joints) in
+            [("IRB 14050-0.5/0.5", 7), ("IRB 910SC", 4), ("IRB 2600-12/1.65", 6), ("my arm", 6)]
+        {
+            assert!(toml(name, joints).is_ok(), "{name}");
+        }
+    }
 
     #[test]
     fn a_coupled_robot_is_refused_with_the_reason() {

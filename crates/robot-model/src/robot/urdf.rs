@@ -6,6 +6,7 @@
 mod tree;
 mod write;
 
+use super::refused::unless_coupled;
 use super::size::beyond_any_arm;
 use super::{FEWEST_JOINTS, Joint, Link, MOST_JOINTS, Robot, RobotError, SerialArm};
 use nalgebra::Isometry3;
@@ -71,7 +72,7 @@ impl SerialArm {
             links,
         };
         match beyond_any_arm(&arm) {
-            None => Ok(arm),
+            None => unless_coupled(arm),
             Some(problem) => {
                 Err(wrong(&root, format!("{problem}; places in URDF are metres: is it in millimetres?")))
             }
