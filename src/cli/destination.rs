@@ -44,6 +44,7 @@ impl Destination {
         in_place: bool,
         force: bool,
     ) -> Result<Self, Diagnostic> {
+        has_names(given, in_place)?;
         if in_place {
             if given.is_standard {
                 let text = "--in-place: standard input is no file";
@@ -230,6 +231,19 @@ impl Destination {
         }
         bytes
     }
+}
+
+/// Refuses standard input in place, and among several modules: its result would have no name, and no command on the folder would find it.
+fn has_names(given: &ProgramInput, in_place: bool) -> Result<(), Diagnostic> {
+    if in_place && given.is_standard {
+        let text = "--in-place: standard input is no file";
+        return Err(Diagnostic::error("output::unwritable", text).help("say with -o where the result goes"));
+    }
+    if given.shape == Shape::One || !given.paths.iter().any(|path| files::is_standard(path)) {
+        return Ok(());
+    }
+    let text = "standard input (-) stands beside other files, and has no name for a result";
+    Err(Diagnostic::error("input::mixed", text).help("give it as a file, or alone"))
 }
 
 /// Whether a path names a folder, be it there or not.

@@ -173,6 +173,23 @@ fn a_target_that_no_branch_in_range_reaches_as_written_is_no_fault_of_the_progra
 }
 
 /// Those that take seconds: `cargo test --test it -- --ignored long::`.
+/// A module of standard input has no name that it could be put back under.
+#[test]
+fn standard_input_beside_files_is_refused() {
+    let bench = Bench::default();
+    let cube = std::fs::read(CUBE).unwrap();
+    let other = bench.file("B.mod", &cube);
+    let to = bench.path("c").display().to_string();
+    let output = fed(&["compensate", "-", &other, "-o", &to], &cube);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        err(&output).contains("input::mixed") && err(&output).contains("give it as a file"),
+        "{}",
+        err(&output)
+    );
+    assert_eq!(bench.files(), ["B.mod"]);
+}
+
 mod long {
     use super::*;
 
