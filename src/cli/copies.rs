@@ -23,6 +23,12 @@ impl Copies {
         Self { folder: folder.to_path_buf(), lines: text.lines().map(str::to_owned).collect() }
     }
 
+    /// The folder that they were copied into.
+    #[must_use]
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// The record's lines as they stand.
     #[must_use]
     pub fn text(&self) -> String {

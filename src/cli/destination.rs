@@ -46,12 +46,6 @@ impl Destination {
     ) -> Result<Self, Diagnostic> {
         has_names(given, in_place)?;
         if in_place {
-            if given.is_standard {
-                let text = "--in-place: standard input is no file";
-                return Err(
-                    Diagnostic::error("output::unwritable", text).help("say with -o where the result goes")
-                );
-            }
             let lists = given.others.iter().map(|(path, _)| path).filter(|path| is_pgf(path));
             let others = lists.map(|path| (path.clone(), path.clone())).collect();
             return Ok(Self { modules: given.paths.clone(), others, whole: false, force, copies: None });
@@ -199,7 +193,8 @@ impl Destination {
             if let Some(other) = overwriting::of_another_program(path, &file.bytes, &outputs) {
                 let text = format!("{} is there already, and {other}", path.display());
                 return Err(Diagnostic::error("output::other-core", text).help(
-                    "compensate programs that are loaded together in one run, or name another folder with -o",
+                    "compensate programs that are loaded together in one run, or name another folder with -o; a file that an earlier run \
+                     left and whose module is no longer in the program is to be deleted",
                 ));
             }
         }

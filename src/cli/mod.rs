@@ -12,6 +12,7 @@ pub mod emitted_settings;
 pub mod files;
 mod idle;
 mod interrupt;
+mod left_over;
 pub mod measured;
 pub mod minutes;
 pub mod model;

@@ -226,6 +226,12 @@ impl RestoredOver {
     }
 }
 
+/// Whether a text names one of these, given in lower case.
+pub fn asks(bytes: &[u8], names: &[String]) -> bool {
+    let text = String::from_utf8_lossy(bytes).to_ascii_lowercase();
+    names.iter().any(|name| text.contains(name.as_str()))
+}
+
 /// Why a common module that is there already must stay; `None` where it may be written.
 pub fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Option<String> {
     let there = bytes_of_file(core)?;
@@ -242,15 +248,11 @@ pub fn of_another_program(core: &Path, bytes: &[u8], outputs: &[&Path]) -> Optio
     sorting::ascending(&mut others);
     // What has a clock of its own names no common module.
     let names = module_names(core, there);
-    let asks_it = |bytes: &[u8]| {
-        let text = String::from_utf8_lossy(bytes).to_ascii_lowercase();
-        names.iter().any(|name| text.contains(name.as_str()))
-    };
     let other = others.into_iter().find(|path| {
         path.is_file()
             && !path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(PENDING))
             && !written.contains(&files::identity(path))
-            && fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some() && asks_it(&bytes))
+            && fs::read(path).is_ok_and(|bytes| EarlierResult::of(&bytes).is_some() && asks(&bytes, &names))
     })?;
     Some(format!("{} was made with it", other.display()))
 }

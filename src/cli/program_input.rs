@@ -295,7 +295,7 @@ fn is_no_result(path: &Path) -> Result<bool, Diagnostic> {
 }
 
 /// All files under a folder in order of name; what ends in `_tc` is left out, but for modules that are no results.
-fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
+pub(super) fn walk(folder: &Path, found: &mut Vec<PathBuf>) -> Result<(), Diagnostic> {
     let entries = fs::read_dir(folder).map_err(|cause| files::cannot_read(folder, "folder", &cause))?;
     let mut paths: Vec<PathBuf> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
     sorting::ascending(&mut paths);

@@ -2,9 +2,12 @@
 
 use super::destination::{Destination, STANDARD, is_pgf};
 use super::files::{self, Pending};
+use super::left_over::{WrittenModule, left_over};
 use super::program_at::bytes_of_file;
 use super::program_input::ProgramInput;
 use crate::application::EarlierResult;
+use crate::report::LocatedDiagnostic;
+use driftpost::application::Compensated;
 use rapid_compensation::emit::EmittedFile;
 use rapid_syntax::diagnostic::{Diagnostic, FileId};
 use std::fs;
@@ -62,6 +65,26 @@ impl Writing {
         let bytes = if file.source.is_none() { file.bytes } else { Vec::new() };
         self.emitted.push(EmittedFile { bytes, replaced: Vec::new(), ..file });
         Ok(())
+    }
+
+    /// What an earlier run left beside these files; `all_made` says which modules are in them.
+    pub fn left_over(
+        &self,
+        to: &Destination,
+        given: &ProgramInput,
+        all_made: &[Compensated<'_>],
+    ) -> Vec<LocatedDiagnostic> {
+        let cores = self.emitted.iter().filter(|file| file.source.is_none()).map(|file| {
+            let path = to.path_of(file, given);
+            let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            WrittenModule { path, name, is_core: true }
+        });
+        let own = all_made.iter().flat_map(|made| &made.program.facts.modules).filter_map(|module| {
+            let path = to.modules.get(module.file.0 as usize)?.clone();
+            Some(WrittenModule { path, name: module.name.clone(), is_core: false })
+        });
+        let written: Vec<WrittenModule> = own.chain(cores).collect();
+        LocatedDiagnostic::all(left_over(to, &written), &[])
     }
 
     fn put(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {

@@ -68,6 +68,11 @@ fn write_results(
     let emit =
         |job, results: &mut Results| emitted(job, &program, (&given, &destination), results, &mut writing);
     let (mut all_made, reviews) = make_all(jobs, (args, console), results, emit)?;
+    let left = writing.left_over(&destination, &given, &all_made);
+    console.explain(&left, args.all);
+    if let Some(first) = all_made.first_mut() {
+        first.messages.extend(left);
+    }
     // A recording is asked for of one robot alone.
     let [made, ..] = all_made.as_slice() else { return Ok(Ok(())) };
     // All is written whole beside its place before anything is put there.

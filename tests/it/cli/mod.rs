@@ -10,6 +10,7 @@ mod diff;
 mod elements;
 mod kept_apart;
 mod kept_by_name;
+mod left_over;
 mod other_robots;
 mod outputs;
 mod put_in;
