@@ -35,10 +35,15 @@ pub fn check_tasks(named: &[&str], program: &ProgramFiles) -> Result<(), Diagnos
             .help(format!("motion is held by {}", known.join(", "))));
     }
     let unnamed = tasks.iter().zip(&known).find(|(task, _)| !named.iter().any(|name| is(task, name)));
-    let Some((_, name)) = unnamed else { return Ok(()) };
+    let Some((task, name)) = unnamed else { return Ok(()) };
     let verb = if name.contains(' ') { "hold" } else { "holds" };
     let text = format!("{name} {verb} motion, and no --task says which robot that is");
-    let help = "name each motion task, --task TASK=ROBOT[,DEFORMATION], or give one task's folder alone";
+    let help = match task {
+        Some(_) => "name each motion task, --task TASK=ROBOT[,DEFORMATION], or give one task's folder alone",
+        None => {
+            "give one task's folder alone, and those modules by themselves, or put them into the folder of the task that runs them"
+        }
+    };
     Err(Diagnostic::error("task::not-named", text).help(help))
 }
 

@@ -239,6 +239,28 @@ fn folders_by_the_names_of_tasks_are_tasks() {
     }
 }
 
+/// What stands in no task's folder has no task to be named by.
+#[test]
+fn a_recommendation_beside_loose_modules_is_one_that_works() {
+    let bench = Bench::default();
+    let cube = fs::read(CUBE).unwrap();
+    let loose = bench.file("cell/Cube45.mod", &cube);
+    bench.file("cell/RAPID/TASK1/Cube45.mod", &cube);
+    let run = |program: &str, to: &str, more: &[&str]| {
+        let to = bench.path(to).display().to_string();
+        driftpost(&[&["compensate", program, "-o", &to, "--diff", "none"][..], more].concat())
+    };
+    let cell = bench.path("cell").display().to_string();
+    for named in [&[][..], &["--task", "TASK1=irb140"]] {
+        let refused = run(&cell, "all", named);
+        assert_eq!(refused.status.code(), Some(2));
+        let text = err(&refused);
+        assert!(!text.contains("--task =") && text.contains("by themselves"), "{text}");
+    }
+    assert_eq!(run(&bench.path("cell/RAPID").display().to_string(), "one", &[]).status.code(), Some(0));
+    assert_eq!(run(&loose, "two.mod", &[]).status.code(), Some(0));
+}
+
 const POSITIONER: &str = "MODULE Turn
   CONST jointtarget jLoad:=[[9E9,9E9,9E9,9E9,9E9,9E9],[0,9E9,9E9,9E9,9E9,9E9]];
   PROC main()

@@ -67,8 +67,15 @@ pub fn emit_each<E: From<EmitError>>(
     changed.dedup();
     let tasks = tasks(program, &changed);
     if tasks.len() > 1 {
-        let name = |file: &&SourceFile| task_of(&file.path).unwrap_or_default().to_owned();
-        return Err(EmitError::SeveralTasks { tasks: tasks.values().map(name).collect() }.into());
+        let of_files: Vec<Option<String>> =
+            tasks.values().map(|file| task_of(&file.path).map(str::to_owned)).collect();
+        let is_beside = of_files.contains(&None);
+        let tasks = of_files.into_iter().flatten().collect();
+        return Err(match is_beside {
+            true => EmitError::BesideTasks { tasks },
+            false => EmitError::SeveralTasks { tasks },
+        }
+        .into());
     }
     let context = EmitContext::new((program, plan), options, (&law, core), &changes)?;
     hidden::check(&context, &changes)?;

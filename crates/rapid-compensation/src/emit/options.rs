@@ -246,6 +246,16 @@ pub enum EmitError {
         /// The folders of the tasks.
         tasks: Vec<String>,
     },
+    /// Motion of tasks beside motion in modules that stand in no task's folder, and may be any robot's.
+    #[error(
+        "{} and modules in no task's folder hold motion, and each task moves a robot of its own: compensate one task's folder at a time, \
+         and those modules by themselves, or put them into the folder of the task that runs them",
+        tasks.join(", ")
+    )]
+    BesideTasks {
+        /// The folders of the tasks.
+        tasks: Vec<String>,
+    },
     /// There is no place for data and routines.
     #[error("{}:{line}: no MODULE ... ENDMODULE round this motion, so there is no place for its targets", path.display())]
     NoModule {
@@ -310,7 +320,7 @@ impl EmitError {
             Self::BadTime { .. } => "emit::bad-time",
             Self::EmbeddedInSeveral { .. } => "emit::embedded-in-several",
             Self::CannotTouch(_) => "touch::clock",
-            Self::SeveralTasks { .. } => "emit::several-tasks",
+            Self::SeveralTasks { .. } | Self::BesideTasks { .. } => "emit::several-tasks",
             Self::NoModule { .. } => "emit::no-module",
             Self::NotRestored { .. } => "emit::not-restored",
             Self::NoName { .. } => "emit::no-name",
