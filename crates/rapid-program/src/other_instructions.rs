@@ -17,6 +17,7 @@ pub(super) fn moves_arm(name: &str) -> bool {
             | "inddmove"
             | "indrmove"
             | "fcrefstart"
+            | "fricidevaluate"
             | "loadid"
             | "pathrecmovebwd"
             | "pathrecmovefwd"
@@ -76,6 +77,7 @@ const HARMLESS: &[&str] = &[
     "connect",
     "copyfile",
     "copyrawbytes",
+    "cornerpathwarning",
     "corrclear",
     "corrcon",
     "corrdiscon",
@@ -137,6 +139,7 @@ const HARMLESS: &[&str] = &[
     "fcrefmoveframe",
     "fcrefrot",
     "fcrefspiral",
+    "fcrefsprforcecart",
     "fcrefspringforce",
     "fcrefstart",
     "fcrefstop",
@@ -146,12 +149,25 @@ const HARMLESS: &[&str] = &[
     "fcsetdampingtune",
     "fcsetlpfiltertune",
     "fcsetmaxforcechange",
+    "fcspdchgact",
+    "fcspdchgdeact",
+    "fcspdchgtunreset",
+    "fcspdchgtunset",
     "fcspeedchgact",
     "fcspeedchgdeact",
     "fcspeedchgtunreset",
     "fcspeedchgtunset",
     "fcsupforce",
+    "fcsupvforce",
+    "fcsupvorient",
+    "fcsupvpos",
+    "fcsupvreorispeed",
+    "fcsupvtcpspeed",
+    "fcsupvtorque",
     "fitcircle",
+    "fricidevaluate",
+    "fricidinit",
+    "fricidsetfriclevels",
     "getdataval",
     "getgroupsignalinfo",
     "getjointdata",
@@ -168,6 +184,8 @@ const HARMLESS: &[&str] = &[
     "indamove",
     "indcmove",
     "inddmove",
+    "indgunmove",
+    "indgunmovereset",
     "indreset",
     "indrmove",
     "initsuperv",
@@ -245,6 +263,8 @@ const HARMLESS: &[&str] = &[
     "readrawbytes",
     "readvararr",
     "recordprofile",
+    "recoveryposreset",
+    "recoveryposset",
     "removeallcyclicbool",
     "removecyclicbool",
     "removedir",

@@ -63,8 +63,8 @@ fn written<'a>(
 
 fn written_arguments(name: &str) -> &'static [usize] {
     match name {
-        "incr" | "decr" | "add" | "clear" | "bitset" | "bitclear" => &[0],
-        "searchl" | "searchc" | "searchextj" => &[1],
+        "incr" | "decr" | "add" | "clear" | "bitset" | "bitclear" | "fricidevaluate" => &[0],
+        "searchl" | "searchc" | "searchextj" | "sigetcyclic" => &[1],
         "packrawbytes" | "packdnheader" => &[1],
         "sortdata" => &[0, 1],
         "copyrawbytes" | "ivarvalue" | "loadid" => &[2],

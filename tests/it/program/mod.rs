@@ -10,6 +10,7 @@ mod named_on_reading;
 mod names;
 mod not_all_given;
 mod of_pers;
+mod option_instructions;
 mod order;
 mod pages;
 mod pressing_and_arcs;

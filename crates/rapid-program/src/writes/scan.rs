@@ -150,7 +150,8 @@ impl WriteScan<'_, '_> {
         {
             return self.handed_to(&call.args, routine, ctx, at);
         }
-        let how = if any_time { How::AnyTime } else { How::Instruction };
+        // What a sensor sends goes into its data again and again from there on.
+        let how = if any_time || lower == "sigetcyclic" { How::AnyTime } else { How::Instruction };
         for expr in written_by_instruction(self.index, ctx, &lower, &call.args) {
             self.written(expr, ctx, Write { at, how });
         }
