@@ -64,10 +64,15 @@ impl Identified {
         if let Some(mounting) = top.table("mounting")? {
             model.mounting = Some(read_mounting(mounting)?);
         }
-        for (i, effect) in top.tables("effect")?.into_iter().enumerate() {
-            model
-                .terms
-                .push(read_term(TableReader::new(format!("[[effect]] {}", i + 1), effect), &joint_kinds)?);
+        let effects = top.tables("effect")?;
+        for (i, effect) in effects.iter().enumerate() {
+            let reader = TableReader::new(format!("[[effect]] {}", i + 1), effect.clone());
+            if let Some(first) = effects[..i].iter().position(|earlier| earlier == effect) {
+                let problem =
+                    format!("is [[effect]] {} once more, and the arm would be corrected for both", first + 1);
+                return Err(reader.wrong("effect", problem));
+            }
+            model.terms.push(read_term(reader, &joint_kinds)?);
         }
         top.finish()?;
         Ok(model)
@@ -254,6 +259,18 @@ mod tests {
         assert_eq!(model.terms[0].values[0].value, 0.057_f64.to_radians());
         assert_eq!(model.terms[2].values[0].value, 4.1e-6);
         assert!((model.terms[11].values[0].value - 1.2e-4).abs() < 1e-18);
+    }
+
+    #[test]
+    fn an_effect_that_was_pasted_twice_is_refused() {
+        let effect = "\n[[effect]]\neffect = \"joint_offset\"\njoint = 3\noffset_deg = 0.05\n";
+        let model = |effects: &str| Identified::from_toml(&format!("format = 1\n{effects}"));
+        let error = model(&format!("{effect}{effect}")).unwrap_err().to_string();
+        assert!(error.contains("[[effect]] 2") && error.contains("[[effect]] 1 once more"), "{error}");
+        // Another joint's, or another size of the same, is another effect.
+        for other in [effect.replace('3', "2"), effect.replace("0.05", "0.06")] {
+            assert_eq!(model(&format!("{effect}{other}")).unwrap().terms.len(), 2, "{other}");
+        }
     }
 
     #[test]
