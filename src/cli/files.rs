@@ -125,6 +125,10 @@ pub fn cannot_read(path: &Path, what: &str, cause: &io::Error) -> Diagnostic {
         return Diagnostic::error("input::unreadable", format!("{shown} is a folder, not a {what}"))
             .help("name a file");
     }
+    if path.is_file() && what.starts_with("folder") {
+        return Diagnostic::error("input::unreadable", format!("{shown} is a file, not a {what}"))
+            .help("name a folder");
+    }
     Diagnostic::error("input::unreadable", format!("the {what} {shown} cannot be read: {cause}"))
         .help("check its permissions")
 }

@@ -167,7 +167,7 @@ pub fn run(args: &Args, console: &mut Console) -> anyhow::Result<Outcome> {
     let original = original.map(|given| given.program());
     let found = job
         .run(&program, original.as_ref(), &course)
-        .map_err(|error| hints::diagnostic_of(&error, &program))?;
+        .map_err(|error| hints::diagnostic_of(&error, &program, args.scenario.is_some()))?;
 
     let results = Results::written(found.json(), |out| found.write(out))?.beside(&csv);
     csv.write(console, || Ok(found.csv()?))?;

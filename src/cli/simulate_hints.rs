@@ -10,7 +10,9 @@ use virtual_controller::scenario::STEPS;
 const MOST_LISTED: usize = 8;
 
 /// An error with what is to be done about it; a name that is near to one that is not there comes first.
-pub fn diagnostic_of(error: &SimulationError, program: &ProgramFiles) -> Diagnostic {
+///
+/// `has_scenario`: what is set may come from a scenario.
+pub fn diagnostic_of(error: &SimulationError, program: &ProgramFiles, has_scenario: bool) -> Diagnostic {
     let message = Diagnostic::from(error.clone());
     match error {
         SimulationError::Program(_) => message,
@@ -22,7 +24,13 @@ pub fn diagnostic_of(error: &SimulationError, program: &ProgramFiles) -> Diagnos
             })
         }
         SimulationError::Controller(error) => {
-            message.help(of_name(error, &program.names()).unwrap_or_else(|| of_kind(error).to_owned()))
+            let general = match error {
+                SimulateError::Value { .. } | SimulateError::NoData(_) if !has_scenario => {
+                    "correct what --set gives, or give all files of the program"
+                }
+                _ => of_kind(error),
+            };
+            message.help(of_name(error, &program.names()).unwrap_or_else(|| general.to_owned()))
         }
     }
 }
@@ -51,6 +59,12 @@ fn of_name(error: &SimulateError, names: &DeclaredNames) -> Option<String> {
 
 /// The step or the key that is nearest to one that no scenario has, by the message that quotes it.
 fn of_step(message: &str) -> Option<String> {
+    if message.contains("missing field `steps`") {
+        return Some(
+            "say what happens to the cell: steps = [\"call tcColdStart\", \"run 60\", \"stand 45\"]"
+                .to_owned(),
+        );
+    }
     let mut quoted = message.split('`').skip(1).step_by(2);
     let step = quoted.next()?;
     let word = step.split_whitespace().next()?;

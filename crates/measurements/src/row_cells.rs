@@ -44,10 +44,11 @@ impl ColumnIndex {
                 return Err(MeasureError::TooManyJoints { column: name });
             }
             if !known.contains(&name.as_str()) {
+                let shown: String = name.chars().take(40).collect();
                 warnings.push(
                     Diagnostic::warning(
                         "measure::unknown-column",
-                        format!("column '{name}' is not known and is ignored"),
+                        format!("column '{shown}' is not known and is ignored"),
                     )
                     .help("rename it if it holds one of the known quantities"),
                 );

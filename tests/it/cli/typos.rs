@@ -91,3 +91,48 @@ fn a_form_that_does_not_exist_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(err(&output).contains("'modules'"), "{}", err(&output));
 }
+
+/// What is wrong is named as it was given, and its remedy is one that there is.
+#[test]
+fn a_remedy_speaks_of_what_was_given() {
+    let bench = Bench::default();
+    let made = bench.path("Cube45_tc.mod").display().to_string();
+    assert_eq!(driftpost(&["compensate", CUBE, "-o", &made, "--form", "ramp"]).status.code(), Some(0));
+    let refused = |arguments: &[&str]| {
+        let output = driftpost(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        err(&output)
+    };
+    let text = refused(&["simulate", &made, "--set", "tcMode=abc"]);
+    assert!(text.contains("--set") && !text.contains("scenario"), "{text}");
+    let empty = bench.file("empty.toml", "");
+    let text = refused(&["simulate", &made, "--scenario", &empty]);
+    assert!(text.contains("steps = [") && !text.contains("routine"), "{text}");
+    let text = refused(&["golden", CUBE]);
+    assert!(text.contains("is a file, not a folder") && !text.contains("permissions"), "{text}");
+    let text = refused(&["compensate", CUBE, "-o", &made, "--tolerance-mm", "0"]);
+    assert!(text.contains("at least 1e-6 mm"), "{text}");
+}
+
+#[test]
+fn a_tool_for_a_name_that_the_program_has_not_is_told() {
+    let bench = Bench::default();
+    let source = bench.file(
+        "m.mod",
+        "MODULE m\n  CONST robtarget p1:=[[450,-100,300],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n  PROC main()\n    \
+         MoveL p1,v100,fine,tGrip;\n  ENDPROC\nENDMODULE\n",
+    );
+    let to = bench.path("o.mod").display().to_string();
+    let run = |names: &[&str]| {
+        let value = |name: &&str| format!("{name}=[TRUE,[[0,0,90],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]]");
+        let tools: Vec<String> = names.iter().map(value).collect();
+        let tools = tools.iter().flat_map(|tool| ["--tool", tool.as_str()]);
+        let arguments: Vec<&str> =
+            ["compensate", &source, "-o", &to, "--diff", "none"].into_iter().chain(tools).collect();
+        err(&driftpost(&arguments))
+    };
+    let wrong = run(&["tGrpi"]);
+    assert!(wrong.contains("override::unused") && wrong.contains("tGrip"), "{wrong}");
+    assert!(run(&["tGrip", "tGrpi"]).contains("override::unused"));
+    assert!(!run(&["TGRIP"]).contains("override::unused"));
+}

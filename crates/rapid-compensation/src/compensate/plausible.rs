@@ -68,9 +68,12 @@ pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> R
     }
     let small = |size: f64, limit: f64| size > 0.0 && size < limit;
     if small(shift_mm, SMALL_MM) || small(turn_deg, SMALL_DEG) {
+        let [shift, turn] = [shift_mm, turn_deg].map(|size| match size {
+            0.0 => "0".to_owned(),
+            _ => format!("{size:.2e}"),
+        });
         let text = format!(
-            "the table moves joint frames by at most {shift_mm} mm and turns them by at most {turn_deg} deg: is it in metres or \
-             radians?"
+            "the table moves joint frames by at most {shift} mm and turns them by at most {turn} deg: is it in metres or radians?"
         );
         warn("deform::small", text, "lengths are mm and angles degrees in a table");
     }

@@ -79,7 +79,7 @@ pub enum ScheduleError {
     /// The tolerance is no length that a controller could keep.
     #[error(
         "the tolerance must be finite and at least {:e} mm, which is less than the controller's numbers resolve, not {} mm",
-        robot_model::units::mm_from_m(LEAST_TOLERANCE_M),
+        robot_model::units::mm_from_m(LEAST_TOLERANCE_M) as f32,
         robot_model::units::mm_from_m(*tolerance_m)
     )]
     Tolerance {
