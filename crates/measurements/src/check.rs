@@ -1,6 +1,7 @@
 //! Checks of the rows before any geometry: duplicates, order in time, joint ranges, number.
 
 use super::codes::codes;
+use super::copies::DistinctRows;
 use super::fault::{Fault, FaultKind};
 use super::rounded_points::rounded_points;
 use super::rows::JointTolerance;
@@ -49,7 +50,7 @@ pub struct RowCheck {
 #[must_use]
 pub fn check_rows(measurements: &Measurements, robot: &SerialArm) -> RowCheck {
     let rows = &measurements.rows;
-    let DistinctRows { used, copies } = distinct(rows);
+    let DistinctRows { used, copies } = DistinctRows::of(rows);
     let mut checked = checked(measurements, robot, used, copied_rows(&copies));
     if let Some(warning) = one_time(rows, &checked.used) {
         checked.time_usable = false;
@@ -66,7 +67,7 @@ pub fn check_cycles(measurements: &Measurements, robot: &SerialArm) -> RowCheck 
     let rows = &measurements.rows;
     let all = (0..rows.len()).collect();
     let of_arm: Vec<MeasurementRow> = rows.iter().filter(|row| row.reading.involves_arm()).cloned().collect();
-    let checked = checked(measurements, robot, all, equal_cycles(&distinct(&of_arm).copies));
+    let checked = checked(measurements, robot, all, equal_cycles(&DistinctRows::of(&of_arm).copies));
     RowCheck { are_cycles: true, ..checked }
 }
 
@@ -108,44 +109,6 @@ fn written_as(kinds: &Joints<JointKind>) -> String {
     let all: Vec<String> =
         all.map(|(j, kind)| format!("q{}_{}", j + 1, if kind.slides() { "mm" } else { "deg" })).collect();
     all.join(", ")
-}
-
-/// Rows by whether an earlier one says the same to the last digit.
-struct DistinctRows {
-    /// Indices of the rows that say something else.
-    used: Vec<usize>,
-    /// Lines of the others.
-    copies: Vec<u64>,
-}
-
-fn distinct(rows: &[MeasurementRow]) -> DistinctRows {
-    let mut seen = BTreeSet::new();
-    let mut found = DistinctRows { used: Vec::with_capacity(rows.len()), copies: Vec::new() };
-    for (index, row) in rows.iter().enumerate() {
-        if seen.insert(recorded(row)) {
-            found.used.push(index);
-        } else {
-            found.copies.push(row.line);
-        }
-    }
-    found
-}
-
-/// All that a row records but its names, to the last digit.
-fn recorded(row: &MeasurementRow) -> Vec<u64> {
-    let coordinates_m = row.reading.coordinates().map(|read| read.value_m).unwrap_or_default();
-    let mut key: Vec<u64> = row.q_rad.iter().chain(coordinates_m.iter()).map(|v| v.to_bits()).collect();
-    key.push(row.reading.fixed_point().map_or(u64::MAX, |fixed_point| fixed_point as u64));
-    key.push(u64::from(row.reading.involves_arm()));
-    // The same minute of two sessions is not the same moment.
-    key.push(row.clock_min().map_or(0, f64::to_bits));
-    key.push(row.payload_kg.map_or(0, f64::to_bits));
-    key.push(row.target as u64);
-    // Each of these is recorded in all rows of a file or in none.
-    key.extend(row.orientation.iter().flat_map(|turn| turn.coords.iter().map(|v| v.to_bits())));
-    key.extend(row.direction.iter().flat_map(|signs| signs.iter().map(|sign| u64::from(*sign as u8))));
-    key.extend(row.joint_temperature_c.iter().flat_map(|all| all.iter().map(|v| v.to_bits())));
-    key
 }
 
 /// The first joint, counted from 0, that `robot` cannot have where `q_rad` says.

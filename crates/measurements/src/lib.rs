@@ -7,6 +7,7 @@ mod check;
 mod codes;
 mod column_map;
 mod column_names;
+mod copies;
 mod error;
 mod false_repeats;
 mod fault;

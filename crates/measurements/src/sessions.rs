@@ -1,8 +1,10 @@
 //! Sessions of a file whose minutes begin anew: each cold start opens one, and its rows come after those of the session before.
 //!
+//! A block that was pasted once more is none: its rows get the clock of those that they repeat.
 //! Rows that are merely out of order look alike: a file that was sorted by target, by repeat or by pose. What could be that is left as it is.
 
 use super::MeasurementRow;
+use super::copies::is_pasted;
 use robot_model::robot::JointKind;
 use std::ops::Range;
 
@@ -45,13 +47,28 @@ impl Session {
 
 /// Tells the rows of each session by how far before the last one's clock its own began.
 pub(super) fn number_sessions(rows: &mut [MeasurementRow], kinds: &[JointKind]) {
-    let Some(sessions) = sessions(rows, kinds) else { return };
+    let Some(mut sessions) = sessions(rows, kinds) else { return };
+    let mut original_of: Vec<usize> = Vec::with_capacity(sessions.len());
+    for at in 0..sessions.len() {
+        let is_copied = |&k: &usize| {
+            original_of[k] == k
+                && is_pasted(&rows[sessions[k].rows.clone()], &rows[sessions[at].rows.clone()])
+        };
+        let original = (0..at).find(is_copied).unwrap_or(at);
+        original_of.push(original);
+        // Rows may have been measured behind those that were pasted.
+        let to_min = sessions[original].to_min.max(sessions[at].to_min);
+        sessions[original].to_min = to_min;
+    }
     let mut next: Option<(f64, f64)> = None;
-    for session in sessions.into_iter().rev() {
-        let earlier_min =
+    let mut earlier_min = vec![0.0; sessions.len()];
+    for (at, session) in sessions.iter().enumerate().rev().filter(|(at, _)| original_of[*at] == *at) {
+        earlier_min[at] =
             next.map_or(0.0, |(from_min, earlier_min)| earlier_min + session.to_min + PAUSE_MIN - from_min);
-        rows[session.rows].iter_mut().for_each(|row| row.earlier_min = earlier_min);
-        next = Some((session.from_min, earlier_min));
+        next = Some((session.from_min, earlier_min[at]));
+    }
+    for (session, original) in sessions.into_iter().zip(original_of) {
+        rows[session.rows].iter_mut().for_each(|row| row.earlier_min = earlier_min[original]);
     }
 }
 
@@ -116,9 +133,15 @@ mod tests {
 
     /// How much earlier than the last session's clock that of each row's began; rows of minute, joint 1 in degrees and target.
     fn earlier_min(rows: &[(f64, f64, &str)]) -> Vec<f64> {
+        // A reading of its own.
+        earlier_min_reading(rows, |k| 1.0 + 1e-3 * k as f64)
+    }
+
+    /// The same of rows that read `x_mm`.
+    fn earlier_min_reading(rows: &[(f64, f64, &str)], x_mm: impl Fn(usize) -> f64) -> Vec<f64> {
         let mut text = "t_min,q1_deg,q2_deg,q3_deg,q4_deg,q5_deg,q6_deg,x_mm,y_mm,z_mm,target\n".to_owned();
-        for (t_min, q1_deg, target) in rows {
-            text.push_str(&format!("{t_min},{q1_deg},0,0,0,0,0,1,2,3,{target}\n"));
+        for (k, (t_min, q1_deg, target)) in rows.iter().enumerate() {
+            text.push_str(&format!("{t_min},{q1_deg},0,0,0,0,0,{},2,3,{target}\n", x_mm(k)));
         }
         Measurements::from_csv(text.as_bytes()).unwrap().rows.iter().map(|row| row.earlier_min).collect()
     }
@@ -135,6 +158,25 @@ mod tests {
         assert_eq!(earlier, [vec![69.5; 10], vec![0.0; 8]].concat());
         let third = earlier_min(&[day(10, 1.0), day(8, 0.5), day(8, 0.5)].concat());
         assert_eq!((third[0], third[10], third[18]), (69.5 + 67.0, 67.0, 0.0));
+    }
+
+    /// Ten rows that read thousandths, pasted twice: one session, though rows were measured behind the second paste. The same pose and minute with
+    /// other readings is a session, also where the instrument reads whole millimetres and all rows but one are alike; where all are, it is a paste.
+    #[test]
+    fn a_block_that_was_pasted_is_no_session() {
+        let day = |rows: u32| (0..rows).map(|k| (f64::from(k), f64::from(7 * k), "A")).collect::<Vec<_>>();
+        let pasted = [day(10), day(10), day(14)].concat();
+        let at_row = |k: usize| if k < 20 { k % 10 } else { k - 20 };
+        let fine = |k: usize| 1.0 + 1.234e-3 * at_row(k) as f64;
+        assert_eq!(earlier_min_reading(&pasted, fine), [0.0; 34]);
+        // A true second day behind them: 13 minutes and an hour later.
+        let days = [pasted, day(10)].concat();
+        let earlier = earlier_min_reading(&days, |k| if k < 34 { fine(k) } else { 2.0 + 1e-3 * k as f64 });
+        assert_eq!(earlier, [vec![73.0; 34], vec![0.0; 10]].concat());
+        let two = [day(10), day(10)].concat();
+        let whole = |k: usize| f64::from(u8::from(k == 15)) + 5.0;
+        assert_eq!(earlier_min_reading(&two, whole)[..10], [69.0; 10]);
+        assert_eq!(earlier_min_reading(&two, |_| 5.0), [0.0; 20]);
     }
 
     #[test]

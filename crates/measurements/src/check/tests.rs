@@ -152,6 +152,16 @@ fn the_same_minute_of_two_sessions_is_no_copy() {
     assert_eq!((codes(&checked), checked.used.len()), (vec!["measure::cold-starts"], 20));
 }
 
+/// Ten rows with minutes pasted twice below themselves: no cold starts, and each counts once.
+#[test]
+fn a_file_that_was_pasted_onto_itself_counts_once() {
+    let robot = SerialArm::built_in("irb140").unwrap();
+    let once: Vec<(f64, f64, f64)> =
+        (0..10).map(|k| (f64::from(k), f64::from(k), 0.1234 * f64::from(k))).collect();
+    let checked = check_rows(&file(&[once.clone(), once.clone(), once].concat()), &robot);
+    assert_eq!((codes(&checked), checked.used), (vec!["measure::duplicates"], (0..10).collect()));
+}
+
 /// Two nests after each of 12,500 poses, and a file of one pose that is the second in it: of poses a part is enough, of nests none is.
 #[test]
 fn of_many_rows_poses_are_left_out_and_no_nests() {
