@@ -137,6 +137,27 @@ impl Design {
         ScaledMotions { members, parameters, plain, factors }
     }
 
+    /// Scales the `k`-th member of `motions` as `candidate`, another variant of the same cause and of the same priors, does.
+    pub fn scale_anew(
+        &self,
+        dataset: &Dataset,
+        motions: &mut ScaledMotions,
+        k: usize,
+        candidate: &Candidate,
+    ) {
+        let Some(first) = motions.parameters[k].first().map(|parameter| parameter.factor) else { return };
+        let mut of_observation = Vec::new();
+        for (&i, mut factors) in self.order.iter().zip(motions.factors.column_iter_mut()) {
+            of_observation.clear();
+            let at = dataset.at(&dataset.observations[i]);
+            candidate.effect().factors(&candidate.variant, at, &mut of_observation);
+            for (to, factor) in factors.rows_mut(first, of_observation.len()).iter_mut().zip(&of_observation)
+            {
+                *to = *factor as f32;
+            }
+        }
+    }
+
     /// Products of all members of `motions` with themselves, into `products`.
     pub fn begin_scaled(&self, motions: &ScaledMotions, products: &mut [Products]) {
         let width = motions.plain.ncols();

@@ -40,6 +40,12 @@ impl Search<'_> {
         &self.tracked[self.tracked.partition_point(|tracked| tracked.candidate < candidate)]
     }
 
+    /// The same, to be put over another nuisance model.
+    pub(super) fn tracked_mut(&mut self, candidate: usize) -> Option<&mut TrackedCandidate> {
+        let at = self.tracked.partition_point(|tracked| tracked.candidate < candidate);
+        self.tracked.get_mut(at).filter(|tracked| tracked.candidate == candidate)
+    }
+
     /// What is chosen, but those in the places `without`.
     pub(super) fn others(&self, without: &[usize]) -> Vec<ChosenCause> {
         let kept = self.chosen.iter().enumerate().filter(|(i, _)| !without.contains(i));
@@ -75,7 +81,7 @@ impl Library<'_> {
     }
 
     /// Puts `candidate` into place `i`.
-    fn replace(&mut self, search: &mut Search<'_>, i: usize, best: BestEffect) {
+    pub(super) fn replace(&mut self, search: &mut Search<'_>, i: usize, best: BestEffect) {
         let BestEffect { candidate, own_nats, peak, .. } = best;
         let columns = self.columns_in_design(search.design, search.column_index, &[candidate]).concat();
         self.extend(search.design);
@@ -88,8 +94,9 @@ impl Library<'_> {
         let mut i = 0;
         while i < search.chosen.len() {
             let others = search.others(&[i]);
-            let (_, ranking) = self.rank_near(search, &others);
-            match self.best_effect(&ranking) {
+            let (nuisance, ranking) = self.rank_near(search, &others);
+            let best = self.best_effect(&ranking);
+            match best.map(|best| self.settled_best(search, &nuisance, &ranking, best)) {
                 Some(best) if best.gain_nats < DROP_NATS => {
                     search.chosen.remove(i);
                     continue;

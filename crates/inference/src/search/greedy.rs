@@ -8,6 +8,7 @@ use super::ranking::{BestEffect, HypothesisRanking};
 use crate::design::Design;
 use crate::evidence::NuisanceModel;
 use crate::marginal::NoisePrior;
+use robot_model::deform::identified::Growth;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Share of it that a further effect has to pass: where one effect is at work, more are.
@@ -45,9 +46,7 @@ impl Library<'_> {
         let mut search = Search { design, subset, noise, column_index, chosen, near, tracked };
         for pass in 0..PASSES {
             self.add_while(&mut search, &mut nuisance, alarm_nats, uncalibrated);
-            let candidates =
-                |search: &Search<'_>| search.chosen.iter().map(|c| c.candidate).collect::<Vec<_>>();
-            let before = candidates(&search);
+            let before = self.variants_of(&search.chosen);
             if pass == 0 && search.chosen.len() <= MOST_SWAPPED {
                 self.split(&mut search, alarm_nats);
             }
@@ -63,20 +62,32 @@ impl Library<'_> {
                 self.swap(&mut search);
                 self.merge(&mut search);
             }
-            if before == candidates(&search) {
+            if before == self.variants_of(&search.chosen) {
                 break;
             }
-            nuisance = search.nuisance(&search.chosen);
-            parallel::for_each_chunk_mut(&mut search.tracked, AT_ONCE, &|_, some| {
-                self.project_anew(&nuisance, subset, some.iter_mut().collect());
-            });
+            self.stand_anew(&mut search, &mut nuisance);
         }
         self.restart(&mut search, start);
         self.drop_offsets(&mut search);
+        self.unsettle(&mut search);
         if subset.len() == search.design.groups() {
             self.near_top.candidates.append(&mut search.near);
         }
         search.chosen
+    }
+
+    /// Which candidates are chosen, with how each grows, which another time constant may be.
+    fn variants_of(&self, chosen: &[ChosenCause]) -> Vec<(usize, Growth)> {
+        chosen.iter().map(|c| (c.candidate, self.candidates[c.candidate].variant.growth)).collect()
+    }
+
+    /// Puts all that is tracked over the nuisance model of what is chosen now.
+    fn stand_anew(&self, search: &mut Search<'_>, nuisance: &mut NuisanceModel) {
+        *nuisance = search.nuisance(&search.chosen);
+        let subset = search.subset;
+        parallel::for_each_chunk_mut(&mut search.tracked, AT_ONCE, &|_, some| {
+            self.project_anew(nuisance, subset, some.iter_mut().collect());
+        });
     }
 
     /// Adds the best effect, and the next, while it passes `alarm_nats`.
@@ -103,8 +114,13 @@ impl Library<'_> {
             if best.gain_nats < alarm_nats || nuisance.freedom() < FEWEST_FREE {
                 return;
             }
+            let best = self.settled_best(search, nuisance, &ranking, best);
             self.add(search, nuisance, &ranking, best);
-            self.update_tracked(nuisance, search.subset, &mut search.tracked);
+            if self.settle_chosen(search) {
+                self.stand_anew(search, nuisance);
+            } else {
+                self.update_tracked(nuisance, search.subset, &mut search.tracked);
+            }
         }
     }
 
@@ -190,6 +206,7 @@ mod tests {
     use crate::effects::{Candidate, testable_effects};
     use robot_model::deform::EffectKind;
     use robot_model::robot::Axis;
+    use std::sync::Arc;
 
     /// One line of joint 2's gear among hundreds that it could be: what it gains is the evidence of this line alone, for its prior is
     /// asked for where its odds are worked out.
@@ -218,7 +235,7 @@ mod tests {
         let mut design = Design::of_all(&dataset, &residuals, 1, whitening);
         let noise = NoisePrior::new(None, Some(3e-5));
         let nuisance = NuisanceModel::new(&design, &[0], &[], noise);
-        let mut library = Library::new(&design, &dataset, &lines);
+        let mut library = Library::new(&design, &dataset, Arc::new(lines.clone()));
         let chosen = library.search(&mut design, &[0], noise, &mut BTreeMap::new(), 5.0, &[]);
         let one = chosen.first().unwrap();
         assert_eq!(lines[one.candidate].variant.n, Some(17));

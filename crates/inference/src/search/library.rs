@@ -11,6 +11,7 @@ use robot_model::deform::EffectKind;
 use robot_model::robot::Joints;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Numbers that the columns of all candidates may take to be kept: 320 MB.
 const MOST_KEPT: usize = 40_000_000;
@@ -41,7 +42,9 @@ pub struct Library<'a> {
     /// The observations that columns are computed at.
     pub dataset: &'a Dataset,
     /// Every variant of every effect that the data can show.
-    pub candidates: &'a [Candidate],
+    pub candidates: Arc<Vec<Candidate>>,
+    /// The same as they were before laws were settled.
+    pub(super) listed: Arc<Vec<Candidate>>,
     /// Products with the design, of those that are searched.
     pub products: Vec<Products>,
     /// ln prior of each.
@@ -107,8 +110,9 @@ pub(super) struct TrackedCandidate {
 impl<'a> Library<'a> {
     /// Computes the products of all candidates with `design`.
     #[must_use]
-    pub fn new(design: &Design, dataset: &'a Dataset, candidates: &'a [Candidate]) -> Self {
-        Self::keeping(MOST_KEPT, design, dataset, candidates, vec![true; candidates.len()])
+    pub fn new(design: &Design, dataset: &'a Dataset, candidates: Arc<Vec<Candidate>>) -> Self {
+        let all = vec![true; candidates.len()];
+        Self::keeping(MOST_KEPT, design, dataset, candidates, all)
     }
 
     /// Those of the candidates that are searched, where columns may take so many numbers to be kept.
@@ -116,10 +120,10 @@ impl<'a> Library<'a> {
         most_kept: usize,
         design: &Design,
         dataset: &'a Dataset,
-        candidates: &'a [Candidate],
+        candidates: Arc<Vec<Candidate>>,
         is_searched: Vec<bool>,
     ) -> Self {
-        let scaled = design.scaled_motions_of(dataset, candidates, &|c| is_searched[c]);
+        let scaled = design.scaled_motions_of(dataset, &candidates, &|c| is_searched[c]);
         let mut sources: Vec<ColumnSource> = vec![ColumnSource::Computed; candidates.len()];
         for (motion, scaled) in scaled.iter().enumerate() {
             for (member, &c) in scaled.members.iter().enumerate() {
@@ -127,7 +131,7 @@ impl<'a> Library<'a> {
             }
         }
         let room = most_kept / (dataset.observations.len() * dataset.rows_per_observation).max(1);
-        let keep = kept_within(room, candidates, &|c| {
+        let keep = kept_within(room, &candidates, &|c| {
             is_searched[c] && matches!(sources[c], ColumnSource::Computed)
         });
         let computed = parallel::map(sources.len(), &|c| match sources[c] {
@@ -153,6 +157,7 @@ impl<'a> Library<'a> {
         let log_prior = candidates.iter().map(|c| family + c.weight.ln()).collect();
         Self {
             dataset,
+            listed: Arc::clone(&candidates),
             candidates,
             products,
             log_prior,
@@ -183,7 +188,7 @@ impl<'a> Library<'a> {
         for (c, is_searched) in is_searched.iter_mut().enumerate() {
             *is_searched |= self.all_offsets(c) || has_spectrum && is_line(c);
         }
-        let (dataset, candidates) = (self.dataset, self.candidates);
+        let (dataset, candidates) = (self.dataset, Arc::clone(&self.candidates));
         // Before as much is asked for again.
         drop(self);
         Self { near_top, ..Self::keeping(FEW_KEPT, design, dataset, candidates, is_searched) }
@@ -232,6 +237,25 @@ impl<'a> Library<'a> {
         }
     }
 
+    /// Puts another variant of the same cause, of as many parameters, in the place of a candidate.
+    pub(super) fn put(&mut self, design: &Design, at: usize, candidate: Candidate) {
+        self.log_prior[at] += (candidate.weight / self.candidates[at].weight).ln();
+        let columns = match &mut self.sources[at] {
+            ColumnSource::Scaled { motion, member } => {
+                let motions = &mut self.scaled[*motion];
+                design.scale_anew(self.dataset, motions, *member, &candidate);
+                motions.columns(*member, self.dataset.rows_per_observation)
+            }
+            ColumnSource::Kept(columns) => {
+                *columns = design.columns_of(self.dataset, &candidate);
+                columns.clone()
+            }
+            ColumnSource::Computed => design.columns_of(self.dataset, &candidate),
+        };
+        self.products[at] = design.products(&columns);
+        Arc::make_mut(&mut self.candidates)[at] = candidate;
+    }
+
     /// Gives back the memory of many columns; they are computed again where they are needed.
     pub fn forget_columns(&mut self) {
         let kept = |source: &ColumnSource| match source {
@@ -250,7 +274,7 @@ impl<'a> Library<'a> {
             return;
         }
         self.width = design.width();
-        let (dataset, candidates) = (self.dataset, self.candidates);
+        let (dataset, candidates) = (self.dataset, &self.candidates);
         for motions in &self.scaled {
             design.extend_scaled(motions, &mut self.products);
         }
@@ -358,7 +382,7 @@ mod tests {
         let dataset = evenly_spread(12);
         let whitening = Whitening::independent(vec![1.0; 12], 0.2);
         let design = Design::of_all(&dataset, &[Twist([1e-4; 6]); 12], 1, whitening);
-        let mut library = Library::new(&design, &dataset, &[]);
+        let mut library = Library::new(&design, &dataset, Arc::default());
         let list = gp_alternative::gp_alternatives(dataset.joints());
         let bumps = |of: &mut dyn Iterator<Item = GpAlternative>| {
             of.filter(|alternative| matches!(alternative, GpAlternative::LocalBump(..))).count()

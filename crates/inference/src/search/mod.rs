@@ -8,6 +8,7 @@ mod greedy;
 mod library;
 mod pairs;
 mod ranking;
+mod settled_laws;
 
 pub use chosen::{ChosenCause, DROP_NATS, NAMED_NATS, NULL_PRIOR, UNEXPLAINED_PRIOR, cause_columns};
 pub use library::{Library, NearTop};

@@ -6,7 +6,6 @@ use super::balancing::balancing;
 use super::detection_limit::DetectionLimits;
 use super::false_row::false_rows;
 use super::finer_steps::with_finer_steps;
-use super::finer_taus::with_finer_taus;
 use super::heldout;
 use super::identification::{Identification, misses_stated};
 use super::iterated_search::{SearchProblem, best_model};
@@ -81,7 +80,7 @@ pub(super) struct FoundModel {
 
 impl FoundModel {
     fn of(fitted: &FittedModel<'_>) -> Self {
-        let candidates = fitted.workspace.library.candidates;
+        let candidates = &fitted.workspace.library.candidates;
         let chosen = || fitted.model.chosen.iter().map(|cause| &candidates[cause.candidate]);
         Self {
             log_evidence: fitted.log_evidence(),
@@ -120,9 +119,7 @@ fn evaluate_about(prepared: &Prepared<'_>, wants_model: bool, times: usize) -> E
         drop(fitted);
         return evaluate_about(&Prepared { linear: &turned, ..*prepared }, wants_model, times - 1);
     }
-    let finer = with_finer_taus(&visible.candidates, &fitted);
-    let candidates = finer.as_deref().unwrap_or(&visible.candidates);
-    if let Some(candidates) = with_finer_steps(candidates, &fitted).or(finer) {
+    if let Some(candidates) = with_finer_steps(&visible.candidates, &fitted) {
         finer_candidates = candidates;
         problem = SearchProblem { candidates: &finer_candidates, ..problem };
         drop(fitted);

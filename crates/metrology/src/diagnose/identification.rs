@@ -64,9 +64,10 @@ impl Identification {
         (judgement, folds, region): (&Judgement, &Folds, Option<HeldOutBlock>),
     ) -> Self {
         let linear = problem.linear;
+        let found = &fitted.workspace.library.candidates;
         let mut left_out = Vec::new();
         let mut candidates = problem.candidates.to_vec();
-        let spectra = spectrum::spectra(problem.candidates, &fitted.model.chosen);
+        let spectra = spectrum::spectra(found, &fitted.model.chosen);
         // In a spectrum all lines of the gear stand side by side, of one size: what is the same at the angles measured is shared out.
         let aliased = aliased_line(&linear.dataset, &judgement.causes)
             .filter(|line| !spectra.iter().any(|of| of.joint == line.joint));
@@ -79,13 +80,13 @@ impl Identification {
             let what = format!("the gear of joint {joint}");
             left_out.push(LeftOut { code: "diagnose::aliased-line", why: why.to_string(), what });
             // Of all others nothing new is looked for: something else would be found in the place of that gear.
-            let others = fitted.model.chosen.iter().map(|c| &problem.candidates[c.candidate]);
+            let others = fitted.model.chosen.iter().map(|c| &found[c.candidate]);
             candidates = others
                 .filter(|other| !(is_of_gear(other.kind) && other.variant.joint == Some(joint)))
                 .cloned()
                 .collect();
         }
-        if drifts_by_rows(&linear.dataset, problem.candidates, &fitted.model.chosen) {
+        if drifts_by_rows(&linear.dataset, found, &fitted.model.chosen) {
             left_out.push(LeftOut {
                 code: "diagnose::untimed",
                 why: UNTIMED.to_owned(),
@@ -208,7 +209,7 @@ impl ModelMaker<'_, '_> {
 /// A base or target that moved at some row of a file without times, or over several cold starts: it is registered again wherever a model is used.
 fn untimed_mounting(fitted: &FittedModel<'_>) -> Option<LeftOut> {
     let dataset = &fitted.linear.dataset;
-    let candidates = fitted.workspace.library.candidates;
+    let candidates = &fitted.workspace.library.candidates;
     let mut chosen = fitted.model.chosen.iter().map(|cause| &candidates[cause.candidate]);
     let untimed = |c: &&Candidate| {
         let is_moment = c.variant.t0_min().is_some();

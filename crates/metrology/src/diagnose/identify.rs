@@ -43,7 +43,7 @@ pub(super) fn identify(
     let MeasuredRobot { robot, measurements, stations } = measured;
     let FittedModel { linear, model, workspace } = fitted;
     let dataset = &*with_holding_torques(fitted);
-    let candidates = workspace.library.candidates;
+    let candidates = &workspace.library.candidates;
     let moments = steps_by_rows(dataset, candidates, &model.chosen)?;
     let Parameters { columns, named, chosen, size_rad } = parameters(fitted, dataset, stations.targets);
     let start = Identified {
@@ -96,7 +96,7 @@ struct Parameters<'a> {
 /// clearly better.
 fn parameters<'a>(fitted: &'a FittedModel<'_>, dataset: &'a Dataset, targets: usize) -> Parameters<'a> {
     let FittedModel { linear, model, workspace } = fitted;
-    let candidates = workspace.library.candidates;
+    let candidates = &workspace.library.candidates;
     let with = |lines: Vec<JointLines>| {
         let in_spectrum = |c: &&ChosenCause| {
             let variant = candidates[c.candidate].variant;
@@ -266,7 +266,7 @@ impl Refit<'_> {
     }
 
     fn terms(&self, values: &DVector<f64>, sigmas: Option<&[f64]>) -> Vec<Term> {
-        terms(&self.columns, &self.named, self.fitted.workspace.library.candidates, values, sigmas)
+        terms(&self.columns, &self.named, &self.fitted.workspace.library.candidates, values, sigmas)
     }
 
     fn residuals_of(

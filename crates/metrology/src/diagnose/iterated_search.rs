@@ -17,6 +17,7 @@ use inference::slow_noise::{self, SlowNoise};
 use inference::time_course::TimeCourse;
 use statistics::{ALARM_NATS, upper_median};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 const ROUNDS: usize = 4;
 /// Rounds at most, where steps turn out to rest on false readings.
@@ -69,7 +70,7 @@ pub(super) fn best_model<'a>(problem: &SearchProblem<'a>) -> FittedModel<'a> {
         return wandering;
     }
     drop(wandering);
-    plain.with_library(problem)
+    plain.with_library()
 }
 
 /// A search's result while another runs: candidates' columns take hundreds of megabytes in a large set, those of one search at a time.
@@ -77,6 +78,7 @@ struct WithoutLibrary<'a> {
     linear: &'a Linearised,
     model: Model,
     design: Design,
+    candidates: Arc<Vec<Candidate>>,
     near_top: NearTop,
     column_index: BTreeMap<usize, Vec<usize>>,
 }
@@ -84,12 +86,13 @@ struct WithoutLibrary<'a> {
 impl<'a> WithoutLibrary<'a> {
     fn of(fitted: FittedModel<'a>) -> Self {
         let FittedModel { linear, model, workspace: Workspace { design, library, column_index } } = fitted;
-        Self { linear, model, design, near_top: library.near_top, column_index }
+        let Library { candidates, near_top, .. } = library;
+        Self { linear, model, design, candidates, near_top, column_index }
     }
 
-    fn with_library(self, problem: &SearchProblem<'a>) -> FittedModel<'a> {
-        let Self { linear, model, design, near_top, column_index } = self;
-        let mut library = Library::new(&design, &linear.dataset, problem.candidates);
+    fn with_library(self) -> FittedModel<'a> {
+        let Self { linear, model, design, candidates, near_top, column_index } = self;
+        let mut library = Library::new(&design, &linear.dataset, candidates);
         library.near_top = near_top;
         FittedModel { linear, model, workspace: Workspace { design, library, column_index } }
     }
@@ -111,7 +114,7 @@ fn beside_shared<'a>(problem: &SearchProblem<'a>, start: NoiseEstimates) -> Fitt
         return sharing;
     }
     drop(sharing);
-    plain.with_library(problem)
+    plain.with_library()
 }
 
 /// What one round takes for the noise; the next takes what this one's residuals say of it.
@@ -226,7 +229,7 @@ fn searched<'a>(problem: &SearchProblem<'a>, assumed: &NoiseEstimates) -> Fitted
     if let Some(slow) = assumed.slow {
         slow.put(&mut design, dataset);
     }
-    let mut library = Library::new(&design, dataset, candidates);
+    let mut library = Library::new(&design, dataset, Arc::new(candidates.to_vec()));
     let groups = design.all_groups();
     let mut column_index = BTreeMap::new();
     let chosen = library.search(&mut design, &groups, noise, &mut column_index, ALARM_NATS, &[]);

@@ -13,7 +13,6 @@ mod evaluate;
 mod examine;
 mod false_row;
 mod finer_steps;
-mod finer_taus;
 mod gear_spectrum;
 mod headline;
 mod heldout;

@@ -10,6 +10,7 @@ use inference::linearise::shift_m;
 use inference::search::ChosenCause;
 use robot_model::deform::EffectKind;
 use robot_model::units::mm_from_m;
+use std::sync::Arc;
 
 /// Zeros that take less than this share of the gap's square are not worth a word.
 const WORTH: f64 = 0.3;
@@ -17,7 +18,7 @@ const WORTH: f64 = 0.3;
 /// The zeros fitted with base and target alone; none where they take little.
 pub(super) fn zeros(fitted: &mut FittedModel<'_>) -> Option<JointZeros> {
     let FittedModel { model, workspace, .. } = fitted;
-    let candidates = workspace.library.candidates;
+    let candidates = Arc::clone(&workspace.library.candidates);
     let offsets: Vec<usize> = (0..candidates.len())
         .filter(|&c| candidates[c].kind == EffectKind::JointOffset && candidates[c].variant.joint.is_some())
         .collect();

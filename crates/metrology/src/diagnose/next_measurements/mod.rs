@@ -123,7 +123,7 @@ impl<'a> Asked<'a> {
 
     /// The candidates of an open slot, the likeliest first.
     fn candidates(&self, slot: usize) -> impl Iterator<Item = &'a Candidate> {
-        let candidates = self.fitted.workspace.library.candidates;
+        let candidates = &self.fitted.workspace.library.candidates;
         let rivals = self.open[slot].alternatives.iter().take(MOST_ALTERNATIVES);
         rivals.map(move |rival| &candidates[rival.candidate])
     }

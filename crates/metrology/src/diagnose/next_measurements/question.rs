@@ -105,11 +105,11 @@ impl Question {
             sigma_m: model.peak.sigma_m,
             visit_weight: 1.0 / (1.0 + model.shared_ratio),
             grows: false,
-            tilts: slots.iter().any(|slot| tilts(slot, workspace.library.candidates)),
+            tilts: slots.iter().any(|slot| tilts(slot, &workspace.library.candidates)),
             targets: linear.registration.tools_m.len().max(1),
         };
         for (number, (slot, columns)) in slots.iter().zip(&columns).enumerate() {
-            question.add(model, design, workspace.library.candidates, slot, columns)?;
+            question.add(model, design, &workspace.library.candidates, slot, columns)?;
             question.slot_of.resize(question.next_both(), number);
         }
         question.add_nests();

@@ -142,7 +142,7 @@ pub(super) fn spoken_for(
     workspace: &Workspace<'_>,
     ranking: &HypothesisRanking,
 ) -> (Vec<CauseGroup>, Vec<CauseGroup>) {
-    let (candidates, log_prior) = (workspace.library.candidates, &workspace.library.log_prior);
+    let (candidates, log_prior) = (&workspace.library.candidates, &workspace.library.log_prior);
     let null = ranking.ranked.iter().find(|ranked| ranked.hypothesis == Hypothesis::Null);
     let null = null.map_or(0.0, |null| null.probability / NULL_PRIOR);
     let is_spoken_for = |group: &CauseGroup| {
@@ -155,7 +155,7 @@ pub(super) fn spoken_for(
 
 /// Counts the probability of `candidate` to the line that it is, where it is one: over a short range near periods are one bend.
 fn add_line(workspace: &Workspace<'_>, lines: &mut Vec<LineShare>, candidate: usize, probability: f64) {
-    let candidates = workspace.library.candidates;
+    let candidates = &workspace.library.candidates;
     let variant = &candidates[candidate].variant;
     let (EffectKind::GearMesh, Some(n), Some(joint)) = (candidates[candidate].kind, variant.n, variant.joint)
     else {

@@ -74,7 +74,7 @@ impl HiddenLoad {
 /// recorded and changes.
 #[must_use]
 pub(super) fn in_place_of_steps(fitted: &FittedModel<'_>, chosen: &[ChosenCause]) -> Option<HiddenLoad> {
-    let candidates = fitted.workspace.library.candidates;
+    let candidates = &fitted.workspace.library.candidates;
     let is_step = |slot: &usize| candidates[chosen[*slot].candidate].variant.t0_min().is_some();
     let steps: Vec<usize> = (0..chosen.len()).filter(is_step).collect();
     if steps.is_empty() || payload_changes(&fitted.linear.dataset) {

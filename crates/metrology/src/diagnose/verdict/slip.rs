@@ -16,7 +16,7 @@ pub(super) fn share_slip(
     ranking: &HypothesisRanking,
     cause_groups: &mut Vec<CauseGroup>,
 ) {
-    let candidates = workspace.library.candidates;
+    let candidates = &workspace.library.candidates;
     let Some(first) = cause_groups.first() else { return };
     let turn = &candidates[first.best];
     let last = workspace.library.dataset.joints().checked_sub(1).map(Axis::at);

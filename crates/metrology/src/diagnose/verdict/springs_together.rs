@@ -8,6 +8,7 @@ use inference::evidence::NuisanceModel;
 use inference::search::{ChosenCause, cause_columns};
 use robot_model::deform::EffectKind;
 use statistics::log_sum;
+use std::sync::Arc;
 
 /// A cause less likely than this in its place is no question.
 const ASKED: f64 = 0.01;
@@ -33,7 +34,7 @@ pub(super) fn share_springs(
     slot: usize,
     cause_groups: &mut Vec<CauseGroup>,
 ) {
-    let candidates = fitted.workspace.library.candidates;
+    let candidates = Arc::clone(&fitted.workspace.library.candidates);
     let asked = cause_groups
         .iter()
         .position(|group| group.probability > ASKED && fewest_beside(candidates[group.best].kind).is_some());
@@ -65,7 +66,7 @@ pub(super) fn share_springs(
 /// `others` that give under load; `None` where none of these does, or not enough joints are under load.
 fn springs_alone(fitted: &mut FittedModel<'_>, others: &[ChosenCause], doubted: usize) -> Option<f64> {
     let Workspace { design, library, column_index } = &mut fitted.workspace;
-    let candidates = library.candidates;
+    let candidates = &library.candidates;
     let gives = |c: &&ChosenCause| {
         matches!(candidates[c.candidate].kind, EffectKind::JointCompliance | EffectKind::LinkBending)
     };

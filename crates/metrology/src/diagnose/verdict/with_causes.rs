@@ -120,7 +120,7 @@ struct CausesFound {
 impl CausesFound {
     /// What may stand in slot `i` of the model.
     fn add_slot(&mut self, fitted: &mut FittedModel<'_>, chosen: &[ChosenCause], i: usize) {
-        let candidates = fitted.workspace.library.candidates;
+        let candidates = &fitted.workspace.library.candidates;
         if chosen.len() > MANY_CAUSES && candidates[chosen[i].candidate].variant.n.is_some() {
             let line = line_among_many(fitted, chosen, i, &mut self.spectra);
             if line.probability < LIKELIER_THAN_NOT {
