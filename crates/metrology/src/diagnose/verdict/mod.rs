@@ -18,6 +18,7 @@ mod size;
 mod slip;
 mod springs_together;
 mod structure;
+mod twins;
 mod two_states;
 mod unrecorded;
 mod with_causes;

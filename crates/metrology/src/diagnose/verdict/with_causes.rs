@@ -17,6 +17,7 @@ use super::structure::{
     likeliest_structure, loaded_play, location_of_gp, odds_over_causes, over_time, region_of, shape_of_lines,
     structure_odds, varying_cause,
 };
+use super::twins::{fit_beam, fit_links_scale};
 use super::wording::{
     OR_BALANCING, OR_LOAD, describe, in_short, one_beam_reason, only_missing, structure_reason,
     switched_reason,
@@ -61,7 +62,8 @@ pub(super) fn with_causes(
     if !structure.overrules {
         found.share_with_structure();
     }
-    let causes = listed(std::mem::take(&mut found.causes));
+    let mut causes = listed(std::mem::take(&mut found.causes));
+    fit_links_scale(fitted.linear, &mut causes);
     let alternatives = rejected(std::mem::take(&mut found.alternatives), &causes);
     let moved_m = moved_m(fitted, chosen);
     let of_causes = Location {
@@ -171,7 +173,7 @@ impl CausesFound {
         let or_balancing = doubt.is_of_balancing();
         self.open.push(OpenSlot { or_balancing, ..OpenSlot::new(Some(i), &cause_groups, near.len()) });
         self.has_open_slot |= doubt.share(&mut self.causes, i + 1);
-        self.share_beams(fitted, &near, i + 1);
+        self.share_beams(fitted, chosen, i, &near);
         for cause_group in cause_groups.iter().skip(near.len()).take(3) {
             self.alternatives.push(cause_unfitted(&fitted.workspace, cause_group));
         }
@@ -193,10 +195,18 @@ impl CausesFound {
         }
     }
 
-    /// Names beside each link of `slot` that bends the one that is one beam with it.
-    fn share_beams(&mut self, fitted: &FittedModel<'_>, near: &[&CauseGroup], slot: usize) {
-        for beam in near.iter().filter_map(|group| beam(fitted, group.best)) {
-            share_beam(&mut self.causes, slot, beam);
+    /// Names beside each link of slot `i` that bends the one that is one beam with it.
+    fn share_beams(
+        &mut self,
+        fitted: &mut FittedModel<'_>,
+        chosen: &[ChosenCause],
+        i: usize,
+        near: &[&CauseGroup],
+    ) {
+        for group in near {
+            let Some(beam) = beam(fitted, group.best) else { continue };
+            share_beam(&mut self.causes, i + 1, beam);
+            fit_beam(fitted, chosen, i, group, &mut self.causes);
             self.has_open_slot = true;
             self.beams.push(beam);
         }
