@@ -4,7 +4,7 @@
 //! drifts. So each is looked for before anything else is weighed beside it. Over a part of the data it stays what all of them say.
 
 use super::chosen::ChosenCause;
-use super::exchange::Search;
+use super::exchange::{MOST_SWAPPED, Search};
 use super::library::Library;
 use super::ranking::{BestEffect, HypothesisRanking};
 use crate::dataset::Dataset;
@@ -87,11 +87,13 @@ impl Library<'_> {
             return best;
         }
         let best_key = self.candidates[best.candidate].cause_key();
+        // Among dozens of gear lines it would be asked at each of them.
+        let few = search.chosen.len() <= MOST_SWAPPED;
         let mut keys: BTreeSet<CauseKey> = BTreeSet::new();
         for (c, peak) in ranking.effects() {
             let candidate = &self.candidates[c];
             let key = candidate.cause_key();
-            let is_near = key == best_key || ranking.over_null_nats(&peak) > NEAR_BEST * best.own_nats;
+            let is_near = key == best_key || few && ranking.over_null_nats(&peak) > NEAR_BEST * best.own_nats;
             if candidate.settling_law().is_some() && is_near && keys.len() < MOST_NEAR {
                 keys.insert(key);
             }
@@ -111,7 +113,7 @@ impl Library<'_> {
     pub(super) fn settle_chosen(&mut self, search: &mut Search<'_>) -> bool {
         let settles =
             |library: &Self, one: &ChosenCause| library.candidates[one.candidate].settling_law().is_some();
-        if !self.can_settle(search) || search.chosen.len() < 2 {
+        if !self.can_settle(search) || !(2..=MOST_SWAPPED).contains(&search.chosen.len()) {
             return false;
         }
         let mut any = false;
