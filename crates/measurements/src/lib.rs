@@ -60,7 +60,7 @@ pub use performance::{ComparisonFrame, Performance, PerformanceError, WorstPerfo
 pub use pose_performance::{PerformanceAtTime, PosePerformance};
 pub use reading::{Coordinates, Reading};
 pub use refine::FreeParameters;
-pub use register::{RegisterError, register, register_with};
+pub use register::{RegisterError, register, register_near, register_with};
 pub use registration::Registration;
 pub use repeats::{FEWEST_FREEDOM, Repeats, STATED_FREEDOM};
 pub use rotation::Rotation;

@@ -31,6 +31,10 @@ const ITERATIONS: usize = 60;
 const LAST_STEP: f64 = 1e-9;
 /// Where the last of all steps is longer than this, metres and radians together, the fit has not come to rest.
 const AT_REST: f64 = 1e-6;
+/// How often a step that leaves more is halved.
+const HALVINGS: i32 = 10;
+/// Squares that differ by a smaller share are the same.
+const ROUNDING: f64 = 1e-12;
 /// Orientation residuals weigh as if at this distance at most, metres.
 const ORIENTATION_ARM_M: f64 = 0.3;
 
@@ -127,13 +131,32 @@ fn unknown_columns(
     ResidualColumns { position, orientation }
 }
 
-/// Where the one target is known to be on the flange.
-#[derive(Clone, Copy)]
-pub(super) struct KnownTool {
-    /// In the flange's frame, metres.
-    pub(super) tool_m: Vector3<f64>,
-    /// One standard deviation of a coordinate of it, metres.
-    pub(super) sigma_m: f64,
+/// A target is within so much of where its fit begins, one standard deviation of a coordinate: from no flange does it hang much further. Poses that
+/// hardly tell where along an axis it is, of an arm whose axes are all parallel but for its faults, would have it metres away.
+const OPEN_M: f64 = 0.3;
+/// What that counts at most, to a point: where points are far off it must not keep the target from where it is.
+const OPEN_AT_MOST: f64 = 1e-5;
+/// A target whose place the points leave open by more than this is where it is said to be, as exactly, metres: sensors that are always turned alike
+/// tell little of how far off the axis, and nothing of how far along, it is.
+pub(super) const TOLD_M: f64 = 2e-3;
+
+/// How near the targets are to where their fit begins.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum StartingPlaces {
+    /// Somewhere about there.
+    Guessed,
+    /// There, but for [`TOLD_M`].
+    Told,
+}
+
+impl StartingPlaces {
+    /// As a point that is seen on the flange, by its own scatter, where points scatter by `scale_m`.
+    fn weight(self, scale_m: f64) -> f64 {
+        match self {
+            Self::Guessed => (scale_m / OPEN_M).powi(2).min(OPEN_AT_MOST),
+            Self::Told => (scale_m / TOLD_M).powi(2),
+        }
+    }
 }
 
 /// How a registration is fitted.
@@ -142,14 +165,18 @@ pub(super) struct Fitting {
     pub(super) free: FreeParameters,
     pub(super) turn_scale: TurnScale,
     pub(super) weights: Weights,
-    /// Where the points leave it open the target is taken to be near there.
-    pub(super) known_tool: Option<KnownTool>,
+    pub(super) start: StartingPlaces,
 }
 
 impl Fitting {
     /// Robust, orientations by the scatter of the points.
     pub(super) fn of(free: FreeParameters) -> Self {
-        Self { free, turn_scale: TurnScale::OfPoints, weights: Weights::Robust, known_tool: None }
+        Self {
+            free,
+            turn_scale: TurnScale::OfPoints,
+            weights: Weights::Robust,
+            start: StartingPlaces::Guessed,
+        }
     }
 }
 
@@ -157,51 +184,31 @@ pub(super) fn gauss_newton(
     mut fit: Registration,
     stations: &[Station],
     poses: &[Isometry3<f64>],
-    Fitting { free, turn_scale, weights, known_tool }: Fitting,
+    fitting: Fitting,
 ) -> Registration {
-    let oriented = fit.flange_from_sensor.is_some();
-    let fixed_points = 6 + 3 * fit.tools_m.len();
-    let width = fixed_points + 3 * fit.fixed_points_m.len() + if oriented { 3 } else { 0 };
-    let held = match free {
-        FreeParameters::All => 0..0,
-        FreeParameters::Base => 6..fixed_points,
-        FreeParameters::Nothing(_) => 0..fixed_points,
-    };
-    let mut normal = DMatrix::zeros(width, width);
+    let began_m = fit.tools_m.clone();
+    let mut normal = DMatrix::zeros(0, 0);
     for _ in 0..ITERATIONS {
-        let scale_m = median_distance(&fit, stations, poses).max(1e-9);
-        let arm_m = turn_scale.arm_m(&fit, stations, poses, scale_m);
-        normal = DMatrix::zeros(width, width);
-        let mut right = DVector::zeros(width);
-        for (station, pose) in stations.iter().zip(poses) {
-            let residual = fit.residual_m(station, pose);
-            let ResidualColumns { position, orientation } = unknown_columns(&fit, station, pose, width);
-            let weight = weights.of(residual.norm(), scale_m);
-            normal += weight * position.transpose() * &position;
-            right += weight * position.transpose() * residual;
-            if let Some(turn) = fit.residual_rad(station, pose) {
-                let weight = arm_m.powi(2) * weights.of(turn.norm() * arm_m, scale_m);
-                normal += weight * orientation.transpose() * &orientation;
-                right += weight * orientation.transpose() * turn;
-            }
-        }
-        if let Some(KnownTool { tool_m, sigma_m }) = known_tool {
-            // As a point that is seen on the flange, by its own scatter.
-            let weight = (scale_m / sigma_m).powi(2);
-            let off_m = tool_m - fit.tools_m[0];
-            for k in 0..3 {
-                normal[(6 + k, 6 + k)] += weight;
-                right[6 + k] += weight * off_m[k];
-            }
-        }
-        for k in held.clone() {
-            normal.row_mut(k).fill(0.0);
-            normal.column_mut(k).fill(0.0);
-            right[k] = 0.0;
-        }
-        let step = damped_solve(&normal, &right);
-        take_step(&mut fit, &step);
-        fit.converged = step.norm() < AT_REST;
+        let weighed = Weighed::at(&fit, (stations, poses), &began_m, fitting);
+        let Equations { normal: of_step, right } = weighed.equations(&fit);
+        let step = damped_solve(&of_step, &right);
+        normal = of_step;
+        let most_m2 = weighed.squares_m2(&fit) * (1.0 + ROUNDING);
+        let shorter = (0..=HALVINGS).map(|halvings| &step * 0.5_f64.powi(halvings));
+        let stepped = shorter
+            .map(|step| {
+                let mut stepped = fit.clone();
+                take_step(&mut stepped, &step);
+                stepped.converged = step.norm() < AT_REST;
+                stepped
+            })
+            .find(|stepped| weighed.squares_m2(stepped) <= most_m2);
+        // Where no part of it leaves less there is nothing to gain.
+        let Some(stepped) = stepped else {
+            fit.converged = step.norm() < AT_REST;
+            break;
+        };
+        fit = stepped;
         if step.norm() < LAST_STEP {
             break;
         }
@@ -209,6 +216,103 @@ pub(super) fn gauss_newton(
     fit.median_m = median_distance(&fit, stations, poses);
     fit.tool_sigma_m = variance_of_tool(&normal).sqrt() * fit.median_m / MEDIAN_NORM_3D;
     fit
+}
+
+/// Normal equations of a step.
+struct Equations {
+    normal: DMatrix<f64>,
+    right: DVector<f64>,
+}
+
+/// What a step is found and judged by: the stations, each with what it counts where the step begins.
+struct Weighed<'a> {
+    stations: &'a [Station],
+    poses: &'a [Isometry3<f64>],
+    /// Where the fit of each target begins, flange frame, metres.
+    began_m: &'a [Vector3<f64>],
+    free: FreeParameters,
+    /// What each station's point counts, and its orientation, this in square metres a square radian; 0 where there is none.
+    weights: Vec<[f64; 2]>,
+    /// What it counts that a target is away from where its fit begins.
+    beginning: f64,
+}
+
+impl<'a> Weighed<'a> {
+    fn at(
+        fit: &Registration,
+        (stations, poses): (&'a [Station], &'a [Isometry3<f64>]),
+        began_m: &'a [Vector3<f64>],
+        fitting: Fitting,
+    ) -> Self {
+        let scale_m = median_distance(fit, stations, poses).max(1e-9);
+        let arm_m = fitting.turn_scale.arm_m(fit, stations, poses, scale_m);
+        let of = |(station, pose): (&Station, &Isometry3<f64>)| {
+            let turn = fit.residual_rad(station, pose);
+            let of_turn =
+                |turn: Vector3<f64>| arm_m.powi(2) * fitting.weights.of(turn.norm() * arm_m, scale_m);
+            let of_point = fitting.weights.of(fit.residual_m(station, pose).norm(), scale_m);
+            [of_point, turn.map_or(0.0, of_turn)]
+        };
+        let weights = stations.iter().zip(poses).map(of).collect();
+        let beginning = fitting.start.weight(scale_m);
+        Self { stations, poses, began_m, free: fitting.free, weights, beginning }
+    }
+
+    fn each(&self) -> impl Iterator<Item = (&'a Station, &'a Isometry3<f64>, [f64; 2])> {
+        let stations = self.stations.iter().zip(self.poses);
+        stations.zip(&self.weights).map(|((station, pose), weights)| (station, pose, *weights))
+    }
+
+    /// From the place of each target by `fit` to where its fit began, metres.
+    fn off_beginning_m(&self, fit: &Registration) -> impl Iterator<Item = Vector3<f64>> {
+        self.began_m.iter().zip(&fit.tools_m).map(|(began_m, tool_m)| began_m - tool_m)
+    }
+
+    /// The squares that `fit` leaves.
+    fn squares_m2(&self, fit: &Registration) -> f64 {
+        let of = |(station, pose, [of_point, of_turn]): (&Station, &Isometry3<f64>, [f64; 2])| {
+            let turn = fit.residual_rad(station, pose).unwrap_or_default();
+            of_point * fit.residual_m(station, pose).norm_squared() + of_turn * turn.norm_squared()
+        };
+        let off_m2: f64 = self.off_beginning_m(fit).map(|off_m| off_m.norm_squared()).sum();
+        self.each().map(of).sum::<f64>() + self.beginning * off_m2
+    }
+
+    /// Equations of the step from `fit` to where they are least.
+    fn equations(&self, fit: &Registration) -> Equations {
+        let fixed_points = 6 + 3 * fit.tools_m.len();
+        let turn = if fit.flange_from_sensor.is_some() { 3 } else { 0 };
+        let width = fixed_points + 3 * fit.fixed_points_m.len() + turn;
+        let mut normal = DMatrix::zeros(width, width);
+        let mut right = DVector::zeros(width);
+        for (station, pose, [of_point, of_turn]) in self.each() {
+            let ResidualColumns { position, orientation } = unknown_columns(fit, station, pose, width);
+            normal += of_point * position.transpose() * &position;
+            right += of_point * position.transpose() * fit.residual_m(station, pose);
+            if let Some(turn) = fit.residual_rad(station, pose) {
+                normal += of_turn * orientation.transpose() * &orientation;
+                right += of_turn * orientation.transpose() * turn;
+            }
+        }
+        for (target, off_m) in self.off_beginning_m(fit).enumerate() {
+            for k in 0..3 {
+                let at = 6 + 3 * target + k;
+                normal[(at, at)] += self.beginning;
+                right[at] += self.beginning * off_m[k];
+            }
+        }
+        let held = match self.free {
+            FreeParameters::All => 0..0,
+            FreeParameters::Base => 6..fixed_points,
+            FreeParameters::Nothing(_) => 0..fixed_points,
+        };
+        for k in held {
+            normal.row_mut(k).fill(0.0);
+            normal.column_mut(k).fill(0.0);
+            right[k] = 0.0;
+        }
+        Equations { normal, right }
+    }
 }
 
 /// Moves what is fitted by a step: base (shift, turn), targets, fixed points, orientation of the sensor.
@@ -242,7 +346,7 @@ fn damped_solve(normal: &DMatrix<f64>, right: &DVector<f64>) -> DVector<f64> {
     let along = eigen.eigenvectors.transpose() * right;
     let solved = DVector::from_fn(along.len(), |i, _| {
         let value = eigen.eigenvalues[i];
-        if value > 1e-9 * largest { along[i] / value } else { 0.0 }
+        if value > 1e-12 * largest { along[i] / value } else { 0.0 }
     });
     eigen.eigenvectors * solved
 }

@@ -5,7 +5,7 @@
 //! finding: all are unknown.
 
 use super::initial_guess::{initial_guess, oriented, with_fixed_points, with_sensor, without_fit};
-use super::refine::{Fitting, FreeParameters, KnownTool, TurnScale, Weights, gauss_newton};
+use super::refine::{Fitting, FreeParameters, StartingPlaces, TOLD_M, TurnScale, Weights, gauss_newton};
 use super::{Reading, Registration, Station};
 use nalgebra::{Isometry3, Vector3};
 use thiserror::Error;
@@ -30,9 +30,6 @@ const HANDFULS: usize = 24;
 /// Stations of each, of 9 unknowns.
 const HANDFUL: usize = 8;
 
-/// A target whose place the points leave open by more than this is where it is said to be, as exactly, metres: sensors that are always turned alike
-/// tell little of how far off the axis, and nothing of how far along, it is.
-const TOLD_M: f64 = 2e-3;
 /// Poses are few whose coordinates are fewer than so many times what is fitted to them.
 const FEW_TIMES: usize = 3;
 
@@ -77,18 +74,31 @@ pub fn register(
     targets: usize,
     tool_m: Option<Vector3<f64>>,
 ) -> Result<Registration, RegisterError> {
-    let found = register_from_usual_starts(stations, base_from_flange, targets, tool_m)?;
-    let found = match found.median_m > ASTRAY_M && targets == 1 && fixed_points(stations) == 0 {
-        true => from_handfuls(found, stations, base_from_flange),
-        false => found,
-    };
+    let started_m: Option<Vec<Vector3<f64>>> = tool_m.map(|tool_m| vec![tool_m; targets]);
+    let found = register_near(stations, base_from_flange, targets, started_m.as_deref())?;
     let Some(tool_m) = tool_m.filter(|_| targets == 1 && found.tool_sigma_m > TOLD_M) else {
         return Ok(found);
     };
-    let known_tool = Some(KnownTool { tool_m, sigma_m: TOLD_M });
     let start = Registration { tools_m: vec![tool_m], ..found };
-    let fitting = Fitting { known_tool, ..Fitting::of(FreeParameters::All) };
+    let fitting = Fitting { start: StartingPlaces::Told, ..Fitting::of(FreeParameters::All) };
     Ok(gauss_newton(start, stations, base_from_flange, fitting))
+}
+
+/// Registers `stations` as [`register`] does; each target's fit begins at its place of `tools_m` as well, which holds it nowhere that the points tell.
+///
+/// # Errors
+/// Too few or too alike poses.
+pub fn register_near(
+    stations: &[Station],
+    base_from_flange: &[Isometry3<f64>],
+    targets: usize,
+    tools_m: Option<&[Vector3<f64>]>,
+) -> Result<Registration, RegisterError> {
+    let found = register_from_usual_starts(stations, base_from_flange, targets, tools_m)?;
+    Ok(match found.median_m > ASTRAY_M && targets == 1 && fixed_points(stations) == 0 {
+        true => from_handfuls(found, stations, base_from_flange),
+        false => found,
+    })
 }
 
 /// The same where many guesses are tried at what is wrong: false stations may lead it astray.
@@ -99,7 +109,7 @@ pub(super) fn register_from_usual_starts(
     stations: &[Station],
     base_from_flange: &[Isometry3<f64>],
     targets: usize,
-    tool_m: Option<Vector3<f64>>,
+    tools_m: Option<&[Vector3<f64>]>,
 ) -> Result<Registration, RegisterError> {
     are_of_targets(stations, targets)?;
     let fixed_points = fixed_points(stations);
@@ -120,9 +130,9 @@ pub(super) fn register_from_usual_starts(
     };
 
     let mut best: Option<Registration> = None;
-    let given = tool_m.map(|t| [t.x, t.y, t.z]);
-    for start in given.iter().chain(&STARTS_M) {
-        let tools_m = vec![Vector3::from(*start); targets];
+    let given = tools_m.filter(|tools_m| tools_m.len() == targets).map(<[Vector3<f64>]>::to_vec);
+    let usual = STARTS_M.iter().map(|start| vec![Vector3::from(*start); targets]);
+    for tools_m in given.into_iter().chain(usual) {
         let Some(start) = initial_guess(&few, &few_poses, &tools_m, fixed_points) else {
             continue;
         };
@@ -248,216 +258,4 @@ pub(super) fn to_judge_poses_in(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::{Point3, UnitQuaternion};
-
-    /// Poses of a made-up hand, spread by irrational steps; no kinematics needed.
-    fn poses(n: usize) -> Vec<Isometry3<f64>> {
-        (0..n)
-            .map(|i| {
-                let a = |k: f64| (i as f64 * k).fract() - 0.5;
-                Isometry3::new(
-                    Vector3::new(0.5 + a(0.618), a(0.755), 0.4 + a(0.569)),
-                    Vector3::new(2.0 * a(0.414), 2.0 * a(0.732), 2.0 * a(0.236)),
-                )
-            })
-            .collect()
-    }
-
-    fn seen(poses: &[Isometry3<f64>], base: &Isometry3<f64>, tool: Vector3<f64>, turn: bool) -> Vec<Station> {
-        let sensor = UnitQuaternion::from_euler_angles(0.3, -1.0, 2.0);
-        poses
-            .iter()
-            .enumerate()
-            .map(|(i, pose)| {
-                let reading = Reading::Point { position_m: (base * pose * Point3::from(tool)).coords };
-                Station {
-                    orientation: turn.then(|| base.rotation * pose.rotation * sensor),
-                    ..Station::bare(i, [0.0; 6].into(), reading)
-                }
-            })
-            .collect()
-    }
-
-    #[test]
-    fn base_and_target_are_found_without_knowing_either_despite_false_rows() {
-        let poses = poses(40);
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.08, -0.05, 0.21);
-        for turn in [false, true] {
-            let mut stations = seen(&poses, &base, tool, turn);
-            stations[7].reading =
-                Reading::Point { position_m: stations[7].reading.position_m().unwrap() + Vector3::x() * 0.5 };
-            let fit = register(&stations, &poses, 1, None).unwrap();
-            assert!(fit.converged, "{fit:?}");
-            assert!((fit.tools_m[0] - tool).norm() < 1e-6, "{fit:?}");
-            assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-6);
-            assert!(fit.median_m < 1e-6);
-        }
-    }
-
-    /// A fifth of the points with one coordinate in the place of another, up to metres off.
-    #[test]
-    fn rows_that_are_metres_off_lead_no_registration_astray() {
-        let poses = poses(120);
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.08, -0.05, 0.21);
-        let mut stations = seen(&poses, &base, tool, false);
-        for station in stations.iter_mut().filter(|station| station.pose % 5 == 2) {
-            let seen_m = station.reading.position_m().unwrap();
-            let copied_m = Vector3::new(seen_m.x, seen_m.y, 2.0 * seen_m.x);
-            station.reading = Reading::Point { position_m: copied_m };
-        }
-        let fit = register(&stations, &poses, 1, None).unwrap();
-        assert!((fit.tools_m[0] - tool).norm() < 1e-6, "{fit:?}");
-        assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-6);
-    }
-
-    #[test]
-    fn the_base_alone_is_found_with_the_target_held() {
-        let poses = poses(12);
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.08, -0.05, 0.21);
-        let fit =
-            register_with(&seen(&poses, &base, tool, false), &poses, &[tool], FreeParameters::Base).unwrap();
-        assert_eq!(fit.tools_m, [tool]);
-        assert!((fit.instrument_from_base.translation.vector - base.translation.vector).norm() < 1e-9);
-        assert!(fit.median_m < 1e-9, "{fit:?}");
-    }
-
-    #[test]
-    fn orientation_places_the_base_where_points_lie_on_a_line() {
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.08, -0.05, 0.21);
-        let along = Vector3::new(0.6, 0.0, 0.8);
-        let on_a_line = |(i, pose): (usize, &Isometry3<f64>)| {
-            let point_m = Vector3::new(0.3, 0.1, 0.2) + along * (0.02 * i as f64);
-            Isometry3::from_parts((point_m - pose.rotation * tool).into(), pose.rotation)
-        };
-        let poses: Vec<Isometry3<f64>> = poses(30).iter().enumerate().map(on_a_line).collect();
-        let fit = register(&seen(&poses, &base, tool, true), &poses, 1, None).unwrap();
-        let off = fit.instrument_from_base.inverse() * base;
-        assert!(off.translation.vector.norm() < 1e-6 && off.rotation.angle() < 1e-6, "{fit:?}");
-        assert!((fit.tools_m[0] - tool).norm() < 1e-6, "{fit:?}");
-        let without = register(&seen(&poses, &base, tool, false), &poses, 1, None).unwrap_err();
-        assert_eq!(without, RegisterError::Degenerate, "points on a line alone leave its turn open");
-    }
-
-    /// A hand that is turned about one axis alone: how far along it the target is, no point tells. Where it is said to be it stays; how far off the
-    /// axis it is, which the points tell, it is not held.
-    #[test]
-    fn a_target_that_poses_turned_alike_leave_open_is_where_it_is_said_to_be() {
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.02, -0.03, 0.08);
-        let poses: Vec<Isometry3<f64>> = poses(28)
-            .iter()
-            .enumerate()
-            .map(|(i, pose)| {
-                let turned =
-                    UnitQuaternion::from_scaled_axis(Vector3::z() * (0.618 * i as f64).fract() * 2.0);
-                Isometry3::from_parts(pose.translation, turned)
-            })
-            .collect();
-        let mut stations = seen(&poses, &base, tool, false);
-        for (i, station) in stations.iter_mut().enumerate() {
-            let noise = |k: f64| 4e-5 * ((i as f64 * k).fract() - 0.5);
-            let seen_m = station.reading.position_m().unwrap();
-            let noise_m = Vector3::new(noise(0.618), noise(0.755), noise(0.569));
-            station.reading = Reading::Point { position_m: seen_m + noise_m };
-        }
-        let said = tool + Vector3::new(0.0, 0.0, 1e-3);
-        let fit = register(&stations, &poses, 1, Some(said)).unwrap();
-        let off_m = fit.tools_m[0] - tool;
-        assert!((off_m.z - 1e-3).abs() < 1e-4 && off_m.xy().norm() < 1e-4, "{off_m}");
-    }
-
-    /// Points to a micrometre, orientations to a milliradian: the sensor lies amid what the poses say, about each axis nearer to their mean
-    /// than the farthest of them, and at the same place whichever pose comes first.
-    #[test]
-    fn orientations_that_scatter_more_than_points_are_fitted_by_their_own_scatter() {
-        let poses = poses(5);
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.08, -0.05, 0.21);
-        let sensor = UnitQuaternion::from_euler_angles(0.3, -1.0, 2.0);
-        let off_rad =
-            [[1.0, 0.2, -0.6], [-0.4, 0.8, 0.3], [0.1, -1.0, 0.5], [-0.9, 0.4, 0.4], [0.2, -0.4, -0.6]];
-        let mut stations = seen(&poses, &base, tool, true);
-        for (k, (station, off_rad)) in stations.iter_mut().zip(off_rad).enumerate() {
-            let seen_m = station.reading.position_m().unwrap() + Vector3::x() * 1e-6 * (k as f64 - 2.0);
-            station.reading = Reading::Point { position_m: seen_m };
-            let turn = UnitQuaternion::from_scaled_axis(Vector3::from(off_rad) * 1e-3);
-            station.orientation = station.orientation.map(|seen| seen * turn);
-        }
-        let fitted = |order: [usize; 5]| {
-            let stations = order.map(|k| stations[k].clone());
-            let poses = order.map(|k| poses[k]);
-            let fit = register_with(&stations, &poses, &[tool], FreeParameters::Base).unwrap();
-            to_judge_poses_in(fit, &stations, &poses, FreeParameters::Base, 100)
-        };
-        let first = fitted([0, 1, 2, 3, 4]);
-        for order in [[4, 3, 2, 1, 0], [2, 0, 4, 1, 3], [3, 4, 0, 2, 1]] {
-            let other = fitted(order);
-            let apart = first.flange_from_sensor.unwrap().angle_to(&other.flange_from_sensor.unwrap());
-            assert!(apart < 1e-8, "{order:?}: {apart}");
-            let base_apart =
-                first.instrument_from_base.rotation.angle_to(&other.instrument_from_base.rotation);
-            assert!(base_apart < 1e-8, "{order:?}: {base_apart}");
-        }
-        // The offs add up to nothing: their mean is the sensor's true orientation.
-        let off = (sensor.inverse() * first.flange_from_sensor.unwrap()).scaled_axis();
-        assert!(off.amax() < 0.3e-3, "{off}");
-        // A rotation that points to some micrometres half a metre apart allow.
-        assert!(first.instrument_from_base.rotation.angle_to(&base.rotation) < 1e-5);
-    }
-
-    /// Five poses off by up to half a millimetre: all count alike, and what is left is the least squares', at right angles to what is fitted.
-    #[test]
-    fn of_few_poses_none_is_made_to_look_false() {
-        let poses = poses(5);
-        let base = Isometry3::new(Vector3::new(2.0, -1.0, 0.3), Vector3::new(0.4, 1.2, -2.0));
-        let tool = Vector3::new(0.08, -0.05, 0.21);
-        let off_m =
-            [[0.5, 0.1, -0.3], [-0.2, 0.4, 0.1], [0.1, -0.5, 0.2], [-0.4, 0.2, 0.3], [0.2, -0.1, -0.4]];
-        let mut stations = seen(&poses, &base, tool, false);
-        for (station, off) in stations.iter_mut().zip(off_m) {
-            let seen_m = station.reading.position_m().unwrap() + Vector3::from(off) * 1e-3;
-            station.reading = Reading::Point { position_m: seen_m };
-        }
-        let robust = register(&stations, &poses, 1, None).unwrap();
-        let all_alike = to_judge_poses_in(robust, &stations, &poses, FreeParameters::All, 5);
-        // The normal equations: what is left adds up to nothing along the base's axes, about them, and along the flange's.
-        let mut sums = [Vector3::zeros(); 3];
-        for (station, pose) in stations.iter().zip(&poses) {
-            let left = all_alike.residual_m(station, pose);
-            sums[0] += left;
-            sums[1] += all_alike.predicted_m(station, pose).cross(&left);
-            sums[2] += pose.rotation.inverse() * left;
-        }
-        assert!(sums.iter().all(|sum| sum.norm() < 1e-8), "{sums:?}");
-    }
-
-    #[test]
-    fn a_row_of_a_target_that_has_no_place_is_refused() {
-        let (poses, base) = (poses(12), Isometry3::identity());
-        let mut stations = seen(&poses, &base, Vector3::zeros(), false);
-        stations[7].target = 1;
-        let none = RegisterError::NoSuchTarget { target: 2, targets: 1 };
-        assert_eq!(register(&stations, &poses, 1, None).unwrap_err(), none);
-        let free = FreeParameters::Base;
-        assert_eq!(register_with(&stations, &poses, &[Vector3::zeros()], free).unwrap_err(), none);
-        let none = RegisterError::NoSuchTarget { target: 1, targets: 0 };
-        assert_eq!(register(&stations[..7], &poses[..7], 0, None).unwrap_err(), none);
-    }
-
-    #[test]
-    fn too_few_and_too_alike_poses_are_refused() {
-        let base = Isometry3::identity();
-        let three = poses(3);
-        let error = register(&seen(&three, &base, Vector3::zeros(), false), &three, 1, None).unwrap_err();
-        assert_eq!(error, RegisterError::TooFew { stations: 3 });
-        let alike = vec![poses(1)[0]; 30];
-        let error = register(&seen(&alike, &base, Vector3::zeros(), false), &alike, 1, None).unwrap_err();
-        assert_eq!(error, RegisterError::Degenerate);
-    }
-}
+mod tests;

@@ -100,7 +100,9 @@ pub(super) fn best_part(rows: &[PosedRow], targets: usize, tool_m: Option<Vector
         let part: Vec<&PosedRow> = part.iter().step_by(step).map(|&i| &rows[i]).collect();
         let stations: Vec<Station> = part.iter().map(|row| row.station.clone()).collect();
         let poses: Vec<Isometry3<f64>> = part.iter().map(|row| row.pose).collect();
-        let Ok(registration) = register_from_usual_starts(&stations, &poses, targets, tool_m) else {
+        let tools_m = tool_m.map(|tool_m| vec![tool_m; targets]);
+        let found = register_from_usual_starts(&stations, &poses, targets, tools_m.as_deref());
+        let Ok(registration) = found else {
             continue;
         };
         let registration = with_fixed_points_beyond(&stations, registration, &all, &all_poses);

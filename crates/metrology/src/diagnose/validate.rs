@@ -3,7 +3,7 @@
 use super::identify::{PredictedStations, predicted};
 use measurements::{
     FreeParameters, Measurements, RegisterError, Registration, Station, describe_false_repeats, gather,
-    register, register_with,
+    register_near, register_with,
 };
 use nalgebra::{Isometry3, Vector3};
 use rapid_syntax::diagnostic::Diagnostic;
@@ -256,7 +256,10 @@ fn registered(
         Ok((mounting.instrument_from_base, mounting.tools_m.clone()))
     };
     match which {
-        RefitScope::BaseAndTool => Ok(register(stations, poses, targets, None)?),
+        RefitScope::BaseAndTool => {
+            let tools_m = model.mounting.as_ref().map(|mounting| mounting.tools_m.as_slice());
+            Ok(register_near(stations, poses, targets, tools_m)?)
+        }
         RefitScope::Base => Ok(register_with(stations, poses, &known()?.1, FreeParameters::Base)?),
         RefitScope::Nothing => {
             let (instrument_from_base, tools_m) = known()?;
