@@ -56,6 +56,10 @@ pub struct Observation {
     pub parents: [Matrix3<f64>; MOST_JOINTS + 1],
     /// The flange's axes in the base.
     pub flange: Matrix3<f64>,
+    /// Axes in the base along which the target's place on the flange is fitted: [`Self::flange`], but for a direction that the nominal arm never turns.
+    /// Nobody knows where along that the target is; turned as the axes are tilted of an arm that is not as drawn, it would be metres away, and
+    /// what it takes there would be the tilts'.
+    pub target_axes: Matrix3<f64>,
     /// The measured point in the base, as predicted.
     pub point_m: Vector3<f64>,
     /// Loads of gravity on the joints and links.
@@ -118,6 +122,7 @@ impl Observation {
             carried_m,
             parents,
             flange,
+            target_axes: flange,
             point_m: registration.predicted_m(station, &pose),
             loads,
             t_min: station.t_min,

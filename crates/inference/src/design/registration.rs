@@ -22,7 +22,7 @@ pub fn twists(at: DataPoint<'_>, targets: usize, out: &mut Vec<Twist>) {
     }
     for target in 0..targets {
         for k in 0..3 {
-            let axis: Vector3<f64> = observation.flange.column(k).into_owned();
+            let axis: Vector3<f64> = observation.target_axes.column(k).into_owned();
             let here = f64::from(u8::from(observation.target == target));
             out.push(Twist([axis.x * here, axis.y * here, axis.z * here, 0.0, 0.0, 0.0]));
         }
