@@ -1,6 +1,6 @@
 //! Points that lie too far apart or too near by one and the same share.
 
-use super::trials::{most_left_m, trial};
+use super::trials::{most_left_m, most_m, trial};
 use super::{Fault, FaultKind};
 use crate::column_names::POINT;
 use crate::register::register_from_usual_starts;
@@ -23,6 +23,11 @@ const OF_A_UNIT: f64 = 0.5;
 /// Steps of the secant that finds the scale.
 const SCALINGS: usize = 4;
 
+/// The first try of a zero: metres of a joint that slides, radians.
+const FIRST_ZERO: f64 = 1e-3;
+/// Steps that find a zero.
+const ZEROINGS: usize = 4;
+
 /// All points too far apart or too near, by more than any instrument or arm is off, where that is what they miss by.
 pub(super) fn find_scale(
     robot: &SerialArm,
@@ -41,7 +46,13 @@ pub(super) fn find_scale(
     if poses.len() < FEWEST_FOR_SCALE && by.abs() < OF_A_UNIT {
         return None;
     }
-    (by.abs() > OTHER_SCALE && after_m < SCALED * before_m).then(|| {
+    let is_of_scale = by.abs() > OTHER_SCALE && after_m < SCALED * before_m;
+    // An arm whose radius slides and counts from elsewhere has all its points too far apart, or too near, by about the same share.
+    let is_a_zero = || {
+        (0..robot.joints.len())
+            .any(|j| with_zero_m(&chain, &stations, targets, j).is_some_and(|m| m < after_m))
+    };
+    (is_of_scale && (by.abs() >= OF_A_UNIT || !is_a_zero())).then(|| {
         let than = if by > 0.0 { "longer" } else { "shorter" };
         Fault::of_all(
             FaultKind::PositionUnits,
@@ -55,6 +66,41 @@ pub(super) fn find_scale(
             ),
         )
     })
+}
+
+/// What `stations` leave, metres, where joint `j` is taken to count from where it leaves the least; `None` where that is not found.
+fn with_zero_m(chain: &SerialChain, stations: &[Station], targets: usize, j: usize) -> Option<f64> {
+    let left_at = |zero: f64| -> Option<(Vec<Vector3<f64>>, f64)> {
+        let moved = |station: &Station| {
+            let mut moved = station.clone();
+            moved.q_rad[j] += zero;
+            moved
+        };
+        let moved: Vec<Station> = stations.iter().map(moved).collect();
+        let poses: Vec<Isometry3<f64>> = moved.iter().map(|s| s.pose(chain)).collect();
+        let fit = register_from_usual_starts(&moved, &poses, targets, None).ok()?;
+        let left: Vec<Vector3<f64>> =
+            moved.iter().zip(&poses).map(|(s, pose)| fit.residual_m(s, pose)).collect();
+        let most_m = most_m(&mut left.iter().map(|left| left.norm()).collect::<Vec<f64>>());
+        Some((left, most_m))
+    };
+    let (mut known, mut step) = ((0.0, left_at(0.0)?.0), FIRST_ZERO);
+    let mut least_m = f64::INFINITY;
+    for _ in 0..ZEROINGS {
+        let zero = known.0 + step;
+        let (left, most_m) = left_at(zero)?;
+        least_m = least_m.min(most_m);
+        // What is left goes nearly straight with the zero, whatever the registration takes of it.
+        let per_step = |i: usize| (left[i] - known.1[i]) / step;
+        let along: f64 = (0..left.len()).map(|i| left[i].dot(&per_step(i))).sum();
+        let squares: f64 = (0..left.len()).map(|i| per_step(i).norm_squared()).sum();
+        step = -along / squares;
+        known = (zero, left);
+        if !step.is_finite() || step.abs() < 1e-7 {
+            break;
+        }
+    }
+    least_m.is_finite().then_some(least_m)
 }
 
 fn scaled(stations: &[Station], factor: f64) -> Vec<Station> {

@@ -199,3 +199,57 @@ fn one_target_in_metres_is_named() {
         fault.reason
     );
 }
+
+/// Points of a cylindrical arm: a turn, a height and a radius that slide, and a hand that turns; `radius_off_m` is what the radius counts wrong,
+/// and `factor` the instrument's.
+fn cylindrical(radius_off_m: f64, factor: f64) -> (SerialArm, Vec<Station>) {
+    let joint = |origin: &str, axis: &str, range: &str| {
+        format!("[[joint]]\norigin_mm = {origin}\naxis = {axis}\n{range}\n")
+    };
+    let text = [
+        "name = \"cylindrical\"\nsource = \"made up\"\n".to_owned(),
+        joint("[0, 0, 200]", "[0, 0, 1]", "range_deg = [-170, 170]"),
+        joint("[0, 0, 150]", "[0, 0, 1]", "type = \"prismatic\"\nrange_mm = [0, 600]"),
+        joint("[150, 0, 60]", "[1, 0, 0]", "type = \"prismatic\"\nrange_mm = [0, 450]"),
+        joint("[120, 0, 0]", "[0, 0, 1]", "range_deg = [-180, 180]"),
+        "[flange]\norigin_mm = [60, 0, -40]\n".to_owned(),
+    ]
+    .concat();
+    let arm = SerialArm::from_toml(&text).unwrap();
+    let chain = SerialChain::nominal(&arm);
+    let station = |i: usize| {
+        let part = |j: i32| ((i as f64 + 1.0) * 0.618_034_f64.powi(j)).fract();
+        let [turn, height, radius, hand] =
+            [6.0 * part(1) - 3.0, 0.6 * part(2), 0.45 * part(3), 6.0 * part(4)];
+        let is_rad = Joints::from_fn(4, |j| [turn, height, radius + radius_off_m, hand][j]);
+        let point = stand(1) * (chain.forward(&is_rad) * Point3::from(TOOL_M));
+        let noise = |k: f64| 6e-5 * ((i as f64 * k).fract() - 0.5);
+        let position_m = point.coords * factor + Vector3::new(noise(0.317), noise(0.871), noise(0.143));
+        Station::bare(
+            i,
+            Joints::from_fn(4, |j| [turn, height, radius, hand][j]),
+            Reading::Point { position_m },
+        )
+    };
+    (arm, (0..80).map(station).collect())
+}
+
+/// A home switch that is 2.5 mm off lets the points of a cylindrical arm lie nearer to each other by a half per cent: no fault of the instrument. A
+/// scale that is as much off remains one.
+#[test]
+fn a_radius_that_counts_from_elsewhere_is_no_scale() {
+    let found = |(arm, stations): (SerialArm, Vec<Station>)| {
+        let chain = SerialChain::nominal(&arm);
+        let poses: Vec<Isometry3<f64>> = stations.iter().map(|s| s.pose(&chain)).collect();
+        let registration = crate::register(&stations, &poses, 1, None).unwrap();
+        super::scale::find_scale(&arm, &stations, 1, &registration)
+    };
+    for radius_off_m in [-0.006, -0.0025, 0.0025, 0.006] {
+        let fault = found(cylindrical(radius_off_m, 1.0));
+        assert!(fault.is_none(), "{radius_off_m}: {fault:?}");
+    }
+    for factor in [0.99, 0.995, 1.003, 1.02, 1.6] {
+        let fault = found(cylindrical(0.0, factor));
+        assert!(fault.is_some_and(|fault| fault.kind == FaultKind::PositionUnits), "{factor}");
+    }
+}
