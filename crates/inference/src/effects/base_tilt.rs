@@ -9,7 +9,9 @@ use nalgebra::Vector3;
 use robot_model::deform::EffectKind;
 use robot_model::deform::gravity::GRAVITY_M_S2;
 
-/// Turn of the base about x and y through joint 1's origin, each by its own compliance times its moment; each link's share may be wrong.
+/// Turn of the base about x and y through joint 1's origin, each by its own compliance times its moment; each link's share may be wrong. Of a mounting
+/// face that is inclined a turn about joint 1's axis as well, under the moment about it: springs in the face have none, a pedestal below the
+/// wedge turns about what is horizontal, and so about a part of that axis.
 /// Refined it turns about what lies below that origin or above it: the mounting face, a pedestal's foot.
 pub(super) struct BaseTilt;
 
@@ -25,6 +27,16 @@ const ELSEWHERE: f64 = 0.3;
 
 /// What a foundation usually turns under a moment, rad/(N.m).
 const USUAL_COMPLIANCE: f64 = 1e-6;
+
+/// Sine and cosine of an inclination from which on a mounting face is inclined: one that is nearly level has no moment about joint 1's axis, and on a
+/// wall a turn about that axis is one about what is horizontal.
+const INCLINED: f64 = 0.1;
+
+/// Whether the arm stands on a face that is inclined, and turns on it.
+fn is_inclined(dataset: &Dataset) -> bool {
+    let axis = dataset.of_arm().next().filter(|o| !o.slides[0]).map(|o| o.axes[0]);
+    axis.is_some_and(|axis| axis.xy().norm() > INCLINED && axis.z.abs() > INCLINED)
+}
 
 /// How the base, of its usual compliance, tilts under one kilogram more at the measured point.
 #[must_use]
@@ -62,7 +74,8 @@ impl Effect for BaseTilt {
         let of = |refined: bool, weight: f64| {
             let shifts = std::iter::repeat_n(PIVOT_M * usual, if refined { 2 } else { 0 });
             let levers = std::iter::repeat_n(LEVER_M * usual, levers);
-            let sizes = sizes.iter().copied().chain(shifts).chain(levers).collect();
+            let about_axis = std::iter::repeat_n(usual, usize::from(is_inclined(dataset)));
+            let sizes = sizes.iter().copied().chain(about_axis).chain(shifts).chain(levers).collect();
             Candidate {
                 sign_constrained: true,
                 n_reported: 2,
@@ -90,6 +103,9 @@ impl Effect for BaseTilt {
             Twist(std::array::from_fn(|i| x[i] + y[i]))
         };
         out.extend(observation.loads.link_base_moment_n_m[..observation.joints()].iter().map(both));
+        if is_inclined(at.dataset) {
+            out.push(scaled(observation.jacobian_column(0), observation.loads.torque_n_m[0]));
+        }
         if variant.refined {
             let moment = &observation.loads.base_moment_n_m;
             out.extend([

@@ -27,7 +27,8 @@ pub(super) fn centre_at(candidate: &Candidate, joints: usize) -> Option<Range<us
         EffectKind::PayloadMass => n - 3,
         _ => return None,
     };
-    (n > before).then(|| n - 3..n)
+    // A base on an inclined face has one parameter more.
+    (n >= before + 3).then(|| n - 3..n)
 }
 
 /// A cause that gives under the payload.

@@ -8,7 +8,9 @@ use inference::normal_equations::{JointLines, LINE_RAD, ModelColumns};
 use inference::search::ChosenCause;
 use nalgebra::DVector;
 use robot_model::deform::EffectKind;
-use robot_model::deform::identified::{Estimate, PayloadScaling, TILT_SHIFT, Term, compliance_of_link};
+use robot_model::deform::identified::{
+    Estimate, PayloadScaling, TILT_ABOUT_AXIS_1, TILT_SHIFT, Term, compliance_of_link,
+};
 use robot_model::robot::Axis;
 
 /// What was solved for as terms: causes, the lines that were `named`, geometry, and the rest of the spectra.
@@ -104,11 +106,20 @@ fn compliance(dataset: &Dataset, variant: &EffectVariant, values: &[Estimate]) -
     Some(out)
 }
 
-/// Values of a base that tilts about something else than joint 1's origin in the model's order: both turns, of seven links, both shifts.
-fn base_tilt(joints: usize, mut values: Vec<Estimate>) -> Vec<Estimate> {
-    let shifts = values.split_off((2 + joints).min(values.len()));
+/// Values of a base that tilts in the model's order: both turns, of seven links, both shifts where it tilts about something else than joint 1's origin,
+/// the turn about joint 1's axis where its face is inclined.
+fn base_tilt(joints: usize, refined: bool, mut values: Vec<Estimate>) -> Vec<Estimate> {
+    let mut beyond = values.split_off((2 + joints).min(values.len()));
+    let shifts = beyond.split_off(beyond.len().saturating_sub(if refined { 2 } else { 0 }));
+    if shifts.is_empty() && beyond.is_empty() {
+        return values;
+    }
     values.resize(TILT_SHIFT[0], Estimate::default());
     values.extend(shifts);
+    if !beyond.is_empty() {
+        values.resize(TILT_ABOUT_AXIS_1, Estimate::default());
+        values.extend(beyond);
+    }
     values
 }
 
@@ -163,7 +174,7 @@ fn term(dataset: &Dataset, candidate: &Candidate, mut values: Vec<Estimate>) -> 
             }
             all
         }
-        EffectKind::BaseTilt if variant.refined => base_tilt(dataset.joints(), values),
+        EffectKind::BaseTilt => base_tilt(dataset.joints(), variant.refined, values),
         EffectKind::PayloadMass => payload_mass(dataset, payload_scaling, &values)?,
         EffectKind::LinkGeometry if variant.refined => {
             let along = along_link(dataset.of_arm().next()?, variant.joint?.index())?;

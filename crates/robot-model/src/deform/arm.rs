@@ -239,7 +239,7 @@ impl ArmKinematics for ArmUnder<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::deform::identified::{Estimate, Growth, TILT_SHIFT};
+    use crate::deform::identified::{Estimate, Growth, TILT_ABOUT_AXIS_1, TILT_SHIFT};
     use crate::deform::{EffectKind, GrowthLaw};
     use crate::kinematics::solve;
     use crate::robot::Axis;
@@ -313,7 +313,7 @@ mod tests {
         let (give, below_m) = (1e-6, 0.5);
         let mut values = [0.0; 11];
         values[..2].fill(give);
-        values[TILT_SHIFT[0]..].fill(below_m * give);
+        TILT_SHIFT.iter().for_each(|&k| values[k] = below_m * give);
         let tilted = arm(vec![term(EffectKind::BaseTilt, None, &values)], 0.0);
         let there = tilted.under(&Conditions::default()).forward(&Q_RAD);
         let nominal = Chain::nominal(&Robot::built_in("irb140").unwrap()).forward(&Q_RAD);
@@ -323,6 +323,34 @@ mod tests {
         let moved_m = there.translation.vector - nominal.translation.vector;
         assert!(turn_rad.norm() > 1e-5, "{turn_rad}");
         assert!((moved_m - about_foot_m).norm() < 2.0 * turn_rad.norm_squared(), "{moved_m} {about_foot_m}");
+    }
+
+    /// Springs in a mounting face that is inclined by 30 degrees: a payload turns the base about the axis down the slope by that part of its moment, and
+    /// about the level one by the other, and not about joint 1's axis.
+    #[test]
+    fn springs_in_an_inclined_face_turn_the_base_about_axes_in_it() {
+        let upright = Robot::built_in_file("irb140").unwrap();
+        let inclined = upright.replacen("[[joint]]", "[[joint]]\nrpy_deg = [0, 30, 0]", 1);
+        let robot = Arc::new(Robot::from_toml(&inclined).unwrap());
+        let gives = [2e-6, 3e-6];
+        let mut values = [0.0; 12];
+        values[..2].copy_from_slice(&gives);
+        values[TILT_ABOUT_AXIS_1] = -gives[0];
+        let model =
+            Identified { terms: vec![term(EffectKind::BaseTilt, None, &values)], ..Default::default() };
+        let when = ThermalState { t_min: 0.0, joint_temperature_c: None };
+        let arm = DeformedArm::of_model(&robot, &FrameOffsets::default(), &Arc::new(model), when);
+        let at = |mass_kg: f64| {
+            let payload = Payload { mass_kg, cog_m: [0.0; 3] };
+            arm.under(&Conditions { payload, ..Conditions::default() }).forward(&Q_RAD)
+        };
+        let flange_m = Chain::nominal(&robot).forward(&Q_RAD).translation.vector;
+        let moment = flange_m.cross(&Vector3::new(0.0, 0.0, -5.0 * 9.80665));
+        let (sin, cos) = 30.0_f64.to_radians().sin_cos();
+        let (down, level) = (Vector3::new(cos, 0.0, -sin), Vector3::y());
+        let expected = down * gives[0] * moment.dot(&down) + level * gives[1] * moment.dot(&level);
+        let turn_rad = (at(5.0).rotation * at(0.0).rotation.inverse()).scaled_axis();
+        assert!((turn_rad - expected).norm() < 1e-3 * expected.norm(), "{turn_rad} {expected}");
     }
 
     #[test]

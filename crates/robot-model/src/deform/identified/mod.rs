@@ -15,7 +15,7 @@ mod verdict;
 pub use error::ModelError;
 pub use parameters::{Parameter, Unit};
 pub(in crate::deform) use term::{ArmDelta, PoseState};
-pub use term::{Estimate, Growth, PayloadScaling, TILT_SHIFT, Term, compliance_of_link};
+pub use term::{Estimate, Growth, PayloadScaling, TILT_ABOUT_AXIS_1, TILT_SHIFT, Term, compliance_of_link};
 
 pub use verdict::{FoundBy, Verdict};
 

@@ -105,7 +105,10 @@ const SLIDING_SPRING: [Parameter; 10] = [
     ("link7_m_per_n", Unit::Plain),
 ];
 const PER_BEND: [Parameter; 10] = joined([COMPLIANCE, UNEVEN, END_FORCE], LINKS, [LINK_7]);
-const PER_TILT: [Parameter; 11] = joined(TILT, LINKS, [LINK_7, TILT_SHIFT[0], TILT_SHIFT[1]]);
+const PER_TILT: [Parameter; 12] =
+    joined(TILT, LINKS, [LINK_7, TILT_SHIFT[0], TILT_SHIFT[1], TILT_ABOUT_AXIS_1]);
+/// Turn about joint 1's axis under the moment about it.
+const TILT_ABOUT_AXIS_1: Parameter = ("axis1_rad_per_n_m", Unit::Plain);
 const PER_JOINT: [Parameter; 8] =
     joined([("kg", Unit::Plain)], JOINTS, [("joint7_rad_per_n_m", Unit::Plain)]);
 const GEAR: [Parameter; 2] = [("sin_deg", Unit::Degree), ("cos_deg", Unit::Degree)];

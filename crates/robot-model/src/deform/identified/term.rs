@@ -168,6 +168,9 @@ pub(in crate::deform) struct PoseState<'a> {
 
 /// Where the values of a base that tilts have the shifts along x and y that go with its turns, behind the links' shares.
 pub const TILT_SHIFT: [usize; 2] = [9, 10];
+/// Where they have the turn about joint 1's axis under the moment about it. Springs that lie in an inclined mounting face give about axes in the face
+/// alone: as those about x and y do, less what of that is about joint 1's axis.
+pub const TILT_ABOUT_AXIS_1: usize = 11;
 
 /// Which value of a joint's compliance is that of link `k` (from 0): those of links 1 to 6 follow the plain one, a seventh's stands
 /// behind the spring's own two.
@@ -307,7 +310,7 @@ impl Term {
                     *turn_rad += kg * v(j + 1) * loads.unit_torque_n_m[j];
                 }
             }
-            EffectKind::BaseTilt => self.add_tilt(joints, loads, &mut to.offsets.0[0]),
+            EffectKind::BaseTilt => self.add_tilt(joints, loads, to),
             EffectKind::LinkBending => {
                 let link = joint.min(joints - 2);
                 let ends = [frames[link].translation.vector, frames[link + 1].translation.vector];
@@ -336,8 +339,10 @@ impl Term {
     }
 
     /// Turns and shifts the base, whose row of offsets is `base`, under the arm's moment.
-    fn add_tilt(&self, joints: usize, loads: &Loads, base: &mut [f64; 6]) {
+    fn add_tilt(&self, joints: usize, loads: &Loads, to: &mut ArmDelta) {
         let v = |i: usize| self.value(i);
+        to.turns_rad[0] += v(TILT_ABOUT_AXIS_1) * loads.torque_n_m[0];
+        let base = &mut to.offsets.0[0];
         let moment = &loads.base_moment_n_m;
         let mut turn = Vector3::new(v(0), v(1), 0.0).component_mul(moment);
         for (k, of_link) in loads.link_base_moment_n_m.iter().enumerate().take(joints) {
