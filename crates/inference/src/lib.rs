@@ -22,6 +22,7 @@ pub mod observation;
 pub mod robust_weights;
 pub mod scatter;
 pub mod search;
+mod shared_side;
 mod short_runs;
 pub mod signature;
 pub mod size_unit;

@@ -3,6 +3,7 @@
 use crate::dataset::Twist;
 use crate::linearise::{Linearised, shift_m, turn_rad};
 use crate::moved_together;
+use crate::shared_side;
 use crate::short_runs::{self, short_runs};
 use nalgebra::Vector3;
 use statistics::{MEDIAN_ABS_1D, MEDIAN_NORM_3D, upper_median};
@@ -73,6 +74,7 @@ impl RobustWeights {
         let limit_m = FALSE_SIGMAS * sigma_m.max(1e-9);
         let mut outliers = stand_alone(linear, residuals, &distances, limit_m, short_runs::MOST);
         moved_together::excuse(linear, residuals, &mut outliers);
+        shared_side::excuse(linear, residuals, &mut outliers);
         let mut beyond: Vec<f64> =
             distances.iter().zip(&outliers).map(|(d, out)| if *out { d / limit_m } else { 1.0 }).collect();
         for (i, turned_beyond) in turns_beyond(linear, residuals, base_weights).into_iter().enumerate() {
