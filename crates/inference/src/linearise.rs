@@ -231,7 +231,7 @@ mod tests {
         let nominal = SerialChain::nominal(&robot);
         let mut off = SerialOffsets::default();
         for (i, row) in off.0.iter_mut().enumerate().skip(1).take(4) {
-            let sign = |k: usize| f64::from(i32::from((i * (k + 1)) % 3 != 0) * 2 - 1);
+            let sign = |k: usize| f64::from(i32::from(!(i * (k + 1)).is_multiple_of(3)) * 2 - 1);
             *row = std::array::from_fn(|k| sign(k) * if k < 3 { 3e-4 } else { 5e-4 });
         }
         let arm = frames.chain(&off);

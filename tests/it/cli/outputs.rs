@@ -237,7 +237,7 @@ fn a_restored_module_goes_over_itself_and_over_no_other_program() {
     // Of several the one that was gone on with keeps all from being written.
     let folder = bench.path("all/").display().to_string();
     bench.file("all/Cube45.mod", edited);
-    let second = bench.file("second.mod", &text.replace("Cube45.mod", "B.mod"));
+    let second = bench.file("second.mod", text.replace("Cube45.mod", "B.mod"));
     let output = driftpost(&["restore", &second, &emitted, "-o", &folder]);
     assert!(output.status.code() == Some(2) && err(&output).contains("output::changed"), "{}", err(&output));
     assert!(bench.text("all/Cube45.mod") == edited && !bench.path("all/B.mod").exists());
