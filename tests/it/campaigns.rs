@@ -74,19 +74,20 @@ fn what_makes_a_region_worse_is_no_model() {
     assert!(output.status.code() == Some(2) && !model.exists());
 }
 
-/// A joint that gives, and a target that creeps, by more than one law has it: structure over time is likelier than the creep by more than a double
-/// holds, and the creep was in the model and in no list.
+/// A joint that gives, and a target that creeps, by more than one law has it: beside the nearest time constant of those that are looked at first structure over
+/// time is likelier than the creep by more than a double holds, and the creep was in the model and in no list.
 #[test]
 fn what_the_model_holds_is_listed() {
     let found = diagnose_with("creep_and_spring.csv", "irb2600", &["--tool", "-133,-36,55"]);
-    assert_eq!(found["verdict"], "ambiguous", "{}", found["reason"]);
+    assert_eq!(found["verdict"], "several", "{}", found["reason"]);
     let causes = found["causes"].as_array().unwrap();
     let named: Vec<(&str, f64)> = causes
         .iter()
         .map(|cause| (cause["effect"].as_str().unwrap(), cause["posterior"].as_f64().unwrap()))
         .collect();
-    assert!(named[0].0 == "joint_compliance" && named[0].1 > 0.9, "{named:?}");
-    assert_eq!(named[1], ("tool_drift", 0.5));
+    assert!(named.iter().all(|(_, posterior)| *posterior > 0.9), "{named:?}");
+    assert_eq!([named[0].0, named[1].0], ["tool_drift", "joint_compliance"]);
+    assert_eq!(named.len(), 2);
 }
 
 /// A synthetic set's rows with these minutes in the place of its own, in their order, and without temperatures, which go by themselves.
