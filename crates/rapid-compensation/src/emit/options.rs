@@ -15,7 +15,7 @@ use robot_model::deform::{Deformation, GrowthLaw, TIMES_MIN};
 pub enum DriftGrowth {
     /// By a law of its own, which says how it cools, too.
     Law(GrowthLaw),
-    /// As a scheduled table has it, or a term that grows from one minute to another; with the law that is nearest to it, by which what is there falls back while the robot stands.
+    /// As a scheduled table has it; with the law that is nearest to its rows, by which what is there falls back while the robot stands.
     Table(Option<GrowthLaw>),
 }
 
@@ -25,8 +25,8 @@ impl DriftGrowth {
     pub fn of(deformation: &Deformation, model: Option<&Identified>) -> Self {
         let nearest = deformation.warm_up_law(model).map(|fitted| fitted.law);
         match deformation.growth() {
-            Some(own) if !model.is_some_and(Identified::warms_linearly) => Self::Law(nearest.unwrap_or(*own)),
-            _ => Self::Table(nearest),
+            Some(own) => Self::Law(nearest.unwrap_or(*own)),
+            None => Self::Table(nearest),
         }
     }
 }
@@ -194,7 +194,7 @@ pub enum EmitError {
     },
     /// The warmth clock does not know how fast the robot cools.
     #[error(
-        "the warmth clock needs to know how fast the robot cools, and neither a scheduled table nor a term that grows straight from one minute to another says so: give --tau-cool MIN, or --clock elapsed"
+        "the warmth clock needs to know how fast the robot cools, and a scheduled table does not say so: give --tau-cool MIN, or --clock elapsed"
     )]
     CoolingUnknown,
     /// A table by temperature and a clock by time, or the other way.

@@ -124,12 +124,6 @@ impl Identified {
         nothing.warm_up_law(Some(self)).filter(|fitted| fitted.law != GrowthLaw::None)
     }
 
-    /// Whether a term warms up from one minute to another, by no law that says how it falls back.
-    #[must_use]
-    pub fn warms_linearly(&self) -> bool {
-        self.warming().iter().any(|term| matches!(term.growth, Growth::Linear { .. }))
-    }
-
     /// The terms that grow with the arm's warmth and fall back with it. Base and target that creep from one minute to another do not.
     fn warming(&self) -> Vec<&Term> {
         let is_warm = |term: &&Term| match term.growth {
@@ -368,7 +362,9 @@ mod tests {
             }
         };
         let [creeps, drifts] = [linear(EffectKind::BaseDrift, 6), linear(EffectKind::ThermalJointDrift, 2)];
-        assert_eq!((creeps.warm_up_law(), creeps.warms_linearly()), (None, false));
-        assert!(drifts.warms_linearly() && drifts.warm_up_law().is_some());
+        assert_eq!(creeps.warm_up_law(), None);
+        // Two equal lags that are nearest to a straight course of two hours, over when it ends and not long before.
+        let law = drifts.warm_up_law().unwrap().law;
+        assert!(law.at(120.0) > 0.8 && law.at(60.0) < 0.7, "{law}");
     }
 }
