@@ -14,9 +14,9 @@ use std::path::{Path, PathBuf};
 
 /// A module that this run writes.
 pub struct WrittenModule {
-    /// Its file.
+    /// Where it stands in the folder of the result.
     pub path: PathBuf,
-    /// Its name.
+    /// The module's name, as its MODULE line has it.
     pub name: String,
     /// It holds clock and functions, which the others ask.
     pub is_core: bool,

@@ -143,7 +143,7 @@ pub(super) const TOLD_M: f64 = 2e-3;
 /// How near the targets are to where their fit begins.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum StartingPlaces {
-    /// Somewhere about there.
+    /// Its place on the flange is a guess, which the fit may leave.
     Guessed,
     /// There, but for [`TOLD_M`].
     Told,

@@ -103,7 +103,7 @@ pub struct Overrides {
 /// A procedure that a program is given when it is written: what it does is known, it sets nothing of the program's own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AddedRoutine {
-    /// Its name.
+    /// The name it is called by, as it is written.
     pub name: &'static str,
     /// Whether it may leave the arm elsewhere.
     pub moves_arm: bool,

@@ -61,7 +61,7 @@ struct LawList {
 struct EvidenceTop {
     /// ln of the time constant there, minutes.
     ln_tau: f64,
-    /// Its standard deviation.
+    /// One standard deviation of the time constant's ln.
     sigma: f64,
     log_evidence: f64,
 }

@@ -62,7 +62,7 @@ impl Deformation {
             Tabulation::Static { growth, .. } if terms.is_empty() => {
                 return Some(FittedLaw::exactly(*growth));
             }
-            Tabulation::Static { growth, .. } => (self.grows().then_some(Growth::from(*growth)), 0.0),
+            Tabulation::Static { growth, .. } => (self.grows().then_some(Growth::Law(*growth)), 0.0),
             Tabulation::Scheduled { index: TableIndex::Temperature, .. } => return None,
             Tabulation::Scheduled { index: TableIndex::WarmUpTime, knots } => (None, last_minute(knots)),
         };
@@ -80,9 +80,9 @@ impl Deformation {
         nearest(&minutes, &courses)
     }
 
-    /// Whether a static table moves anything.
+    /// Whether a static table has anything that is not there from the cold start on.
     fn grows(&self) -> bool {
-        self.settled() != FrameOffsets::default()
+        self.growth() != Some(&GrowthLaw::None) && self.settled() != FrameOffsets::default()
     }
 
     /// The minutes of a scheduled table's rows and minute 0, ascending.
@@ -100,7 +100,7 @@ impl Deformation {
             match &self.0 {
                 Tabulation::Static { offsets, growth } => minutes
                     .iter()
-                    .map(|t_min| weight * offsets.0[frame][number] * growth.at(*t_min))
+                    .map(|t_min| weight * offsets.0[frame][number] * (growth.at(*t_min) - growth.at(0.0)))
                     .collect(),
                 Tabulation::Scheduled { knots, .. } => {
                     let cold = interpolated(&knots[frame], 0.0)[number];
@@ -138,12 +138,8 @@ impl Identified {
 impl Term {
     /// What each of its values adds at these minutes to what is there at minute 0, metres; turns and parts of lengths at [`ARM_M`].
     fn courses(&self, minutes: &[f64]) -> Vec<Vec<f64>> {
-        let grown: Vec<f64> = minutes
-            .iter()
-            .map(|t_min| {
-                self.growth.at(&ThermalState { t_min: *t_min, joint_temperature_c: None }, self.joint)
-            })
-            .collect();
+        let at = |t_min: f64| self.growth.at(&ThermalState { t_min, joint_temperature_c: None }, self.joint);
+        let grown: Vec<f64> = minutes.iter().map(|t_min| at(*t_min) - at(0.0)).collect();
         let units = self.kind.parameters(JointKind::Revolute);
         let weights = units.iter().map(|(_, unit)| match unit {
             Unit::Millimetre => 1.0,
@@ -340,6 +336,10 @@ mod tests {
         assert_eq!(one.law, other.law);
         let tau_min = one.law.tau_min().unwrap();
         assert!(!one.is_followed() && (15.0..90.0).contains(&tau_min), "{one:?}");
+        // A table that is there from the cold start on has no law beside the term's.
+        let cold = Deformation::from_static(Deformation::paper().settled(), GrowthLaw::None);
+        let beside = cold.warm_up_law(Some(&model(&[(1, quick, 1e-3)])));
+        assert_eq!(beside, Some(FittedLaw { law: quick, left: 0.0 }));
         // A table with a law of its own beside a term of another.
         let table = Deformation::paper();
         let both = table.warm_up_law(Some(&model(&[(1, quick, 1e-3)]))).unwrap();

@@ -2,6 +2,7 @@
 
 use super::ArmGeometry;
 use nalgebra::Isometry3;
+use sha2::{Digest, Sha256};
 use std::fmt;
 use std::str::FromStr;
 
@@ -19,10 +20,10 @@ pub struct RobotDigest {
 const STEPS: f64 = 1e7;
 
 impl RobotDigest {
-    /// Of an arm.
+    /// Digests of an arm's numbers, as its file or the library has them.
     #[must_use]
     pub fn of(arm: &ArmGeometry<'_>) -> Self {
-        let mut geometry = Fnv::new();
+        let mut geometry = Numbers::default();
         for joint in arm.joints {
             geometry.add_frame(&joint.previous_from_joint);
             joint.axis.iter().for_each(|value| geometry.add(*value));
@@ -30,34 +31,34 @@ impl RobotDigest {
         }
         geometry.add_frame(arm.last_from_flange);
         let masses = arm.links.map(|links| {
-            let mut masses = Fnv::new();
+            let mut masses = Numbers::default();
             for link in links {
                 masses.add(link.mass_kg);
                 link.com_m.iter().for_each(|value| masses.add(*value));
             }
-            masses.0
+            masses.digest()
         });
-        Self { geometry: geometry.0, masses }
+        Self { geometry: geometry.digest(), masses }
     }
 }
 
-/// FNV-1a of 64 bits (Fowler, Noll, Vo): no seal, two files are told apart.
-struct Fnv(u64);
+/// Takes numbers in, in steps of [`STEPS`].
+#[derive(Default)]
+struct Numbers(Sha256);
 
-impl Fnv {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
+impl Numbers {
     fn add(&mut self, value: f64) {
-        for byte in ((value * STEPS).round() as i64).to_le_bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
+        self.0.update(((value * STEPS).round() as i64).to_le_bytes());
     }
 
     fn add_frame(&mut self, frame: &Isometry3<f64>) {
         frame.translation.vector.iter().for_each(|value| self.add(*value));
         frame.rotation.to_rotation_matrix().matrix().iter().for_each(|value| self.add(*value));
+    }
+
+    /// The first 64 bits: no seal, two files are told apart.
+    fn digest(self) -> u64 {
+        self.0.finalize().iter().take(8).fold(0, |digest, byte| digest << 8 | u64::from(*byte))
     }
 }
 

@@ -28,7 +28,7 @@ pub(super) struct Remover<'w> {
     pub(super) bytes: &'w [u8],
     pub(super) lines: &'w Lines<'w>,
     pub(super) module: &'w Module,
-    /// The comment block.
+    /// The comment block of what was added, behind MODULE.
     pub(super) header: TextRange,
     pub(super) record: &'w Record,
     pub(super) edits: &'w mut UndoEdits,
