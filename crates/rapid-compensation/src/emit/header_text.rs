@@ -30,7 +30,7 @@ pub(super) fn header_text(
         } else {
             "Absolute Accuracy must be off: the targets are made for nominal kinematics".to_owned()
         },
-        what_to_call(names, by_temperature),
+        what_to_call(names, &options.clock),
         modes(names, &text.choice, by_temperature),
         how_to_touch_up(names, totals),
         format!(
@@ -66,13 +66,21 @@ fn what_scales(choice: &Choice<'_>, plan: &Plan) -> String {
 }
 
 /// Which routine has to be called, and when.
-fn what_to_call(names: &Names, by_temperature: bool) -> String {
-    if by_temperature {
-        return "Nothing needs to be called; before the first good reading the original targets are used"
-            .to_owned();
-    }
+fn what_to_call(names: &Names, clock: &Clock) -> String {
+    let when = match clock {
+        Clock::Sensor { .. } => {
+            return "Nothing needs to be called; before the first good reading the original targets are used"
+                .to_owned();
+        }
+        _ if goes_on_standing(clock) => {
+            "at each cold start: the minutes go on while the robot stands, over night too"
+        }
+        Clock::Warmth { .. } | Clock::Elapsed => {
+            "once, on a cold robot, not each morning: the clock follows stops and nights itself"
+        }
+    };
     format!(
-        "Call {} once, on a cold robot, not each morning: the clock follows stops and nights itself. {} is for a robot \
+        "Call {} {when}. {} is for a robot \
          that is fully warm, {} for one that has worked so many minutes; before one of them was called the original \
          targets are used",
         names.core("tcColdStart"),
@@ -155,10 +163,15 @@ fn where_the_clock_is(names: &Names, core: Core) -> String {
     }
 }
 
+/// Whether the minutes run while the robot stands.
+fn goes_on_standing(clock: &Clock) -> bool {
+    matches!(clock, Clock::Elapsed | Clock::Warmth { growth: DriftGrowth::Law(GrowthLaw::None), .. })
+}
+
 fn clock(options: &EmitOptions, cold_start: &str) -> String {
     match &options.clock {
         Clock::Elapsed => format!("elapsed: minutes since {cold_start}"),
-        Clock::Warmth { growth: DriftGrowth::Law(GrowthLaw::None), .. } => {
+        clock @ Clock::Warmth { .. } if goes_on_standing(clock) => {
             format!(
                 "minutes since {cold_start}, standing or not: nothing that grows falls back while the robot stands"
             )
@@ -183,6 +196,24 @@ fn clock(options: &EmitOptions, cold_start: &str) -> String {
                 "{source}, degrees Celsius; without a good reading the last one for {hold_min} min, then the \
                  originals; no good one is what has not changed for {stale_min} min"
             )
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a person is told to call must be true of the clock: one that goes on over night is wrong the next morning.
+    #[test]
+    fn a_clock_that_goes_on_over_night_is_to_be_started_each_morning() {
+        let warmth = |growth| Clock::Warmth { growth, tau_cool_min: None, gap_min: 5.0 };
+        let said = |clock: &Clock| what_to_call(&Names::default(), clock);
+        for goes_on in [Clock::Elapsed, warmth(DriftGrowth::Law(GrowthLaw::None))] {
+            assert!(said(&goes_on).starts_with("Call tcColdStart at each cold start"), "{}", said(&goes_on));
+        }
+        for falls_back in [DriftGrowth::Law(GrowthLaw::Exp { tau_min: 46.0 }), DriftGrowth::Table(None)] {
+            assert!(said(&warmth(falls_back)).contains("not each morning"), "{}", said(&warmth(falls_back)));
         }
     }
 }
