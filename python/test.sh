@@ -2,7 +2,11 @@
 # Builds the wheel, installs it into an environment of its own, and runs pytest and the notebooks on what was installed.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-work=${1:-$(mktemp -d)}
+work=${1:-}
+if [ -z "$work" ]; then
+    work=$(mktemp -d)
+    trap 'rm -rf "$work"' EXIT
+fi
 # Debian keeps venv in a package of its own.
 python3 -c "import ensurepip, venv" 2>/dev/null || (apt-get update -q && apt-get install -qy python3-venv)
 python3 -m venv "$work/build" "$work/use"
