@@ -1,6 +1,6 @@
 // The page of `driftpost diagnose`.
 
-import { NONE, count, h, mm, number, plural, store } from './dom.js';
+import { NONE, count, h, measured, mm, number, plural, store } from './dom.js';
 import { bars } from './bars.js';
 import { figure, figures, messages, notes, printed, record, section } from './layout.js';
 import { table } from './table.js';
@@ -28,7 +28,7 @@ export function causeName(cause) {
 }
 
 const percent = (p) => (p > 0.999 ? '> 99.9 %' : p < 0.001 ? '< 0.1 %' : `${(100 * p).toFixed(1)} %`);
-const size = (cause) => (cause.size === null ? NONE : `${number(cause.size)}${cause.sigma === null ? '' : ` ± ${number(cause.sigma)}`} ${cause.unit === '1' ? '' : cause.unit}`);
+const size = (cause) => (cause.size === null ? NONE : `${cause.sigma === null ? number(cause.size) : measured(cause.size, cause.sigma)} ${cause.unit === '1' ? '' : cause.unit}`);
 
 export function diagnosis({ data, view, version }) {
   const [tone, verdict] = VERDICTS[data.verdict] ?? ['', words(data.verdict)];
@@ -70,7 +70,7 @@ function overview(data, view, tone) {
     data.warnings.length > 0 && messages(data.warnings, 'warn'),
     figures(
       figure('Rows', count(data.rows), '', plural(data.stations, 'station')),
-      shrink.ratio !== null && figure('The gap shrinks to', `${(100 * shrink.ratio).toFixed(0)} %`, '', shrink.ci90 && `${(100 * shrink.ci90[0]).toFixed(0)} to ${(100 * shrink.ci90[1]).toFixed(0)} %, nine times in ten`, 'after'),
+      shrink.ratio !== null && figure(shrink.ratio > 1 ? 'The gap grows to' : 'The gap shrinks to', `${(100 * shrink.ratio).toFixed(0)} %`, '', shrink.ci90 && `${(100 * shrink.ci90[0]).toFixed(0)} to ${(100 * shrink.ci90[1]).toFixed(0)} %, nine times in ten`, 'after'),
       noise?.repeats_sigma_mm !== undefined && noise.repeats_sigma_mm !== null && figure('Noise in repeats', mm(noise.repeats_sigma_mm), 'mm', 'of one coordinate'),
       noise?.shared_sigma_mm !== undefined && noise.shared_sigma_mm !== null && figure('Shared by the targets of a pose', mm(noise.shared_sigma_mm), 'mm', 'where the arm stood: a pose tells once'),
       noise?.model_sigma_mm !== undefined && noise.model_sigma_mm !== null && figure('Noise about the best model', mm(noise.model_sigma_mm), 'mm', noise.repeats_sigma_mm === null ? 'of one coordinate; nothing was repeated, so this cannot be checked' : 'of one coordinate'),
@@ -95,7 +95,7 @@ function causeSection(data) {
     { key: 'size', label: 'size', number: true, value: (c) => c.size, text: size },
     { key: 'rms', label: 'tool moves, mm', number: true, value: (c) => c.rms_mm, text: (c) => mm(c.rms_mm, 3) },
     { key: 'seen', label: 'of it seen, mm', number: true, value: (c) => c.rms_seen_mm, text: (c) => mm(c.rms_seen_mm, 3) },
-    { key: 'evidence', label: 'evidence, nats', number: true, value: (c) => c.evidence_nats, text: (c) => number(c.evidence_nats) },
+    { key: 'evidence', label: 'evidence, nats', number: true, value: (c) => c.evidence_nats, text: (c) => (c.evidence_nats === null ? NONE : c.evidence_nats.toFixed(1)) },
     { key: 'usual', label: 'usual', value: (c) => c.usual, text: (c) => c.usual ?? '', class: 'name' },
     { key: 'source', label: 'source', value: (c) => c.source, text: (c) => c.source ?? '', class: 'reason' },
   ];
@@ -111,8 +111,11 @@ function causeSection(data) {
     table({ caption: 'Causes', name: 'causes', columns, rows: data.causes, searchable: false }).element,
     data.zeros_alone && h('p', { class: 'notice', 'data-name': 'zeros', text: zeros(data) }),
     h('p', { class: 'notice', text: 'Seen: what is left of it where base and target, which are fitted, stand as well as they can beside it.' }),
-    data.rivals?.length > 0 && [h('h3', { class: 'apart', text: 'What it is not, as far as these data tell' }), table({ caption: 'Rivals', name: 'rivals', columns, rows: data.rivals }).element]);
+    data.rivals?.length > 0 && [h('h3', { class: 'apart', text: 'What it is not, as far as these data tell' }), table({ caption: 'Rivals', name: 'rivals', columns: columns.filter(told(data.rivals)), rows: data.rivals }).element]);
 }
+
+/** Whether a column says anything of one of the rows. */
+const told = (rows) => (column) => rows.some((row) => (column.value(row) ?? null) !== null);
 
 /** What the offsets of the joints would do alone: first of all, of an arm that was never calibrated. */
 function zeros({ zeros_alone: alone, causes }) {

@@ -55,6 +55,17 @@ export function number(value) {
   return String(Number(value.toPrecision(5)));
 }
 
+/** A size with its standard uncertainty to two significant digits, both to the same place. */
+export function measured(value, sigma) {
+  if (!Number.isFinite(sigma) || sigma <= 0 || !Number.isFinite(value)) return `${number(value)} ± ${number(sigma)}`;
+  const place = (one) => Math.floor(Math.log10(Math.abs(one)));
+  const size = Math.abs(value);
+  const exponent = value !== 0 && (size < 1e-3 || size >= 1e6) ? place(value) : 0;
+  const decimals = Math.min(Math.max(exponent - place(sigma) + 1, 0), 9);
+  const to = (one) => `${(one / 10 ** exponent).toFixed(decimals)}${exponent === 0 ? '' : `e${exponent}`}`;
+  return `${to(value)} ± ${to(sigma)}`;
+}
+
 /** Calls `work` once before the next picture, however often it is asked for. */
 export function oncePerFrame(work) {
   let waiting = false;

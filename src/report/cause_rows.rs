@@ -93,7 +93,7 @@ fn in_words(cause: &Cause, causes: &[Cause], gap_mm: Option<f64>) -> String {
                 let most = number(size + 2.0 * sigma);
                 write!(text, ": {there}how large it is these data do not tell (anything up to {most}{unit})")
             }
-            Some(sigma) => write!(text, ": {} +- {}{unit}", number(size), number(sigma)),
+            Some(sigma) => write!(text, ": {}{unit}", measured(size, sigma)),
             None => write!(text, ": {}{unit}", number(size)),
         };
     }
@@ -139,11 +139,27 @@ pub fn percent(p: f64) -> String {
 }
 
 pub fn number(value: f64) -> String {
-    if value != 0.0 && !(1e-2..1e5).contains(&value.abs()) {
-        format!("{value:.2e}")
-    } else {
-        format!("{value:.3}")
+    if wants_exponent(value) { format!("{value:.2e}") } else { format!("{value:.3}") }
+}
+
+fn wants_exponent(value: f64) -> bool {
+    value != 0.0 && !(1e-2..1e5).contains(&value.abs())
+}
+
+/// Decimals beyond which no size is written.
+const MOST_DECIMALS: i32 = 9;
+
+/// A size with its standard uncertainty to two significant digits, both to the same place (JCGM 100:2008, 7.2.6).
+fn measured(size: f64, sigma: f64) -> String {
+    let place = |value: f64| value.abs().log10().floor() as i32;
+    if !(sigma > 0.0 && sigma.is_finite() && size.is_finite()) {
+        return format!("{} +- {}", number(size), number(sigma));
     }
+    let exponent = if wants_exponent(size) { place(size) } else { 0 };
+    let decimals = (exponent - place(sigma) + 1).clamp(0, MOST_DECIMALS) as usize;
+    let unit = 10.0_f64.powi(exponent);
+    let power = if exponent == 0 { String::new() } else { format!("e{exponent}") };
+    format!("{:.decimals$}{power} +- {:.decimals$}{power}", size / unit, sigma / unit)
 }
 
 #[cfg(test)]
@@ -171,6 +187,24 @@ mod tests {
             "{more}"
         );
         assert!(!row(0.99, 1e-3, 0.15).contains("taken back"));
+    }
+
+    #[test]
+    fn a_size_ends_where_its_uncertainty_does() {
+        for (size, sigma, text) in [
+            (674.232, 98.645, "674 +- 99"),
+            (2.9218, 0.36623, "2.92 +- 0.37"),
+            (0.212, 0.065, "0.212 +- 0.065"),
+            (12.3456, 0.0012, "12.3456 +- 0.0012"),
+            (1.51e-3, 1.31e-4, "1.51e-3 +- 0.13e-3"),
+            (3.29e-7, 7.81e-8, "3.29e-7 +- 0.78e-7"),
+            (0.02, 1e-5, "0.020000 +- 0.000010"),
+            // Tens and hundreds are written out, and no sigma means none.
+            (4321.0, 1234.0, "4321 +- 1234"),
+            (0.5, 0.0, "0.500 +- 0.000"),
+        ] {
+            assert_eq!(measured(size, sigma), text);
+        }
     }
 
     #[test]
