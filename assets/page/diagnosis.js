@@ -85,7 +85,6 @@ function overview(data, view, tone) {
 const sentence = (text) => (text ? text[0].toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.') : '');
 
 function causeSection(data) {
-  const slots = [...new Set(data.causes.map((cause) => cause.slot))];
   const named = NAMED.has(data.verdict);
   const title = named ? 'Causes' : 'Nearest candidates, none of them the answer';
   if (data.causes.length === 0) return section('causes', 'Causes', 'Causes', h('p', { class: 'calm', text: 'No cause is named.' }));
@@ -100,18 +99,29 @@ function causeSection(data) {
     { key: 'source', label: 'source', value: (c) => c.source, text: (c) => c.source ?? '', class: 'reason' },
   ];
   return section('causes', title, 'Causes',
-    slots.map((slot) => {
-      const rows = data.causes.filter((cause) => cause.slot === slot);
-      const heading = slots.length > 1 || rows.length > 1
-        ? `${slots.length > 1 ? `Slot ${slot}: ` : ''}${rows.length > 1 ? `${rows.length} alternatives that these data ${named ? 'cannot tell apart' : 'leave open'}` : causeName(rows[0])}`
-        : null;
-      return [heading && h('h3', { class: 'apart', text: heading }),
-        bars({ label: 'Probability', most: 1, rows: rows.slice(0, 12).map((cause) => ({ label: short(cause), value: cause.posterior, text: percent(cause.posterior), colour: 'after' })) })];
-    }),
+    likelihoods(data.causes, named),
     table({ caption: 'Causes', name: 'causes', columns, rows: data.causes, searchable: false }).element,
     data.zeros_alone && h('p', { class: 'notice', 'data-name': 'zeros', text: zeros(data) }),
     h('p', { class: 'notice', text: 'Seen: what is left of it where base and target, which are fitted, stand as well as they can beside it.' }),
     data.rivals?.length > 0 && [h('h3', { class: 'apart', text: 'What it is not, as far as these data tell' }), table({ caption: 'Rivals', name: 'rivals', columns: columns.filter(told(data.rivals)), rows: data.rivals }).element]);
+}
+
+/** More causes than this are in the table alone. */
+const MOST_BARS = 12;
+
+/** How likely each cause is: those that no other contests together, then each set of alternatives. */
+function likelihoods(causes, named) {
+  const places = [...new Set(causes.map((cause) => cause.slot))].map((slot) => causes.filter((cause) => cause.slot === slot));
+  const alone = places.filter((place) => place.length === 1).flat();
+  const open = places.filter((place) => place.length > 1);
+  const group = (heading, rows) => [
+    heading && h('h3', { class: 'apart', text: heading }),
+    bars({ label: 'Probability', most: 1, rows: rows.slice(0, MOST_BARS).map((cause) => ({ label: short(cause), value: cause.posterior, text: percent(cause.posterior), colour: 'after' })) }),
+    rows.length > MOST_BARS && h('p', { class: 'notice', text: `and ${rows.length - MOST_BARS} more in the table` }),
+  ];
+  const together = places.length > 1 ? (named ? 'Each is there, beside the others' : 'Each beside the others') : null;
+  const oneOf = (count) => `One of ${count} that these data ${named ? 'cannot tell apart' : 'leave open'}`;
+  return [alone.length > 0 && group(together, alone), ...open.map((rows) => group(oneOf(rows.length), rows))];
 }
 
 /** Whether a column says anything of one of the rows. */
