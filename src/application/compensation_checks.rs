@@ -1,6 +1,7 @@
 //! What speaks against compensating a program: its text, its meaning, the robot, its table, how it was made.
 
 use super::compensation::Compensation;
+use super::cooling_checks;
 use super::other_robot::{default_table_of_another_robot, model_of_another_robot, refusal};
 use rapid_compensation::emit::Clock;
 use rapid_program::{Program, is_of_task, task_of};
@@ -166,7 +167,14 @@ impl Compensation {
         found.extend(self.check_robot(program));
         found.extend(self.check_table());
         found.extend(self.check_end_of_table());
-        found.extend(self.check_cooling());
+        if matches!(self.emit.clock, Clock::Warmth { .. }) {
+            let deformation = &self.deformation;
+            found.extend(cooling_checks::all(
+                &deformation.source.name,
+                &deformation.model,
+                self.options.model.as_deref(),
+            ));
+        }
         found.extend(self.check_outside_names(program));
         found.extend(declared_twice(self.own_files(program)));
         found.extend(already_compensated(program));
@@ -249,28 +257,6 @@ impl Compensation {
         );
         let help = "where the cold robot is not, write a row of zeros at minute 0";
         Some(Diagnostic::warning("deform::late-start", text).help(help))
-    }
-
-    /// A table or a model that follows no single law, by which what there is of it falls back while the robot stands.
-    fn check_cooling(&self) -> Option<Diagnostic> {
-        if !matches!(self.emit.clock, Clock::Warmth { .. }) {
-            return None;
-        }
-        let fitted = self
-            .deformation
-            .model
-            .warm_up_law(self.options.model.as_deref())
-            .filter(|fitted| !fitted.is_followed())?;
-        let text = format!(
-            "{}: what grows follows no single law ({} is nearest, and leaves {:.0} % of the change): while the robot works all is as the table or model has \
-             it; after a pause all of it has fallen back by that law, in the program as in `simulate`",
-            self.deformation.source.name,
-            fitted.law,
-            100.0 * fitted.left
-        );
-        let help = "joints that warm at rates of their own cool so, too: after a stop of an hour let the robot warm up again before it is relied upon, or \
-                    let it get cold and call tcColdStart";
-        Some(Diagnostic::warning("deform::no-single-law", text).help(help))
     }
 
     /// What says that the program, the model or the deformation belongs to another robot: errors unless that is allowed. And what is to be

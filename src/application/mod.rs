@@ -17,6 +17,7 @@ mod closed_loop;
 mod compensated;
 mod compensation;
 mod compensation_checks;
+mod cooling_checks;
 mod diagnosis;
 #[cfg(feature = "cli")]
 mod earlier_result;

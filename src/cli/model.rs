@@ -90,8 +90,12 @@ pub fn deformation_beside(
 fn own_growth(model: &Identified, growth: Option<GrowthLaw>) -> Result<(), Diagnostic> {
     match (model.warm_up_law(), growth) {
         (Some(own), Some(growth)) if own.law != growth => {
+            let laws = match own.is_followed() {
+                true => own.law.to_string(),
+                false => format!("laws of their own ({} is nearest)", own.law),
+            };
             let text =
-                format!("the model's terms grow by {}, and --growth {growth} does not change them", own.law);
+                format!("the model's terms grow by {laws}, and --growth {growth} does not change them");
             Err(Diagnostic::error("deform::growth-not-used", text).help("leave --growth out"))
         }
         _ => Ok(()),

@@ -6,6 +6,7 @@ mod bad_input;
 mod changed_by_hand;
 mod clock_calls;
 mod compensate;
+mod cooling;
 mod diff;
 mod elements;
 mod kept_apart;
@@ -22,6 +23,7 @@ mod robots;
 mod settings;
 mod shell;
 mod tasks;
+mod touched_elements;
 mod typos;
 mod written;
 

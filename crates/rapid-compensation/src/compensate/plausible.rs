@@ -44,7 +44,8 @@ pub(super) fn check_deformation(model: &Model<'_>, messages: &mut Messages) -> R
             .to_owned();
         warn("model::data-fault", text, "measure again before a robot is corrected with it");
     }
-    if has_table && identified.is_some_and(Identified::moves_with_time) {
+    let table_drifts = model.offsets(Moment::Minute(0.0)) != model.offsets(Moment::Settled);
+    if table_drifts && identified.is_some_and(Identified::moves_with_time) {
         let text =
             "the model drifts, and so does the table beside it: what both hold is corrected twice".to_owned();
         warn(

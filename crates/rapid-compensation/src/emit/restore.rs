@@ -22,8 +22,10 @@ mod removal;
 mod rounded;
 mod seen;
 mod still_named;
+mod target_pose;
 mod uncorrected;
 mod undo;
+mod untouched;
 
 pub use altered::{altered_core, core_names};
 pub use findings::{Altered, ModifiedIn, ModifiedTarget, RestoreError};

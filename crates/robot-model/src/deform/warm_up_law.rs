@@ -26,8 +26,10 @@ const TAUS: usize = 60;
 const FINER: usize = 30;
 /// What departs by more than this share follows no single law.
 const FOLLOWS: f64 = 0.05;
-/// Decimals that a time constant is told with, minutes.
-const TOLD_MIN: f64 = 0.01;
+/// A time constant is told to one part in so many of a minute.
+const TOLD_PARTS: f64 = 100.0;
+/// Time constants after which the program's clock stands still: it knows the minute by a share that is still to come of 1E-33 and more.
+const LAGS_OF_CLOCK: f64 = 70.0;
 /// Minutes at which a course is looked at, and the time constants of its slowest law after which it is over.
 const LOOKS: usize = 400;
 const LAST_LAGS: f64 = 8.0;
@@ -49,6 +51,20 @@ impl FittedLaw {
     fn exactly(law: GrowthLaw) -> Self {
         Self { law, left: 0.0 }
     }
+
+    /// The law, or one of its kind that is slow enough for a clock that goes by it to reach minute `until_min`.
+    fn lasting(self, until_min: f64) -> Self {
+        let Some(tau_min) = self.law.tau_min().filter(|tau_min| tau_min * LAGS_OF_CLOCK < until_min) else {
+            return self;
+        };
+        let law = self.law.with_tau_min(told(until_min / LAGS_OF_CLOCK));
+        let course = |law: GrowthLaw| -> Vec<f64> {
+            (0..=LOOKS).map(|k| law.at(LAST_LAGS * tau_min * k as f64 / LOOKS as f64)).collect()
+        };
+        let own = course(self.law);
+        let squares: f64 = own.iter().map(|value| value * value).sum();
+        Self { law, left: self.left.hypot((left_of(&own, &course(law)) / squares).sqrt()) }
+    }
 }
 
 impl Deformation {
@@ -60,7 +76,8 @@ impl Deformation {
         let terms: Vec<&Term> = model.iter().flat_map(|model| model.warming()).collect();
         let (table, until_min) = match &self.0 {
             Tabulation::Static { growth, .. } if terms.is_empty() => {
-                return Some(FittedLaw::exactly(*growth));
+                let until_min = model.and_then(Identified::creeps_until_min).unwrap_or(0.0);
+                return Some(FittedLaw::exactly(*growth).lasting(until_min));
             }
             Tabulation::Static { growth, .. } => (self.grows().then_some(Growth::Law(*growth)), 0.0),
             Tabulation::Scheduled { index: TableIndex::Temperature, .. } => return None,
@@ -68,8 +85,9 @@ impl Deformation {
         };
         let mut laws: Vec<Growth> = terms.iter().map(|term| term.growth).chain(table).collect();
         laws.dedup();
+        let creeps_until_min = model.and_then(Identified::creeps_until_min).unwrap_or(0.0);
         if let (&[Growth::Law(law)], true) = (laws.as_slice(), self.growth().is_some()) {
-            return Some(FittedLaw::exactly(law));
+            return Some(FittedLaw::exactly(law).lasting(creeps_until_min));
         }
         let last_min = laws.iter().filter_map(end_min).fold(until_min, f64::max);
         let evenly = || (0..=LOOKS).map(|k| last_min * k as f64 / LOOKS as f64).collect();
@@ -77,7 +95,14 @@ impl Deformation {
         let minutes: Vec<f64> = if laws.is_empty() && rows.len() >= FEWEST_ROWS { rows } else { evenly() };
         let mut courses = self.courses(&minutes);
         courses.extend(terms.iter().flat_map(|term| term.courses(&minutes)));
-        nearest(&minutes, &courses)
+        nearest(&minutes, &courses).map(|fitted| fitted.lasting(creeps_until_min))
+    }
+
+    /// In how many minutes the rows of a table by warm-up time stand, minute 0 counted, where they are too few to tell a law.
+    #[must_use]
+    pub fn few_rows(&self) -> Option<usize> {
+        let Tabulation::Scheduled { index: TableIndex::WarmUpTime, .. } = &self.0 else { return None };
+        Some(self.row_minutes().len()).filter(|rows| *rows < FEWEST_ROWS)
     }
 
     /// Whether a static table has anything that is not there from the cold start on.
@@ -128,14 +153,30 @@ impl Identified {
     fn warming(&self) -> Vec<&Term> {
         let is_warm = |term: &&Term| match term.growth {
             Growth::Law(_) => true,
-            Growth::Linear { .. } => !matches!(term.kind, EffectKind::BaseDrift | EffectKind::ToolDrift),
+            Growth::Linear { .. } => !term.creeps(),
             Growth::Always | Growth::Step { .. } | Growth::Temperature { .. } => false,
         };
         self.terms.iter().filter(is_warm).filter(|term| term.drifts()).collect()
     }
+
+    /// The terms of base and target that creep from one minute to another, whatever the arm does.
+    pub fn creeping(&self) -> impl Iterator<Item = &Term> {
+        self.terms.iter().filter(|term| term.creeps() && term.drifts())
+    }
+
+    /// The last minute of what creeps.
+    fn creeps_until_min(&self) -> Option<f64> {
+        self.creeping().filter_map(|term| end_min(&term.growth)).reduce(f64::max)
+    }
 }
 
 impl Term {
+    /// Whether base or target creep on from one minute to another.
+    fn creeps(&self) -> bool {
+        matches!(self.growth, Growth::Linear { .. })
+            && matches!(self.kind, EffectKind::BaseDrift | EffectKind::ToolDrift)
+    }
+
     /// What each of its values adds at these minutes to what is there at minute 0, metres; turns and parts of lengths at [`ARM_M`].
     fn courses(&self, minutes: &[f64]) -> Vec<Vec<f64>> {
         let at = |t_min: f64| self.growth.at(&ThermalState { t_min, joint_temperature_c: None }, self.joint);
@@ -217,8 +258,12 @@ fn fitted(minutes: &[f64], courses: &[Vec<f64>], over_min: f64) -> Option<Fitted
     };
     let kinds = [GrowthLaw::TwoStage { tau_min: 1.0 }, GrowthLaw::Exp { tau_min: 1.0 }];
     let law = kinds.map(of_kind).into_iter().min_by(|a, b| left(*a).total_cmp(&left(*b)))?;
-    let tau_min = law.tau_min().map_or(1.0, |tau_min| (tau_min / TOLD_MIN).round().max(1.0) * TOLD_MIN);
-    Some(FittedLaw { law: law.with_tau_min(tau_min), left: (left(law) / changes).sqrt() })
+    Some(FittedLaw { law: law.with_tau_min(told(law.tau_min()?)), left: (left(law) / changes).sqrt() })
+}
+
+/// A time constant to as many decimals as it is told with, minutes.
+fn told(tau_min: f64) -> f64 {
+    (tau_min * TOLD_PARTS).round().max(1.0) / TOLD_PARTS
 }
 
 /// Sum of squares of what a law, `grown` at each minute, leaves of a course at the size that suits it best.
@@ -363,6 +408,22 @@ mod tests {
         };
         let [creeps, drifts] = [linear(EffectKind::BaseDrift, 6), linear(EffectKind::ThermalJointDrift, 2)];
         assert_eq!(creeps.warm_up_law(), None);
+        // Beside a joint that is warm in a quarter of an hour: a clock by that law would stand still after 70 lags, 210 minutes; by one of
+        // 600 / 70 minutes it lasts.
+        let mut both = model(&[(3, GrowthLaw::Exp { tau_min: 3.0 }, 5e-4)]);
+        both.terms.push(Term {
+            growth: Growth::Linear { from_min: 0.0, to_min: 600.0 },
+            ..creeps.terms[0].clone()
+        });
+        let slow = both.warm_up_law().unwrap();
+        assert_eq!(slow.law, GrowthLaw::Exp { tau_min: 8.57 });
+        assert!(!slow.is_followed() && both.creeping().count() == 1, "{slow:?}");
+        let mut until_200 = both.clone();
+        until_200.terms[1].growth = Growth::Linear { from_min: 0.0, to_min: 200.0 };
+        assert_eq!(
+            until_200.warm_up_law(),
+            Some(FittedLaw { law: GrowthLaw::Exp { tau_min: 3.0 }, left: 0.0 })
+        );
         // Two equal lags that are nearest to a straight course of two hours, over when it ends and not long before.
         let law = drifts.warm_up_law().unwrap().law;
         assert!(law.at(120.0) > 0.8 && law.at(60.0) < 0.7, "{law}");

@@ -1,24 +1,20 @@
 //! What the elements of an emitted array mean: element 1 is the original, the others hold it corrected.
 
+use super::target_pose::{ROBTARGET, TargetPose};
 use super::undo::UndoText;
+use super::untouched::UntouchedElements;
 use crate::emit::aggregate::{is_plain, singles, with_commas};
 use crate::emit::names::is_name;
-use crate::emit::record_text::write_orient;
 use crate::emit::six_digits::six_digits;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_program::motion::indices_of;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{DataDecl, Expr, Routine};
-use rapid_syntax::write_num;
-use robot_model::units::deg_from_rad;
 use std::cmp::Ordering;
 
 /// Two touched-up elements that mean originals no further apart mean the same one, mm or degrees.
 const AGREE: f64 = 0.005;
 /// A declared value that is nearer to the array's original than this is the same, mm or degrees.
 const SAME: f64 = 1e-4;
-/// Numbers of a robtarget.
-const ROBTARGET: usize = 17;
 
 /// An array of targets in the emitted module.
 pub(super) struct Array<'b> {
@@ -173,64 +169,6 @@ impl Meant {
     }
 }
 
-/// A target's place: a position with an orientation, or joints.
-#[derive(Clone, Debug)]
-enum TargetPose {
-    Pose(Vector3<f64>, UnitQuaternion<f64>),
-    /// Six joint angles of a jointtarget, degrees.
-    Joints([f64; 6]),
-}
-
-impl TargetPose {
-    fn of(text: &[u8]) -> Option<Self> {
-        Self::of_numbers(singles(text)?.into_iter())
-    }
-
-    fn of_numbers(numbers: impl Iterator<Item = f32>) -> Option<Self> {
-        let n: Vec<f64> = numbers.map(f64::from).collect();
-        if n.len() == ROBTARGET {
-            let q = UnitQuaternion::from_quaternion(Quaternion::new(n[3], n[4], n[5], n[6]));
-            return Some(Self::Pose(Vector3::new(n[0], n[1], n[2]), q));
-        }
-        Some(Self::Joints(n.get(..6)?.try_into().ok()?))
-    }
-
-    /// mm, or degrees of the joint that differs most; and the angle, degrees.
-    fn distance(&self, other: &Self) -> (f64, f64) {
-        match (self, other) {
-            (Self::Pose(a, q), Self::Pose(b, p)) => ((a - b).norm(), deg_from_rad(q.angle_to(p))),
-            (Self::Joints(a), Self::Joints(b)) => {
-                (a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max), 0.0)
-            }
-            _ => (f64::INFINITY, f64::INFINITY),
-        }
-    }
-
-    /// How far it is from another, and in what unit it is told.
-    fn moved_from(&self, from: &Self) -> (f64, &'static str) {
-        let (far, turned) = self.distance(from);
-        match self {
-            Self::Joints(_) => (far, "deg"),
-            Self::Pose(..) if far < 1e-4 && turned > 0.0 => (turned, "deg"),
-            Self::Pose(..) => (far, "mm"),
-        }
-    }
-
-    /// The place without `times` what leads from `from` to `to`.
-    fn without(&self, times: f64, from: &Self, to: &Self) -> Option<Self> {
-        match (self, from, to) {
-            (Self::Pose(at, q), Self::Pose(a, p), Self::Pose(b, r)) => {
-                let turn = (r * p.inverse()).scaled_axis() * times;
-                Some(Self::Pose(at - (b - a) * times, UnitQuaternion::from_scaled_axis(-turn) * q))
-            }
-            (Self::Joints(at), Self::Joints(a), Self::Joints(b)) => {
-                Some(Self::Joints(std::array::from_fn(|i| at[i] - times * (b[i] - a[i]))))
-            }
-            _ => None,
-        }
-    }
-}
-
 impl<'b> Array<'b> {
     /// `None` where a row has no element 1 of numbers, or a dimension is none.
     pub(super) fn new(
@@ -321,32 +259,31 @@ impl<'b> Array<'b> {
         if changed.is_empty() {
             return Ok(None);
         }
-        let share = |k: usize| if k == 0 { Some(0.0) } else { shares.get(k - 1).copied() };
         let place = |k: usize| TargetPose::of(row.get(k)?.of(self.bytes));
-        // The two untouched elements that are furthest apart in the drift.
-        let mut sound: Vec<usize> = (0..row.len()).filter(|k| !changed.contains(k)).collect();
-        sorting::by(&mut sound, |&a, &b| share(a).unwrap_or(0.0).total_cmp(&share(b).unwrap_or(0.0)));
-        let (Some(&from), Some(&to)) = (sound.first(), sound.last()) else { return Err(None) };
-        let (Some(from_share), Some(to_share)) = (share(from), share(to)) else { return Err(None) };
-        let (Some(a), Some(b)) = (place(from), place(to)) else { return Err(None) };
-        let original_of = |at: &TargetPose, share: f64| {
-            let span = to_share - from_share;
-            let times = if span.abs() > 1e-9 { share / span } else { 0.0 };
-            (share == 0.0 || span.abs() > 1e-9).then(|| at.without(times, &a, &b)).flatten()
-        };
-        let was = original_of(&a, from_share).ok_or(None)?;
+        let untouched = UntouchedElements::new(row.len(), changed, shares, &place);
         let first = if changed.contains(&0) { None } else { place(0) };
         let mut found: Option<Meant> = None;
         for &k in changed {
             let text = row.get(k).ok_or(None)?.of(self.bytes);
-            let (at, share) = (TargetPose::of(text).ok_or(None)?, share(k).ok_or(None)?);
-            let original = original_of(&at, share).ok_or(None)?;
+            let at = TargetPose::of(text).ok_or(None)?;
+            let (original, was) = if k == 0 {
+                // Where nothing tells what it was, it is told by the corrected one, which is near.
+                let was = untouched.original().or_else(|| untouched.nearest(k)).ok_or(None)?;
+                (at, was)
+            } else {
+                let was = untouched.original().ok_or(None)?;
+                let made = untouched.expected(k).ok_or(None)?;
+                (at.without(1.0, &was, &made).ok_or(None)?, was)
+            };
             let (far, turned) = original.distance(&was);
-            if far <= SAME && turned <= SAME && same_rest(text, row.get(from).ok_or(None)?.of(self.bytes)) {
+            let beside =
+                (0..row.len()).find(|other| !changed.contains(other)).and_then(|other| row.get(other));
+            let is_same = |other: &TextRange| same_rest(text, other.of(self.bytes));
+            if far <= SAME && turned <= SAME && beside.is_some_and(is_same) {
                 continue; // the same to the digits that a controller writes
             }
             let (moved, unit) = original.moved_from(&was);
-            let text = if k == 0 { text.to_vec() } else { written(&original, text) };
+            let text = if k == 0 { text.to_vec() } else { original.written(text) };
             let meant = Meant { text, moved, unit, place: original, was: first.clone() };
             match &found {
                 Some(other) if !other.agrees(&meant) => {
@@ -369,35 +306,4 @@ fn same_rest(a: &[u8], b: &[u8]) -> bool {
         Some(numbers.get(place..)?.to_vec())
     };
     rest(a).is_some_and(|rest_of_a| rest(b) == Some(rest_of_a))
-}
-
-/// An original as text, with configuration and external axes as the touched-up element has them.
-fn written(original: &TargetPose, touched: &[u8]) -> Vec<u8> {
-    let mut out = b"[".to_vec();
-    let rounded = |value: f64| (value * 1e4).round() / 1e4;
-    let list = |out: &mut Vec<u8>, values: &[f64]| {
-        out.push(b'[');
-        for (i, value) in values.iter().enumerate() {
-            if i > 0 {
-                out.push(b',');
-            }
-            write_num(out, rounded(*value));
-        }
-        out.push(b']');
-    };
-    let components = match original {
-        TargetPose::Pose(at, q) => {
-            list(&mut out, at.as_slice());
-            out.push(b',');
-            write_orient(&mut out, [q.w, q.i, q.j, q.k]);
-            2
-        }
-        TargetPose::Joints(joints) => {
-            list(&mut out, joints);
-            1
-        }
-    };
-    out.push(b',');
-    out.extend_from_slice(crate::emit::aggregate::tail_of(touched, components));
-    out
 }
