@@ -264,7 +264,9 @@ impl<'a> ForwardAnalysis<'a> for OrderAnalysis<'_, 'a> {
                     from = match self.sites.motions.get(motion.index()).map(|site| site.form.special) {
                         Some(Special::Plain | Special::Unsupported) => Predecessor::Motion(motion),
                         Some(Special::External) => from,
-                        Some(Special::Search) | None => Predecessor::Anywhere, // it stops somewhere on its way
+                        // It stops somewhere on its way, on the branch of its line.
+                        Some(Special::Search) => or_anywhere(&Predecessor::Motion(motion)),
+                        None => Predecessor::Anywhere,
                     };
                 }
                 Some(from)
@@ -295,7 +297,8 @@ impl<'a> ForwardAnalysis<'a> for OrderAnalysis<'_, 'a> {
                 let away = recovery.resumes() && moved.copied().unwrap_or(false);
                 Some(if away { or_anywhere(&state) } else { state })
             }
-            FlowStep::UnknownPosition => Some(Predecessor::Anywhere),
+            // What is not given may have moved the arm, and may not have.
+            FlowStep::UnknownPosition => Some(or_anywhere(&state)),
             FlowStep::ExitCycle => {
                 self.exits_cycle = true;
                 None

@@ -196,3 +196,50 @@ ENDMODULE\n"
         }
     }
 }
+
+/// Nobody checks configurations, and the first move may end on any branch: neither a gripper's routine that is not given, nor a move to where only
+/// run time knows or to where the arm does not reach, tells which. Two motions told a branch that nothing says, and the second was corrected for it.
+#[test]
+fn a_branch_that_is_not_known_stays_so_until_something_settles_it() {
+    let cell = |between: &str| {
+        format!(
+            "MODULE Cell
+  PERS tooldata tW:=[TRUE,[[0,0,100],[1,0,0,0]],[1,[0,0,50],[1,0,0,0],0,0,0]];
+  CONST robtarget p1:=[[400,100,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget p2:=[[400,150,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget pFar:=[[400,100,4000],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget pSeen;
+  PROC main()
+    ConfJ\\Off;
+    ConfL\\Off;
+    MoveJ p1,v100,fine,tW;
+    {between}
+    MoveL p2,v100,fine,tW;
+    MoveAbsJ [[20,20,20,0,50,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tW;
+  ENDPROC
+ENDMODULE\n"
+        )
+    };
+    let home = "MoveAbsJ [[14,10,10,0,70,14],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tW;";
+    let folder = tempfile::tempdir().unwrap();
+    for (between, status) in [
+        ("", "kept"),
+        ("rGrip;", "kept"),
+        ("pSeen:=rVision();\n    MoveL pSeen,v100,fine,tW;", "kept"),
+        ("MoveL pFar,v100,fine,tW;", "kept"),
+        ("MoveJ pFar,v100,fine,tW;\n    rGrip;", "kept"),
+        ("SearchL di1,pSeen,Offs(p1,0,0,-20),v100,tW;", "kept"),
+        (home, "compensated"),
+        // What is not given may leave the arm where it was, or where nobody knows; both say the same branch.
+        (&format!("{home}\n    rGrip;"), "compensated"),
+    ] {
+        std::fs::write(folder.path().join("Cell.mod"), cell(between)).unwrap();
+        for form in ["schedule", "ramp", "live", "auto"] {
+            let args = ["compensate", "Cell.mod", "--form", form, "-o", "out.mod", "--force", "--json", "-"];
+            let review = driftpost(folder.path(), &args);
+            let motions = review["motions"].as_array().unwrap();
+            let p2 = motions.iter().find(|motion| motion["target"] == "p2").unwrap();
+            assert_eq!(p2["status"], status, "{form}: {between}");
+        }
+    }
+}

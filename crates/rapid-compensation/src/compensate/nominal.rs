@@ -181,6 +181,13 @@ fn resolve_motion(
     if indexed {
         from.iter_mut().for_each(|from| *from = from.anywhere());
     }
+    // A line to where nobody knows stays on the branch that it began on, and a joint move that nobody checks goes to the nearest.
+    let settles = match motion.setup.path {
+        Path::AbsJoint => true,
+        Path::Joint => motion.setup.conf_monitored == Some(true),
+        Path::Linear | Path::Circular => false,
+    };
+    let stays_unknown = !settles && from.contains(&StartPosture::UnknownBranch);
     let placed = place_targets((motion, hinted, ahead), from, model, last, messages);
     let (placement, branches, failed) = match placed {
         Ok((placement, branches)) => (Some(placement), branches, None),
@@ -206,6 +213,7 @@ fn resolve_motion(
         indexed,
         ends_at_target,
         may_be,
+        stays_unknown,
         circle_point: None,
     }
 }

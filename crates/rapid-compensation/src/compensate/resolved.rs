@@ -77,6 +77,8 @@ pub(super) struct Resolved {
     pub(super) ends_at_target: bool,
     /// Where the text does not tell the branch: for each value the joints of all branches that the arm may take.
     pub(super) may_be: Option<Box<[Branches]>>,
+    /// The text does not tell the branch before it, and it does not settle that: where it has no joints, that is so after it, too.
+    pub(super) stays_unknown: bool,
     /// How the arm passes its circle point, where that is not as written.
     pub(super) circle_point: Option<Box<CirclePoint>>,
 }
@@ -156,7 +158,7 @@ impl Resolved {
     pub(super) fn exit(&self) -> StartPosture {
         match self.exit_q_rad() {
             Some(q_rad) => StartPosture::Joints(q_rad),
-            None if self.may_be.is_some() => StartPosture::UnknownBranch,
+            None if self.may_be.is_some() || self.stays_unknown => StartPosture::UnknownBranch,
             None => StartPosture::Anywhere,
         }
     }
