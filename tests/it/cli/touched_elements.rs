@@ -69,3 +69,28 @@ fn a_touched_up_element_means_the_original_by_as_much() {
         assert!((position(&back)[0] - 430.5).abs() < 0.001, "{back}");
     }
 }
+
+/// A model without a drift has one bucket, and nothing beside an element that was touched up says how it was corrected, but what the comment block
+/// holds: 0.5 mm are 0.5 mm to the controller's digits, of either element; of the original that is where it stands now.
+#[test]
+fn the_only_corrected_element_means_the_original_by_as_much() {
+    let bench = Bench::default();
+    let cold = OFFSET_AND_DRIFT.split("[[effect]]\neffect = \"thermal").next().unwrap();
+    let (text, elements) = scheduled(&bench, cold, &[]);
+    assert_eq!(elements.len(), 2);
+    let (_, same) = restored(&bench, &text, 0);
+    assert_eq!(same, source());
+    for k in [0, 1] {
+        let (message, back) = restored(&bench, &moved(&text, elements[k], 0.5), 1);
+        let [x, y, z] = position(&back);
+        let off = [x - 430.5, y - 60.0, z - 300.0].map(f64::abs).into_iter().fold(0.0, f64::max);
+        assert!(
+            off < 1e-4 && message.contains("p20 was touched up on the controller by 0.5000 mm"),
+            "{x} {y} {z} {message}"
+        );
+    }
+    // Both: nothing says any more what they were.
+    let both = moved(&moved(&text, elements[0], 0.5), elements[1], 0.5);
+    let (message, _) = restored(&bench, &both, 2);
+    assert!(message.contains("what was changed of tcp20 cannot be told"), "{message}");
+}

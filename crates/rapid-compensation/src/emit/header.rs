@@ -8,7 +8,7 @@ use super::checksum::{self, MARK};
 use super::digest;
 
 /// What lines are read back by, in order; `sum` is over them.
-const KEYS: [&[u8]; 16] = [
+const KEYS: [&[u8]; 17] = [
     b"core",
     b"source",
     b"with",
@@ -17,6 +17,7 @@ const KEYS: [&[u8]; 16] = [
     b"renamed",
     b"was",
     b"shares",
+    b"held",
     b"points",
     b"asks",
     b"declared",
@@ -55,6 +56,9 @@ pub(super) struct Record {
     pub was: BTreeMap<String, Vec<u8>>,
     /// For each bucket how much of the drift it corrects, in any unit.
     pub shares: Vec<f64>,
+    /// Of arrays with a single bucket what it is corrected by, row by row: see [`difference`](super::target::difference). Nothing else says that of an
+    /// element that was touched up. What is read has names in lower case.
+    pub held: BTreeMap<String, Vec<[f64; 6]>>,
     /// What motions ask with: see `asks`.
     pub asks: Vec<u8>,
     /// For each array how many names of what stood in its motion the module declares: see `here`.
@@ -118,6 +122,10 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
                 record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
             add("shares", shares.join(" "));
         }
+        for (name, rows) in &record.held {
+            let numbers = rows.iter().flatten().map(|number| format!(" {}", rounded(*number)));
+            add("held", name.clone() + &numbers.collect::<String>());
+        }
     }
     if !record.on_purpose.is_empty() {
         add("named", record.on_purpose.join(" "));
@@ -139,6 +147,12 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
         }
     }
     entries
+}
+
+/// A number of a correction to a millionth of a millimetre or degree.
+fn rounded(number: f64) -> f64 {
+    let rounded = (number * 1e6).round() / 1e6;
+    if rounded == 0.0 { 0.0 } else { rounded }
 }
 
 /// Appends the lines of an entry, each as long as it may be.
@@ -325,6 +339,12 @@ impl Record {
                 // Where lines are lost others may have been added to this one: then nothing is entries of shares.
                 self.shares = utf8.split(' ').map(str::parse).collect::<Result<_, _>>().unwrap_or_default();
             }
+            b"held" => {
+                let (name, numbers) = utf8.split_once(' ')?;
+                let numbers = numbers.split(' ').map(str::parse).collect::<Result<Vec<f64>, _>>().ok()?;
+                let rows = numbers.chunks(6).map(TryInto::try_into).collect::<Result<_, _>>().ok()?;
+                self.held.insert(name.to_ascii_lowercase(), rows);
+            }
             b"was" => {
                 let (name, was) = utf8.split_once(' ')?;
                 self.was.insert(name.to_ascii_lowercase(), unescape(was.as_bytes())?);
@@ -438,6 +458,7 @@ mod tests {
             renamed: [("tcK".to_owned(), "tcK_2".to_owned())].into(),
             was,
             shares: vec![0.125, 1.0],
+            held: [("tcp1".to_owned(), vec![[0.25, -1.5, 0.0, 0.0, 1e-6, 3.0]])].into(),
             originals: b"ABCabc".repeat(90),
             asks: b"Qyic+p".to_vec(),
             declared: b"BA".to_vec(),

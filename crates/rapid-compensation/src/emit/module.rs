@@ -8,10 +8,12 @@ use super::context::EmitContext;
 use super::header::{self, Record};
 use super::insertion::{self, LayoutStyle};
 use super::options::{Core, EmitError};
+use super::target::{ArrayRow, TargetArray, difference};
 use rapid_program::motion::MotionId;
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::Module;
 use rapid_syntax::{Edit, Rewrite, SourceFile};
+use std::collections::BTreeMap;
 use std::mem::take;
 
 /// Writes a file on to the last change in `module`; `motions`: the compensated ones; `source_sha256`: of the file as it was read.
@@ -81,12 +83,29 @@ fn record(
         declared: take(&mut added.declared),
         mentions: take(&mut added.mentions),
         common: common(context),
+        held: held(&added.declarations),
         shares: take(&mut added.shares),
         // What they are is known when the declarations are written, behind the comment block.
         checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],
         code: code_checksums(data, routines),
         is_whole: true,
     }
+}
+
+/// What the arrays with a single bucket are corrected by.
+fn held(declarations: &[Declaration<'_>]) -> BTreeMap<String, Vec<[f64; 6]>> {
+    let of_array = |array: &TargetArray<'_>| {
+        let row = |row: &ArrayRow<'_>| match &*row.corrected {
+            [only] => difference(&row.original, only),
+            _ => None,
+        };
+        Some((array.name.clone(), array.rows.iter().map(row).collect::<Option<_>>()?))
+    };
+    let arrays = declarations.iter().filter_map(|declaration| match declaration {
+        Declaration::Array(array) => Some(array),
+        _ => None,
+    });
+    arrays.filter_map(of_array).collect()
 }
 
 /// What the common module is known by, where there is one.

@@ -8,7 +8,7 @@ use super::insertion::{LayoutStyle, white};
 use super::options::EmitError;
 use crate::compensate::plan::Corrected;
 use crate::emit::record_text::{write_optional, write_orient, write_pos, write_robjoint};
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_program::data::{ExtJoint, RobTarget};
 use rapid_program::motion::TargetValue;
 use robot_model::units::{deg_from_rad, mm_from_m};
@@ -184,6 +184,26 @@ pub(super) fn distance(original: &TargetValue, corrected: &Corrected) -> f64 {
             deg_from_rad(turns.fold(0.0, f64::max))
         }
         _ => 0.0,
+    }
+}
+
+/// What a target is corrected by: a robtarget's shift, mm, and turn about the frame's axes, degrees; a jointtarget's six axes, degrees.
+pub(super) fn difference(original: &TargetValue, corrected: &Corrected) -> Option<[f64; 6]> {
+    match (original, corrected) {
+        (TargetValue::Rob(target), Corrected::Pose { position_m, orientation_wxyz: [w, x, y, z] }) => {
+            let from = &target.object_from_tcp;
+            let shift_m = Vector3::from(*position_m) - from.translation.vector;
+            let to = UnitQuaternion::from_quaternion(Quaternion::new(*w, *x, *y, *z));
+            let turn_rad = (to * from.rotation.inverse()).scaled_axis();
+            Some(std::array::from_fn(|k| match k {
+                0..3 => mm_from_m(shift_m[k]),
+                _ => deg_from_rad(turn_rad[k - 3]),
+            }))
+        }
+        (TargetValue::Joint(target), Corrected::Joints { q_rad }) => {
+            Some(std::array::from_fn(|k| deg_from_rad(q_rad[k] - target.q_rad[k].unwrap_or(q_rad[k]))))
+        }
+        _ => None,
     }
 }
 

@@ -4,7 +4,7 @@ use crate::emit::aggregate::{singles, tail_of};
 use crate::emit::record_text::write_orient;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rapid_syntax::write_num;
-use robot_model::units::deg_from_rad;
+use robot_model::units::{deg_from_rad, rad_from_deg};
 
 /// Numbers of a robtarget.
 pub(super) const ROBTARGET: usize = 17;
@@ -49,6 +49,18 @@ impl TargetPose {
             Self::Joints(_) => (far, "deg"),
             Self::Pose(..) if far < 1e-4 && turned > 0.0 => (turned, "deg"),
             Self::Pose(..) => (far, "mm"),
+        }
+    }
+
+    /// The place moved so many `times` by a correction as the comment block holds it.
+    pub(super) fn moved_by(&self, correction: &[f64; 6], times: f64) -> Self {
+        let [x, y, z, rx, ry, rz] = correction.map(|number| number * times);
+        match self {
+            Self::Pose(at, q) => {
+                let turn = UnitQuaternion::from_scaled_axis(Vector3::new(rx, ry, rz).map(rad_from_deg));
+                Self::Pose(at + Vector3::new(x, y, z), turn * q)
+            }
+            Self::Joints(at) => Self::Joints(std::array::from_fn(|i| at[i] + times * correction[i])),
         }
     }
 
