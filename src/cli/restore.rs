@@ -290,6 +290,7 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         None if is_standard(path) => PathBuf::from(STANDARD),
         None => path.with_file_name(name()?),
     };
+    let to = apart(path, to)?;
     // What is there already may stay.
     let is_there = || fs::read(&to).is_ok_and(|bytes| bytes == restored.bytes);
     if args.output.is_none() && !args.force && !is_standard(path) && to.exists() && !is_there() {
@@ -297,7 +298,7 @@ fn place(path: &Path, restored: &Restored, args: &Args) -> Result<PathBuf, Diagn
         return Err(Diagnostic::error("output::exists", text)
             .help("say with -o where the original goes, or say --force"));
     }
-    apart(path, to)
+    Ok(to)
 }
 
 /// The name of an original whose header says it with question marks, in place of letters that are none of ASCII, where the emitted module is
@@ -319,7 +320,8 @@ fn apart(path: &Path, to: PathBuf) -> Result<PathBuf, Diagnostic> {
         fs::canonicalize(&to).ok().is_some_and(|to| fs::canonicalize(path).is_ok_and(|path| path == to));
     if same {
         let text = format!("{} is the input and would be overwritten", to.display());
-        return Err(Diagnostic::error("output::is-input", text).help("name another place with -o"));
+        return Err(Diagnostic::error("output::is-input", text)
+            .help("name another place with -o; what is there can take its place then"));
     }
     Ok(to)
 }

@@ -14,7 +14,7 @@ fn creep_beside(tau_min: u32, to_min: u32) -> String {
 /// All that is said of a program that is compensated so; its text is `o.mod`.
 fn said(bench: &Bench, options: &[&str]) -> String {
     let source = module("CONST robtarget p20:=[[430,60,300],@;", "MoveL p20,v100,fine,tGun;");
-    let (from, to) = (bench.file("a.mod", &source), bench.path("o.mod").display().to_string());
+    let (from, to) = (bench.file("a.mod", source), bench.path("o.mod").display().to_string());
     let given = ["compensate", &from, "-o", &to, "--form", "ramp", "--diff", "none", "--force"];
     let made = driftpost(&[&given, options].concat());
     assert_eq!(made.status.code(), Some(0), "{}", err(&made));
@@ -25,7 +25,7 @@ fn said(bench: &Bench, options: &[&str]) -> String {
 #[test]
 fn a_creep_that_a_pause_would_take_back_is_told_with_its_size() {
     let bench = Bench::default();
-    let model = bench.file("model.toml", &creep_beside(46, 300));
+    let model = bench.file("model.toml", creep_beside(46, 300));
     let warmth = said(&bench, &["--model", &model]);
     assert!(
         warmth.contains("warning[deform::creep-falls-back]: of the model base_drift (0.150 mm) creeps on"),
@@ -39,7 +39,7 @@ fn a_creep_that_a_pause_would_take_back_is_told_with_its_size() {
 #[test]
 fn a_clock_lasts_as_long_as_what_creeps() {
     let bench = Bench::default();
-    let model = bench.file("model.toml", &creep_beside(3, 600));
+    let model = bench.file("model.toml", creep_beside(3, 600));
     let text = said(&bench, &["--model", &model]);
     assert!(text.contains("warning[deform::no-single-law]"), "{text}");
     let [from, to] = ["a.mod", "o.mod"].map(|name| bench.path(name).display().to_string());
@@ -56,10 +56,10 @@ fn rows_that_tell_no_law_are_told() {
         "t_min,joint,dx_mm,dy_mm,dz_mm,rx_deg,ry_deg,rz_deg\n".to_owned()
             + &minutes.iter().map(row).collect::<String>()
     };
-    let few = bench.file("few.csv", &rows(&[0.0, 60.0, 120.0]));
+    let few = bench.file("few.csv", rows(&[0.0, 60.0, 120.0]));
     let text = said(&bench, &["--deformation", &few, "--tau-cool", "40"]);
     assert!(text.contains("warning[deform::few-rows]: few.csv: rows at 3 minutes"), "{text}");
-    let more = bench.file("more.csv", &rows(&[0.0, 20.0, 60.0, 120.0]));
+    let more = bench.file("more.csv", rows(&[0.0, 20.0, 60.0, 120.0]));
     let text = said(&bench, &["--deformation", &more, "--tau-cool", "40"]);
     assert!(!text.contains("few-rows"), "{text}");
 }
@@ -68,7 +68,7 @@ fn rows_that_tell_no_law_are_told() {
 #[test]
 fn what_is_said_of_a_table_beside_a_model_is_true() {
     let bench = Bench::default();
-    let model = bench.file("model.toml", &creep_beside(46, 300));
+    let model = bench.file("model.toml", creep_beside(46, 300));
     let table = "Dx [mm],Dy[mm],Dz[mm],DOx[deg],DOy[deg],DOz[deg]\n0,0,0,0,0,0\n0.05,0,0,0,0,0\n".to_owned();
     let table = bench.file("t.csv", table + &"0,0,0,0,0,0\n".repeat(4));
     let held = said(&bench, &["--model", &model, "--deformation", &table, "--growth", "none"]);

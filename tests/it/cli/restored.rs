@@ -257,3 +257,21 @@ fn numbers_that_a_controller_has_written_anew_are_no_touch_up() {
     let (message, _) = restored(&bench, &other, 1);
     assert!(message.contains("p20 was touched up") && message.contains("configuration"), "{message}");
 }
+
+/// The original of a module that was compensated in its own place would go there: the advice is one that can be followed.
+#[test]
+fn an_original_that_would_take_its_modules_place_is_told_to_go_elsewhere() {
+    let bench = Bench::default();
+    emitted(&bench);
+    let (path, text) = (bench.path("a.mod").display().to_string(), bench.text("o.mod"));
+    bench.file("a.mod", &text);
+    for force in [&[][..], &["--force"]] {
+        let refused = driftpost(&[&["restore", &path], force].concat());
+        assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
+        assert!(
+            err(&refused).contains("error[output::is-input]")
+                && err(&refused).contains("name another place with -o")
+        );
+    }
+    assert_eq!(bench.text("a.mod"), text);
+}

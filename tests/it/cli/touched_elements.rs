@@ -18,7 +18,7 @@ fn source() -> String {
 
 /// The source in form `schedule` for a model, and the lines of the elements of p20's array.
 fn scheduled(bench: &Bench, model: &str, options: &[&str]) -> (String, Vec<usize>) {
-    let (from, to) = (bench.file("a.mod", &source()), bench.path("o.mod").display().to_string());
+    let (from, to) = (bench.file("a.mod", source()), bench.path("o.mod").display().to_string());
     let model = bench.file("model.toml", model);
     let given = ["compensate", &from, "-o", &to, "--model", &model, "--diff", "none", "--force"];
     let made = driftpost(&[&given, options].concat());

@@ -39,11 +39,11 @@ impl Warmth {
     /// The share of the settled deformation that is there.
     #[must_use]
     pub fn share(&self) -> f64 {
-        1.0 - self.to_come()
+        1.0 - self.still_to_come()
     }
 
     /// The share that is still to come.
-    fn to_come(&self) -> f64 {
+    fn still_to_come(&self) -> f64 {
         match self.law {
             GrowthLaw::None => 0.0,
             GrowthLaw::Exp { .. } => self.first_to_come,
@@ -54,7 +54,7 @@ impl Warmth {
     /// The minute after a cold start at which as much is there; `None` where it never is.
     #[must_use]
     pub fn minute(&self) -> Option<f64> {
-        self.law.minute_of_remaining(self.to_come())
+        self.law.minute_of_remaining(self.still_to_come())
     }
 
     /// Fully warm at once.
