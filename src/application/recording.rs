@@ -70,7 +70,7 @@ impl Compensated<'_> {
         rows.map(|(motion, planned)| LoggedCorrection {
             file: &self.program.file(motion.file).path,
             line: motion.line,
-            kind: motion.setup.kind,
+            kind: &motion.setup.kind,
             status: match &planned.status {
                 Status::Compensated => Ok(planned.max_correction_m),
                 Status::Kept(why) | Status::Refused(why) => Err(&why.reason),

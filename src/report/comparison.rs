@@ -114,7 +114,7 @@ impl Compared<'_> {
             [(&c.only_before, self.before, "first"), (&c.only_after, self.after, "second")]
         {
             for motion in motions.iter().filter_map(|&id| program.motion(id)).take(SHORT) {
-                let (kind, line) = (motion.setup.kind, motion.line);
+                let (kind, line) = (&motion.setup.kind, motion.line);
                 let file = &program.file(motion.file).path;
                 writeln!(out, "Only in the {which} program: {kind} in {file}:{line}")?;
             }
@@ -262,7 +262,7 @@ impl Compared<'_> {
             before.line.to_string(),
             after.line.to_string(),
             self.before.routine_of(before).map_or_else(String::new, |r| r.name.clone()),
-            after.setup.kind.to_owned(),
+            after.setup.kind.to_string(),
             target_name(before).unwrap_or_default().to_owned(),
             bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
             apart.map_or_else(String::new, |[m, _]| number(mm_from_m(m), 4)),

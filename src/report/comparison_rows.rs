@@ -50,7 +50,7 @@ impl Compared<'_> {
                     before.line.to_string(),
                     after.line.to_string(),
                     self.before.routine_of(before).map_or_else(String::new, |r| r.name.clone()),
-                    after.setup.kind.to_owned(),
+                    after.setup.kind.to_string(),
                     target_name(before).unwrap_or_default().to_owned(),
                     bucket(compared, k).map_or_else(String::new, |k| k.to_string()),
                     rounded(mm_from_m(step.distance_m)).to_string(),

@@ -43,7 +43,7 @@ pub fn write_inspection(out: &mut dyn Write, program: &Program, all: bool) -> io
         table.row([
             line,
             routine(program, motion).to_owned(),
-            motion.setup.kind.to_owned(),
+            motion.setup.kind.to_string(),
             motion.targets.iter().map(spelling).collect::<Vec<_>>().join(" "),
             motion.setup.tool_name.as_deref().unwrap_or_default().to_owned(),
             motion.setup.wobj_name.as_deref().unwrap_or_default().to_owned(),
@@ -74,7 +74,7 @@ fn write_modules(out: &mut dyn Write, program: &Program) -> io::Result<()> {
 
 /// How many motions have which move, tool and work object.
 fn write_setups(out: &mut dyn Write, program: &Program) -> io::Result<()> {
-    write_counts(out, "moves", program.motions.iter().map(|m| m.setup.kind))?;
+    write_counts(out, "moves", program.motions.iter().map(|m| &*m.setup.kind))?;
     write_counts(out, "tools", program.motions.iter().filter_map(|m| m.setup.tool_name.as_deref()))?;
     write_counts(
         out,
@@ -154,7 +154,7 @@ pub fn write_inspection_csv(out: &mut dyn Write, program: &Program) -> io::Resul
             &motion.line.to_string(),
             routine(program, motion),
             &index.to_string(),
-            motion.setup.kind,
+            &motion.setup.kind,
             &motion.targets.iter().map(spelling).collect::<Vec<_>>().join(" "),
             motion.setup.tool_name.as_deref().unwrap_or(""),
             motion.setup.wobj_name.as_deref().unwrap_or(""),

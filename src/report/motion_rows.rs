@@ -80,7 +80,7 @@ fn cells(program: &Program, motion: &Motion, planned: &PlannedMotion) -> [String
     [
         line,
         program.routine_of(motion).map_or_else(String::new, |r| r.name.clone()),
-        motion.setup.kind.to_owned(),
+        motion.setup.kind.to_string(),
         target_name(motion).unwrap_or_default().to_owned(),
         figure(mm(planned.max_correction_m)),
         figure(format!("{:.5}", deg_from_rad(planned.max_correction_rad))),

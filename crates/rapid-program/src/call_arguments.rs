@@ -7,7 +7,7 @@ use super::expressions::{root_of, value_of};
 use super::ids::{DatumId, RoutineIndex};
 use super::index::{Ctx, DatumKind, Index, Resolved};
 use super::names::lower_case;
-use super::predefined::predefined;
+use super::predefined::{guessed, predefined};
 use rapid_syntax::diagnostic::TextRange;
 use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind};
 
@@ -49,7 +49,7 @@ pub(super) fn doubtful_arguments(
 }
 
 /// Whether an argument is a speed, which moves alone are handed.
-fn is_speed(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
+pub(super) fn is_speed(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
     let Some((root, _)) = root_of(expr).filter(|_| !matches!(expr.kind, ExprKind::Field(_))) else {
         return false;
     };
@@ -58,7 +58,8 @@ fn is_speed(index: &Index<'_>, ctx: Ctx, expr: &Expr) -> bool {
             index.type_text(index.data[datum].type_name)
         }
         Resolved::Nowhere => {
-            predefined(&lower_case(index.text(ctx.file, root))).map_or("", |(of_type, _)| of_type)
+            let name = lower_case(index.text(ctx.file, root));
+            predefined(&name).or_else(|| guessed(&name)).map_or("", |(of_type, _)| of_type)
         }
     };
     of_type == "speeddata"

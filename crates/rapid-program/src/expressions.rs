@@ -1,7 +1,10 @@
 //! Looking through the text of statements: the words in it, the expressions and the calls of functions.
 
+use super::index::{Ctx, Index};
 use rapid_syntax::diagnostic::TextRange;
+use rapid_syntax::parts_of_numbers;
 use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, ExprKind, IndexExpr, Stmt, StmtKind};
+use std::borrow::Cow;
 
 /// The name at the root of `a.b{1}.c`, and whether an index lies on the way.
 pub(super) fn root_of(expr: &Expr) -> Option<(TextRange, bool)> {
@@ -46,6 +49,15 @@ pub(super) fn words(bytes: &[u8], start: u32) -> Vec<TextRange> {
         at += length;
     }
     out
+}
+
+/// The parts of an aggregate; none of anything else.
+pub(super) fn parts_of_list<'e>(index: &Index<'_>, ctx: Ctx, list: &'e Expr) -> Cow<'e, [Expr]> {
+    match &list.kind {
+        ExprKind::Aggregate(parts) => Cow::Borrowed(parts),
+        ExprKind::Numbers => parts_of_numbers(&index.file(ctx.file).bytes, list.range).into(),
+        _ => Cow::default(),
+    }
 }
 
 /// The expression that an argument hands over; `None` for a switch and for a parameter handed on if present.

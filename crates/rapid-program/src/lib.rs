@@ -58,6 +58,7 @@ mod statements;
 mod target;
 mod tracked;
 mod trap_return;
+mod unknown_moves;
 mod value;
 mod value_flow;
 mod value_type;

@@ -7,6 +7,7 @@ use super::data::{LoadData, SpeedData, ToolData, WobjData, ZoneData};
 use super::one_or_many::OneOrMany;
 pub use super::target::{Indices, Origin, Target, TargetValue, indices_of};
 use rapid_syntax::diagnostic::{FileId, Span, TextRange};
+use std::borrow::Cow;
 use std::num::NonZeroU32;
 use std::sync::Arc;
 
@@ -85,8 +86,8 @@ pub struct MotionSetup {
     pub routine: RoutineId,
     /// Loops round it, outermost first: indices into [`Program::loops`](super::Program::loops).
     pub loops: Vec<usize>,
-    /// The instruction in its usual spelling, e.g. `MoveL`.
-    pub kind: &'static str,
+    /// The instruction in its usual spelling, e.g. `MoveL`; of a call of what is not given, its name as written.
+    pub kind: Cow<'static, str>,
     /// How the TCP goes.
     pub path: Path,
     /// Name of the tool argument as written.

@@ -6,14 +6,16 @@ use super::ids::RoutineIndex;
 use super::index::{Ctx, Index};
 use super::is_of_task;
 use super::motion::{self, Loop, MotionId, RoutineInfo};
-use super::move_instructions::{MoveForm, move_form};
+use super::move_instructions::{MoveForm, NOT_GIVEN, Special, move_form};
 use super::names::{as_text, lower_case};
 use super::repeated_moves::name_the_same;
 use super::statements::{bodies, every_statement, inner_bodies};
+use super::unknown_moves::seems_to_move;
 use super::value::Value;
 use rapid_syntax::diagnostic::FileId;
 use rapid_syntax::diagnostic::TextRange;
-use rapid_syntax::tree::{Arg, ArgKind, Callee, Expr, Routine, Stmt, StmtKind};
+use rapid_syntax::tree::{Arg, ArgKind, CallStmt, Callee, Expr, Routine, Stmt, StmtKind};
+use std::borrow::Cow;
 
 /// A motion as it stands in the text.
 #[derive(Debug)]
@@ -34,6 +36,18 @@ impl<'a> MotionSite<'a> {
     /// From where its names are looked up.
     pub(super) fn ctx(&self, index: &Index<'_>) -> Ctx {
         index.routines[self.routine].ctx
+    }
+
+    /// What moves, in its usual spelling, or as the call has it where that is not known.
+    pub(super) fn kind(&self, index: &Index<'_>) -> Cow<'static, str> {
+        match &self.stmt.kind {
+            StmtKind::Call(CallStmt { callee: Callee::Name(name), .. })
+                if self.form.special == Special::NotGiven =>
+            {
+                as_text(index.text(self.ctx(index).file, *name)).into()
+            }
+            _ => self.form.name.into(),
+        }
     }
 
     /// Its arguments by what they are.
@@ -240,10 +254,14 @@ impl<'a> SiteCollector<'_, 'a> {
         let ctx = self.ctx();
         let index = self.evaluator.index;
         let written = index.text(ctx.file, name);
-        let Some(form) = move_form(&lower_case(written)) else { return };
         if index.declares_routine(name, ctx) {
-            return; // a routine of the program bears the instruction's name
+            return; // a routine of the program, which may bear an instruction's name
         }
+        let form = match (move_form(&lower_case(written)), &stmt.kind) {
+            (Some(form), _) => form,
+            (None, StmtKind::Call(call)) if seems_to_move(index, ctx, name, &call.args) => &NOT_GIVEN,
+            (None, _) => return,
+        };
         let info = self.routine();
         let mut loops = Vec::with_capacity(self.open.len());
         for open in &mut self.open {

@@ -32,6 +32,10 @@ pub(super) enum Special {
     External,
     /// It is known to move the arm, not how its targets are used.
     Unsupported,
+    /// A sensor says where it moves the arm.
+    Sensor,
+    /// It is not among the given files; what it is handed or its name says that it moves the arm.
+    NotGiven,
 }
 
 impl MoveForm {
@@ -91,6 +95,14 @@ const fn unsupported(name: &'static str, path: Path) -> MoveForm {
     MoveForm { name, path, targets: &[], speed: 1, zone: None, tool: None, special }
 }
 
+/// What follows a sensor has no target of its own.
+const fn sensor(name: &'static str) -> MoveForm {
+    special(unsupported(name, Joint), Special::Sensor)
+}
+
+/// The form of whatever is not among the given files and seems to move the arm; its call has its name.
+pub(super) static NOT_GIVEN: MoveForm = special(unsupported("call", Joint), Special::NotGiven);
+
 /// All move instructions, sorted by name.
 const MOVES: &[(&str, MoveForm)] = &[
     ("arcadaptc", unsupported("ArcAdaptC", Circular)),
@@ -121,7 +133,11 @@ const MOVES: &[(&str, MoveForm)] = &[
     ("arcl2start", arc_line("ArcL2Start")),
     ("arclend", arc_line("ArcLEnd")),
     ("arclstart", arc_line("ArcLStart")),
+    ("arcmoveabsj", simple("ArcMoveAbsJ", AbsJoint)),
+    ("arcmovec", circle("ArcMoveC")),
     ("arcmoveextj", external("ArcMoveExtJ", &[0], 1)),
+    ("arcmovej", simple("ArcMoveJ", Joint)),
+    ("arcmovel", simple("ArcMoveL", Linear)),
     ("arcrepl", unsupported("ArcRepL", Linear)),
     ("calibj", unsupported("CalibJ", Joint)),
     ("calibl", unsupported("CalibL", Linear)),
@@ -133,6 +149,8 @@ const MOVES: &[(&str, MoveForm)] = &[
     ("displ", unsupported("DispL", Linear)),
     ("egmmovec", unsupported("EGMMoveC", Circular)),
     ("egmmovel", unsupported("EGMMoveL", Linear)),
+    ("egmrunjoint", sensor("EGMRunJoint")),
+    ("egmrunpose", sensor("EGMRunPose")),
     ("fcpress1lstart", unsupported("FCPress1LStart", Linear)),
     ("fcpressc", unsupported("FCPressC", Circular)),
     ("fcpressend", unsupported("FCPressEnd", Linear)),

@@ -266,6 +266,8 @@ impl<'a> ForwardAnalysis<'a> for OrderAnalysis<'_, 'a> {
                         Some(Special::External) => from,
                         // It stops somewhere on its way, on the branch of its line.
                         Some(Special::Search) => or_anywhere(&Predecessor::Motion(motion)),
+                        // Where it moves nobody knows, nor whether it settles the branch.
+                        Some(Special::Sensor | Special::NotGiven) => or_anywhere(&from),
                         None => Predecessor::Anywhere,
                     };
                 }

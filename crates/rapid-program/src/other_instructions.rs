@@ -10,9 +10,7 @@ pub(super) fn harmless(name: &str) -> bool {
 pub(super) fn moves_arm(name: &str) -> bool {
     matches!(
         name,
-        "egmrunjoint"
-            | "egmrunpose"
-            | "indamove"
+        "indamove"
             | "indcmove"
             | "inddmove"
             | "indrmove"

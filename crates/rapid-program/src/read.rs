@@ -422,7 +422,7 @@ impl<'f, 'a> MotionReader<'f, 'a> {
         MotionSetup {
             routine: site.info,
             loops: self.nests.get(site.nest as usize).cloned().unwrap_or_default(),
-            kind: site.form.name,
+            kind: site.kind(index),
             path: site.form.path,
             tool_name: text(args.tool).map(as_text),
             tool: None,

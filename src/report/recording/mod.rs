@@ -67,7 +67,7 @@ pub struct LoggedCorrection<'a> {
     /// Line of the motion there.
     pub line: u32,
     /// Name of the instruction.
-    pub kind: &'static str,
+    pub kind: &'a str,
     /// The largest correction, metres, or why there is none.
     pub status: Result<f64, &'a str>,
 }

@@ -191,6 +191,32 @@ fn fifty_megabytes_of_no_module_are_refused_at_once() {
     let bench = Bench::default();
     let file = bench.file("big.mod", vec![b'('; 50_000_000]);
     let start = std::time::Instant::now();
+/// A plant's own wrapper that is not given moves where nobody knows: it counts among the motions.
+#[test]
+fn strict_refuses_a_call_that_moves_and_is_not_given() {
+    let bench = Bench::default();
+    let wrapped =
+        GOOD.replace("    MoveL p,", "    MoveL_CollClr 3\\Coll_B:=4,p,v200,fine,tool0;\n    MoveL p,");
+    let file = bench.file("w.mod", wrapped);
+    let output = driftpost(&["compensate", &file]);
+    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
+    assert!(out(&output).contains("2 motions: 1 compensated, 1 kept"), "{}", out(&output));
+    assert!(
+        err(&output).contains("warning[keep::instruction]: line 4: this MoveL_CollClr"),
+        "{}",
+        err(&output)
+    );
+    let json = bench.path("r.json").display().to_string();
+    let output = driftpost(&["compensate", &file, "--strict", "--json", &json]);
+    assert_eq!(output.status.code(), Some(2), "{}", err(&output));
+    let value: serde_json::Value = serde_json::from_str(&bench.text("r.json")).unwrap();
+    let motion = &value["motions"][0];
+    assert_eq!([&motion["kind"], &motion["status"]], ["MoveL_CollClr", "refused"]);
+    assert!(motion["reason"].as_str().unwrap().contains("nobody knows where"), "{motion}");
+    let inspected = driftpost(&["inspect", &file]);
+    assert!(out(&inspected).contains("2 motions, 1 can be compensated as far as the text tells, 1 cannot"));
+}
+
     refused(&bench, &[&file], "input::no-module");
     assert!(start.elapsed().as_secs() < 60);
 }

@@ -113,7 +113,7 @@ impl Reader<'_> {
         let setup = MotionSetup {
             routine: RoutineId(self.program.routines.len() as u32 - 1),
             loops: self.loops.clone(),
-            kind,
+            kind: kind.into(),
             path,
             tool_name: None,
             tool: None,

@@ -19,6 +19,7 @@ mod robodk;
 mod searches;
 mod state;
 mod targets;
+mod unknown_moves;
 mod unread_blocks;
 
 use rapid_program::motion::Motion;

@@ -339,6 +339,9 @@ fn every_kind_of_motion_finds_its_arguments() {
         ("NutL p,v100,nut1,gun1,z10,tool0;", "NutL", "keep::instruction"),
         ("NutJ p,v100,nut1,gun1,z10,tool0;", "NutJ", "keep::instruction"),
         ("ArcRepL\\Start,p,v100,seam1,weld1,z10,tool0;", "ArcRepL", "keep::instruction"),
+        ("ArcMoveL p,v100,z10,tool0;", "ArcMoveL", "-"),
+        ("ArcMoveJ p,v100,z10,tool0\\WObj:=wobj0;", "ArcMoveJ", "-"),
+        ("ArcMoveC c,p,v100,z10,tool0;", "ArcMoveC", "-"),
         ("ArcMoveExtJ j,vrot100,fine;", "ArcMoveExtJ", "keep::external-axes"),
         ("MoveL p,v100;", "MoveL", "keep::tool-unknown"),
         ("MoveC p;", "MoveC", "keep::not-read"),
@@ -347,7 +350,7 @@ fn every_kind_of_motion_finds_its_arguments() {
     let program = main_of(&data, &body);
     assert_eq!(program.motions.len(), moves.len());
     for (motion, (text, kind, expected)) in program.motions.iter().zip(moves) {
-        assert_eq!((motion.setup.kind, code(motion).unwrap_or("-")), (kind, expected), "{text}");
+        assert_eq!((&*motion.setup.kind, code(motion).unwrap_or("-")), (kind, expected), "{text}");
         if expected == "-" {
             let Some(TargetValue::Rob(p)) = motion.targets.last().unwrap().value() else { panic!("{text}") };
             assert_eq!(p.object_from_tcp.translation.x, 0.005, "{text}");

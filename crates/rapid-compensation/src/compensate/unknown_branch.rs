@@ -80,7 +80,7 @@ fn why_unknown(program: &Program, start_is_known: bool, at: MotionId) -> (String
         }
         if seen.len() > 1 && motion.targets.last().is_none_or(|target| target.values().next().is_none()) {
             let path = &program.file(motion.file).path;
-            let (kind, line) = (motion.setup.kind, motion.line);
+            let (kind, line) = (&motion.setup.kind, motion.line);
             let why = format!("where the arm stands is not known since the {kind} in line {line} of {path}");
             return (why, Some(span_of(motion)));
         }

@@ -35,6 +35,9 @@ impl<'a> CfgBuilder<'_, 'a> {
             self.written(call, at, out);
             self.force_control(motion, at, out);
             self.called_in_corner(call);
+            if let (true, Callee::Name(name)) = (self.is_not_given(motion), &call.callee) {
+                self.instruction(*name, call, at, out);
+            }
             return;
         }
         match &call.callee {
@@ -66,6 +69,12 @@ impl<'a> CfgBuilder<'_, 'a> {
     fn is_plain(&self, motion: MotionId) -> bool {
         let site = self.sites.motions.get(motion.index());
         site.is_some_and(|site| matches!(site.form.special, Special::Plain | Special::Unsupported))
+    }
+
+    /// Whether it is a call of what is not among the files.
+    fn is_not_given(&self, motion: MotionId) -> bool {
+        let site = self.sites.motions.get(motion.index());
+        site.is_some_and(|site| site.form.special == Special::NotGiven)
     }
 
     pub(super) fn routine(&self, name: TextRange) -> Option<RoutineIndex> {

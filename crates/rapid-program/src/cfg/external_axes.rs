@@ -4,7 +4,7 @@ use super::CfgBuilder;
 use crate::const_eval::{ConstEvaluator, Constant};
 use crate::convert;
 use crate::data::ExtJoint;
-use crate::expressions::{expressions_of, root_of, value_of};
+use crate::expressions::{expressions_of, parts_of_list, root_of, value_of};
 use crate::flow::{Blocker, FlowStep, Node, placed_axis};
 use crate::index::{Ctx, Resolved};
 use crate::motion::MotionId;
@@ -14,9 +14,7 @@ use crate::repeated_moves::every_naming_statement;
 use crate::statements::bodies;
 use crate::value::Value;
 use rapid_syntax::diagnostic::Span;
-use rapid_syntax::parts_of_numbers;
 use rapid_syntax::tree::{Expr, ExprKind, StmtKind};
-use std::borrow::Cow;
 
 impl<'a> CfgBuilder<'_, 'a> {
     /// Where a motion leaves external axes that may carry the robot's base: what its last target says of them, and where that is not known, away
@@ -200,7 +198,8 @@ impl PlacedAxes<'_, '_> {
             }
             return;
         }
-        let parts = self.parts(list, ctx);
+        let index = self.evaluator.index;
+        let parts = parts_of_list(index, ctx, list);
         if let Some(axes) = six_numbers(&parts) {
             let is_unused = |place: f64| convert::used(place).is_none();
             let are_axes = match holds {
@@ -213,23 +212,15 @@ impl PlacedAxes<'_, '_> {
             }
             return;
         }
-        if holds == Holds::Target && is_target(&parts, |part| six_numbers(&self.parts(part, ctx)).is_some()) {
+        if holds == Holds::Target
+            && is_target(&parts, |part| six_numbers(&parts_of_list(index, ctx, part)).is_some())
+        {
             if let Some(ext) = parts.last() {
                 self.expression(ext, ctx, Holds::Axes);
             }
             return;
         }
         parts.iter().for_each(|part| self.expression(part, ctx, holds));
-    }
-
-    fn parts<'e>(&self, list: &'e Expr, ctx: Ctx) -> Cow<'e, [Expr]> {
-        match &list.kind {
-            ExprKind::Aggregate(parts) => Cow::Borrowed(parts),
-            ExprKind::Numbers => {
-                parts_of_numbers(&self.evaluator.index.file(ctx.file).bytes, list.range).into()
-            }
-            _ => Cow::default(),
-        }
     }
 }
 

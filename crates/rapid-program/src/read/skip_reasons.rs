@@ -7,7 +7,9 @@ use crate::motion::{Path, SkipReason};
 use crate::motion_site::{MotionSite, MoveArgs};
 use crate::move_instructions::Special;
 use crate::state::State;
+use crate::unknown_moves::target_named;
 use rapid_syntax::diagnostic::Span;
+use rapid_syntax::tree::StmtKind;
 
 /// Reasons that a function asked at run time has not: it sees the values.
 const KNOWN_AT_RUN_TIME: [&str; 8] = [
@@ -43,7 +45,12 @@ impl SkipReasons {
             reasons.add(skip("keep::measurement-run", text.into()));
         }
         let form = site.form;
-        reasons.extend(special(form.special, form.name));
+        reasons.extend(match (form.special, &site.stmt.kind) {
+            (Special::NotGiven, StmtKind::Call(call)) => {
+                Some(not_given(&site.kind(index), target_named(index, ctx, call)))
+            }
+            _ => special(form.special, form.name),
+        });
         if let Some(not_read) = site.not_read {
             let reason = if not_read == site.stmt.range {
                 "it was not understood"
@@ -151,7 +158,8 @@ pub(super) fn is_known_at_run_time(reason: &SkipReason) -> bool {
 
 fn special(special: Special, name: &str) -> Option<SkipReason> {
     match special {
-        Special::Plain => None,
+        // What a call of something that is not given hands over is looked at by itself.
+        Special::Plain | Special::NotGiven => None,
         Special::Search => Some(skip(
             "keep::search",
             format!("{name} searches: where it stops is what the program wants to know"),
@@ -167,3 +175,17 @@ fn special(special: Special, name: &str) -> Option<SkipReason> {
 pub(super) fn skip(code: &'static str, reason: String) -> SkipReason {
     SkipReason { code, reason, because: None }
 }
+        Special::Sensor => Some(skip(
+            "keep::instruction",
+            format!("{name} follows a sensor: only run time tells where it moves the arm"),
+        )),
+
+/// Why a call of what is not among the files stays as it is; `target`: what it is handed of targets.
+fn not_given(name: &str, target: Option<String>) -> SkipReason {
+    let with = target.map_or_else(String::new, |target| format!(" with {target}"));
+    let text = format!(
+        "{name} is neither an instruction that is known nor among the given files: nobody knows where it moves the arm{with}"
+    );
+    skip("keep::instruction", text)
+}
+

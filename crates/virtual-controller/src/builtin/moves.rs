@@ -49,10 +49,10 @@ impl MoveForm {
 pub(crate) fn form(name: &str) -> Option<MoveForm> {
     use PathKind::{AbsJoint, Circular, Joint, Linear};
     let (path, target, tool) = match name {
-        "movel" | "moveldo" | "movelao" | "movelgo" | "movelsync" => (Linear, 0, 3),
-        "movej" | "movejdo" | "movejao" | "movejgo" | "movejsync" => (Joint, 0, 3),
-        "moveabsj" => (AbsJoint, 0, 3),
-        "movec" | "movecdo" | "movecao" | "movecgo" | "movecsync" => (Circular, 0, 4),
+        "movel" | "moveldo" | "movelao" | "movelgo" | "movelsync" | "arcmovel" => (Linear, 0, 3),
+        "movej" | "movejdo" | "movejao" | "movejgo" | "movejsync" | "arcmovej" => (Joint, 0, 3),
+        "moveabsj" | "arcmoveabsj" => (AbsJoint, 0, 3),
+        "movec" | "movecdo" | "movecao" | "movecgo" | "movecsync" | "arcmovec" => (Circular, 0, 4),
         "triggl" => (Linear, 0, 4),
         "triggj" => (Joint, 0, 4),
         "triggc" => (Circular, 0, 5),

@@ -55,7 +55,7 @@ fn motion(path: Path, values: &[TargetValue]) -> Motion {
     let setup = MotionSetup {
         routine: RoutineId(0),
         loops: vec![],
-        kind,
+        kind: kind.into(),
         path,
         tool_name: Some("tool0".into()),
         tool: Some(ToolData::tool0()),
