@@ -16,8 +16,22 @@ use rapid_syntax::tree::{Arg, ArgKind, Expr, ExprKind};
 pub(super) enum NotGiven {
     /// A procedure: one that is handed a speed, too, is taken to move, and to leave tool, work object and load alone, as moves leave them.
     Procedure,
+    /// An instruction of an option that measures the tool that it is handed, and sets it, whatever speed it is handed.
+    ToolCalibration,
     /// A function: it moves nothing, so it may be there to write any of its arguments.
     Function,
+}
+
+impl NotGiven {
+    /// What an instruction is, by its name in lower case: BullsEye's measure the tool.
+    pub(super) fn instruction(name: &str) -> Self {
+        match name {
+            "bechecktcp" | "berefpointer" | "besetuptoolj" | "betcpextend" | "beupdatetcp" => {
+                Self::ToolCalibration
+            }
+            _ => Self::Procedure,
+        }
+    }
 }
 
 /// The names handed to a routine that is not given, and that it may write.
@@ -35,7 +49,7 @@ pub(super) fn doubtful_arguments(
         let Some((root, _)) = root_of(expr) else { continue };
         if let Resolved::Here(datum) | Resolved::Elsewhere(datum) = index.datum(root, ctx) {
             let left_alone = match index.type_text(index.data[datum].type_name) {
-                "speeddata" | "zonedata" => callee == NotGiven::Procedure,
+                "speeddata" | "zonedata" => callee != NotGiven::Function,
                 // A move takes them whole.
                 "tooldata" | "wobjdata" | "loaddata" => moves && matches!(expr.kind, ExprKind::Name),
                 _ => false,

@@ -21,6 +21,26 @@ fn instructions_of_options_are_the_controllers_own() {
     }
 }
 
+/// RobotWare Arc, BullsEye: the tool is measured and set, whatever speed the measuring moves have. The call moves the arm, too.
+#[test]
+fn a_tool_that_bullseye_measures_is_not_known_behind_it() {
+    let data = format!(
+        "PERS tooldata t:={};\nCONST robtarget p:={};\nCONST jointtarget j:=[[1,2,3,4,50,6],[9E9,9E9,9E9,9E9,9E9,9E9]];\nPERS num scan;",
+        tool(1),
+        at(5, 5, 5)
+    );
+    let behind = |call: &str| codes(&main_of(&data, &format!("{call};\nMoveL p,v100,fine,t;"))).join(" ");
+    assert_eq!(behind("BESetupToolJ j,j,scan,v100,fine,t"), "keep::instruction keep::tool-unknown");
+    for call in ["BERefPointer p,v100,t", "BETcpExtend p,v100,t\\UserInit"] {
+        assert_eq!(behind(call), "keep::instruction keep::tool-unknown", "{call}");
+    }
+    for call in ["BECheckTcp t\\UserInit", "BEUpdateTcp t", "BECheckTcp t\\Speed:=v100"] {
+        assert_eq!(behind(call), "keep::tool-unknown", "{call}");
+    }
+    // Any other that is handed a speed moves, and leaves its tool.
+    assert_eq!(behind("BEGoTo p,v100,t"), "keep::instruction -");
+}
+
 /// What a sensor sends goes into the data that are named second, from then on at any time.
 #[test]
 fn a_sensor_writes_what_it_is_asked_for() {

@@ -80,7 +80,8 @@ impl<'a> CfgBuilder<'_, 'a> {
             _ if moves_arm(&lower) || added.is_some_and(|added| added.moves_arm) => FlowStep::UnknownPosition,
             _ if harmless(&lower) || added.is_some() => return,
             _ => {
-                self.doubtful(name, &call.args, NotGiven::Procedure, at, out);
+                let callee = NotGiven::instruction(&lower);
+                self.doubtful(name, &call.args, callee, at, out);
                 self.not_given(lower, name);
                 FlowStep::UnknownPosition
             }

@@ -160,7 +160,10 @@ impl WriteScan<'_, '_> {
             "setalldataval" => self.by_type(&call.args, ctx, at),
             _ if harmless(&lower) || move_form(&lower).is_some() => {}
             _ if self.index.added_routine(&lower).is_some() => {}
-            _ => self.perhaps(&call.args, NotGiven::Procedure, ctx, Write { at, how: doubtful }),
+            _ => {
+                let callee = NotGiven::instruction(&lower);
+                self.perhaps(&call.args, callee, ctx, Write { at, how: doubtful });
+            }
         }
     }
 
