@@ -28,6 +28,26 @@ pub(super) fn external_axis_letter(axis: usize) -> char {
     ['a', 'b', 'c', 'd', 'e', 'f'].get(axis).copied().unwrap_or('?')
 }
 
+/// The letters of the external axes that `chosen` says, separated by commas as `--base-fixed` takes them.
+pub(super) fn external_axis_letters(chosen: impl IntoIterator<Item = bool>) -> String {
+    let letters: Vec<String> = chosen
+        .into_iter()
+        .enumerate()
+        .filter(|(_, is_chosen)| *is_chosen)
+        .map(|(axis, _)| external_axis_letter(axis).to_string())
+        .collect();
+    letters.join(",")
+}
+
+/// What is to be said of a place of an external axis to which none gets: 1E9 where 9E9 is meant.
+pub(super) fn meant_as_unused(place: f64) -> Option<String> {
+    (place.abs() >= FAR_FROM_ANY_AXIS)
+        .then(|| format!("; {place:E} is a place, and only 9E9 says that there is no axis"))
+}
+
+/// No external axis goes so far, mm or degrees.
+const FAR_FROM_ANY_AXIS: f64 = 1e7;
+
 /// `robtarget`: a pose of the TCP with the arm's configuration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RobTarget {

@@ -1,7 +1,7 @@
 //! The ways through a routine: its statements reduced to what matters for motion, and the walk that
 //! carries a state along all of them, joining where ways meet, until nothing changes any more.
 
-use super::data::{LoadData, external_axis_letter};
+use super::data::{LoadData, external_axis_letter, meant_as_unused};
 use super::errors::Recovery;
 use super::ids::{DatumId, RoutineIndex, Slot};
 use super::index::{Ctx, Index};
@@ -116,14 +116,15 @@ pub(super) enum Blocker {
     PlacedAxis(u8),
 }
 
-/// Why an external axis, counted from 0, keeps motion that names no place for it, where a motion `at` some place has placed it, or, its target
-/// not `known`, may have.
-pub(super) fn placed_axis(index: &Index<'_>, axis: u8, (at, known): (Span, bool)) -> Why {
+/// Why an external axis, counted from 0, keeps motion that names no place for it, where a motion `at` some place has put it at `place`, or,
+/// where what its target says is not known, may have put it somewhere.
+pub(super) fn placed_axis(index: &Index<'_>, axis: u8, (at, place): (Span, Option<f64>)) -> Why {
     let axis = external_axis_letter(usize::from(axis));
-    let was_placed = if known { "was placed" } else { "may have been placed" };
+    let was_placed = if place.is_some() { "was placed" } else { "may have been placed" };
+    let meant = place.and_then(meant_as_unused).unwrap_or_default();
     let reason = format!(
         "external axis {axis}, which may carry the robot's base or the work object, {was_placed} before and stays there (--base-fixed {axis} says \
-         that it carries neither): {}",
+         that it carries neither{meant}): {}",
         index.place(at)
     );
     Rc::new(SkipReason { code: "keep::external-base", reason, because: Some(at) })

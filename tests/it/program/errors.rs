@@ -126,6 +126,31 @@ fn an_external_axis_away_from_0_may_carry_the_robot() {
     assert_eq!(moves(&[&ext, &none, &second, &none, &zero, &none]), [kept, kept, kept, kept, "-", "-"]);
 }
 
+/// 1E9 is a place a million kilometres away, and what is meant is 9E9; all axes are named that are to be fixed.
+#[test]
+fn external_axes_are_named_together_and_with_1e9_what_is_meant() {
+    let reasons = |ext: &str, behind: &str| -> Vec<String> {
+        let target = at(5, 5, 5).replace("9E9,9E9,9E9,9E9,9E9,9E9", ext);
+        let read = main_of(&data(), &format!("MoveL {target},v100,fine,t;\n{behind}"));
+        read.motions.iter().map(|m| m.skip_reason.as_ref().unwrap().reason.clone()).collect()
+    };
+    let behind = format!("MoveL {},v100,fine,t;", at(5, 5, 5));
+    let found = reasons("1e9,9E9,1E+09,9E9,9E9,9E9", &behind);
+    assert_eq!(
+        found[0],
+        "it places external axes a, c, which may carry the robot's base or the work object (--base-fixed a,c says that they do not; \
+         1E9 is a place, and only 9E9 says that there is no axis)"
+    );
+    for part in ["axis a,", "1E9 is a place", "so it is with c (--base-fixed a,c)"] {
+        assert!(found[1].contains(part), "{part} is not in {}", found[1]);
+    }
+    // A place is a place.
+    let found = reasons("250,9E9,9E9,9E9,9E9,9E9", &behind);
+    assert!(found[0].ends_with("(--base-fixed a says that it does not)"), "{}", found[0]);
+    assert!(!found[1].contains("only 9E9") && !found[1].contains("so it is"), "{}", found[1]);
+    assert!(reasons("9E8,9E9,9E9,9E9,9E9,9E9", "")[0].contains("9E8 is a place"));
+}
+
 #[test]
 fn a_target_that_run_time_tells_may_have_placed_an_external_axis() {
     let (none, ext, zero) =

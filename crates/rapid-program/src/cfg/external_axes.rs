@@ -25,7 +25,10 @@ impl<'a> CfgBuilder<'_, 'a> {
             self.sites.motions.get(motion.index()).and_then(|site| site.args(index).targets.last().copied());
         let Some(target) = target else { return };
         let known = self.axes_as_written(target);
-        let axes = known.unwrap_or_else(|| self.placed_anywhere().map(|placed| placed.then_some(true)));
+        let axes = match known {
+            Some(places) => places.map(|place| place.map(|place| place != 0.0)),
+            None => self.placed_anywhere().map(|placed| placed.then_some(true)),
+        };
         let placed: Vec<(u8, bool)> = (0_u8..)
             .zip(axes.into_iter().zip(self.base_fixed))
             .filter_map(|(axis, (placed, fixed))| Some((axis, placed.filter(|_| !fixed)?)))
@@ -41,19 +44,19 @@ impl<'a> CfgBuilder<'_, 'a> {
             return;
         }
         for (axis, is_placed) in placed {
-            let why = is_placed.then(|| placed_axis(self.index(), axis, (at, known.is_some())));
+            let place = known.and_then(|places| places[usize::from(axis)]);
+            let why = is_placed.then(|| placed_axis(self.index(), axis, (at, place)));
             out.push(Node::Step(FlowStep::Blocker(Blocker::PlacedAxis(axis), why)));
         }
     }
 
-    /// For each external axis whether a target places it away from 0, `None` where it leaves it; nothing where the text alone does not tell.
-    fn axes_as_written(&mut self, target: &'a Expr) -> Option<[Option<bool>; 6]> {
-        let away = |ext: ExtJoint| ext.map(|place| place.map(|place| place != 0.0));
+    /// Where a target places each external axis, `None` where it leaves it; nothing where the text alone does not tell.
+    fn axes_as_written(&mut self, target: &'a Expr) -> Option<ExtJoint> {
         if let Some(target) = convert::robtarget_as_written(self.text(target.range)) {
-            return Some(away(target.ext));
+            return Some(target.ext);
         }
         let value = self.evaluator.fold(target, self.ctx, &Constant).ok()?.value;
-        convert::external_axes(&value).map(away)
+        convert::external_axes(&value)
     }
 
     fn placed_anywhere(&mut self) -> [bool; 6] {

@@ -3,7 +3,7 @@
 
 use super::MotionReader;
 use super::frames::Seen;
-use super::motion_target::{leaves_axes, moving_axis};
+use super::motion_target::{leaves_axes, moving_axes};
 use crate::convert;
 use crate::flow::Blocker;
 use crate::index::Ctx;
@@ -56,7 +56,7 @@ impl<'a> MotionReader<'_, 'a> {
         let is_placed = seen.any.is_some_and(|state| {
             (0_u8..).zip(leaves).any(|(axis, leaves)| leaves && state.is_in_force(Blocker::PlacedAxis(axis)))
         });
-        if is_placed || moving_axis(&target, self.base_fixed).is_some() {
+        if is_placed || moving_axes(&target, self.base_fixed) != [None; 6] {
             return None;
         }
         Some(Motion {

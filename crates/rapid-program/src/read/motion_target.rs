@@ -4,7 +4,7 @@ use super::MotionReader;
 use super::skip_reasons::{SkipReasons, is_known_at_run_time, skip};
 use crate::const_eval::{Constant, NameMeaning};
 use crate::convert;
-use crate::data::external_axis_letter;
+use crate::data::{ExtJoint, external_axis_letters, meant_as_unused};
 use crate::file_values::is_set_elsewhere;
 use crate::finite_set::FiniteSet;
 use crate::ids::DatumId;
@@ -48,12 +48,8 @@ impl<'a> MotionReader<'_, 'a> {
                     None => read_elsewhere.push((datum, reading.warning(index, datum))),
                 }
             }
-            if !joints_wanted && let Some(axis) = moving_axis(&target, self.base_fixed) {
-                let reason = format!(
-                    "it places external axis {axis}, which may carry the robot's base or the work object (--base-fixed {axis} says \
-                     that it does not)"
-                );
-                reasons.add(skip("keep::external-base", reason));
+            if !joints_wanted {
+                reasons.extend(places_axes(&moving_axes(&target, self.base_fixed)));
             }
             // One of an array's elements is known well enough where all of them are.
             let indexed = args.targets.len() == 1 && !target.elements().is_empty();
@@ -249,17 +245,34 @@ impl<'a> MotionReader<'_, 'a> {
     }
 }
 
-/// The letter of an external axis that a target places away from 0 and that may move the base.
-pub(super) fn moving_axis(target: &Target, base_fixed: [bool; 6]) -> Option<char> {
-    target.values().find_map(|value| {
+/// Where a target places the external axes that it puts away from 0 and that may move the base; `None` for all others.
+pub(super) fn moving_axes(target: &Target, base_fixed: [bool; 6]) -> ExtJoint {
+    let mut moving = [None; 6];
+    for value in target.values() {
         let ext = match value {
             TargetValue::Rob(target) => target.ext,
             TargetValue::Joint(joints) | TargetValue::FromJoints(joints) => joints.ext,
         };
-        let moves = |(place, fixed): (Option<f64>, bool)| place.is_some_and(|place| place != 0.0) && !fixed;
-        let axis = ext.into_iter().zip(base_fixed).position(moves)?;
-        Some(external_axis_letter(axis))
-    })
+        for (moves, (place, fixed)) in moving.iter_mut().zip(ext.into_iter().zip(base_fixed)) {
+            *moves = moves.or(place.filter(|place| *place != 0.0 && !fixed));
+        }
+    }
+    moving
+}
+
+/// Why a motion that places external axes stays as it is.
+fn places_axes(moving: &ExtJoint) -> Option<SkipReason> {
+    let axes = external_axis_letters(moving.map(|place| place.is_some()));
+    let (what, does) = match axes.len() {
+        0 => return None,
+        1 => (format!("axis {axes}"), "it does not"),
+        _ => (format!("axes {}", axes.replace(',', ", ")), "they do not"),
+    };
+    let meant = moving.iter().flatten().find_map(|place| meant_as_unused(*place)).unwrap_or_default();
+    let reason = format!(
+        "it places external {what}, which may carry the robot's base or the work object (--base-fixed {axes} says that {does}{meant})"
+    );
+    Some(skip("keep::external-base", reason))
 }
 
 /// The external axes for which some value of a motion's last target names no place: they stay where they are. Joints are corrected wherever

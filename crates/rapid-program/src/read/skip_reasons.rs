@@ -1,6 +1,6 @@
 //! Why a motion must stay as it is, as far as its statement and what is in force there tell.
 
-use crate::data::{ToolData, WobjData};
+use crate::data::{ToolData, WobjData, external_axis_letters};
 use crate::flow::{BLOCKERS, Blocker};
 use crate::index::{Ctx, Index};
 use crate::motion::{Path, SkipReason};
@@ -91,6 +91,14 @@ impl SkipReasons {
             Blocker::CirclePointOrientation => true,
             _ => false,
         };
+        let placed: Vec<u8> = BLOCKERS
+            .iter()
+            .zip(&state.blockers)
+            .filter_map(|(hold, held)| match hold {
+                Blocker::PlacedAxis(axis) if held.is_some() && !does_not_hold(hold) => Some(*axis),
+                _ => None,
+            })
+            .collect();
         for (hold, held) in BLOCKERS.iter().zip(&state.blockers).filter(|(hold, _)| !does_not_hold(hold)) {
             if let Some(why) = held {
                 let code = match hold {
@@ -102,7 +110,11 @@ impl SkipReasons {
                     Blocker::CirclePointOrientation | Blocker::WristOnArcs => "keep::circle-orientation",
                     Blocker::PlacedAxis(_) => "keep::external-base",
                 };
-                self.add(SkipReason { code, reason: why.reason.clone(), because: why.because });
+                let reason = match hold {
+                    Blocker::PlacedAxis(_) => format!("{}{}", why.reason, others_placed(&placed, *hold)),
+                    _ => why.reason.clone(),
+                };
+                self.add(SkipReason { code, reason, because: why.because });
             }
         }
     }
@@ -151,6 +163,17 @@ impl Extend<SkipReason> for SkipReasons {
     }
 }
 
+/// What is to be said of external axes that were placed before beside the one that a reason names: all of `placed` are to be fixed.
+fn others_placed(placed: &[u8], named: Blocker) -> String {
+    let is_other = |axis: u8| placed.contains(&axis) && named != Blocker::PlacedAxis(axis);
+    let others = external_axis_letters((0..6).map(is_other));
+    if others.is_empty() {
+        return String::new();
+    }
+    let all = external_axis_letters((0..6).map(|axis| placed.contains(&axis)));
+    format!("; so it is with {} (--base-fixed {all})", others.replace(',', ", "))
+}
+
 /// Whether a function that is asked at run time sees what the text does not tell.
 pub(super) fn is_known_at_run_time(reason: &SkipReason) -> bool {
     KNOWN_AT_RUN_TIME.contains(&reason.code)
@@ -165,20 +188,16 @@ fn special(special: Special, name: &str) -> Option<SkipReason> {
             format!("{name} searches: where it stops is what the program wants to know"),
         )),
         Special::External => Some(skip("keep::external-axes", format!("{name} moves external axes only"))),
+        Special::Sensor => Some(skip(
+            "keep::instruction",
+            format!("{name} follows a sensor: only run time tells where it moves the arm"),
+        )),
         Special::Unsupported => Some(skip(
             "keep::instruction",
             format!("{name} is not among the instructions that are understood"),
         )),
     }
 }
-/// A reason without a place of its own.
-pub(super) fn skip(code: &'static str, reason: String) -> SkipReason {
-    SkipReason { code, reason, because: None }
-}
-        Special::Sensor => Some(skip(
-            "keep::instruction",
-            format!("{name} follows a sensor: only run time tells where it moves the arm"),
-        )),
 
 /// Why a call of what is not among the files stays as it is; `target`: what it is handed of targets.
 fn not_given(name: &str, target: Option<String>) -> SkipReason {
@@ -189,3 +208,7 @@ fn not_given(name: &str, target: Option<String>) -> SkipReason {
     skip("keep::instruction", text)
 }
 
+/// A reason without a place of its own.
+pub(super) fn skip(code: &'static str, reason: String) -> SkipReason {
+    SkipReason { code, reason, because: None }
+}
