@@ -1,6 +1,7 @@
 //! `SetAllDataVal`, which sets what compensation adds to a program as well, and `SetDataSearch`, whose search finds it.
 
 use super::index::{Ctx, Index};
+use super::move_instructions::move_form;
 use super::names::{as_text, lower_case};
 use super::repeated_moves::every_naming_statement;
 use super::statements::bodies;
@@ -29,6 +30,28 @@ pub(super) fn warnings(index: &Index<'_>) -> Vec<Diagnostic> {
     found
 }
 
+/// Whether compensation may add to the module of a name in lower case: it is given and has motion.
+fn is_added_to(index: &Index<'_>, name: &str) -> bool {
+    let is_meant = |ctx: Ctx| {
+        index
+            .modules
+            .get(ctx.module)
+            .is_some_and(|module| lower_case(index.text(module.file, module.tree.name)) == name)
+    };
+    index.routines.iter().filter(|routine| is_meant(routine.ctx)).any(|routine| {
+        let mut has_motion = false;
+        for body in bodies(routine.tree) {
+            every_naming_statement(index, routine.ctx, body, &mut |stmt| {
+                let StmtKind::Call(CallStmt { callee: Callee::Name(called), .. }) = &stmt.kind else {
+                    return;
+                };
+                has_motion |= move_form(&lower_case(index.text(routine.ctx.file, *called))).is_some();
+            });
+        }
+        has_motion
+    })
+}
+
 /// The warning of a `SetAllDataVal` or a `SetDataSearch` that may mean what is added: of a type of it, or of whatever type is worked out.
 fn meant_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<Diagnostic> {
     let Callee::Name(name) = call.callee else { return None };
@@ -44,15 +67,21 @@ fn meant_as_well(index: &Index<'_>, ctx: Ctx, call: &CallStmt) -> Option<Diagnos
         let is_text = matches!(expr.kind, ExprKind::String);
         is_text.then(|| as_text(&value::string(index.text(ctx.file, expr.range))).to_ascii_lowercase())
     };
-    let (mut type_name, mut object) = (None, None);
+    let (mut type_name, mut object, mut module) = (None, None, None);
     for arg in &call.args {
         match &arg.kind {
             ArgKind::Positional(expr) if type_name.is_none() => type_name = Some(literal(expr)),
-            ArgKind::Named { name, value } if lower_case(index.text(ctx.file, *name)) == "object" => {
-                object = value.as_ref().and_then(&literal);
-            }
+            ArgKind::Named { name, value } => match &*lower_case(index.text(ctx.file, *name)) {
+                "object" => object = value.as_ref().and_then(&literal),
+                "inmod" => module = value.as_ref().and_then(&literal),
+                _ => {}
+            },
             _ => {}
         }
+    }
+    // A search in one module finds nothing that is added, where nothing is added to it.
+    if module.is_some_and(|module| !is_added_to(index, &module)) {
+        return None;
     }
     // A pattern that begins with a letter of its own finds no name that begins with tc.
     let begins = object.as_deref().and_then(|pattern| pattern.trim_start_matches('^').chars().next());

@@ -48,6 +48,9 @@ fn a_statement_that_sets_or_finds_all_data_of_a_type_is_named() {
         // A search finds what is set, or read, one after the other.
         ("SetDataSearch \"num\"\\PersSym;", 1),
         ("SetDataSearch \"robtarget\"\\InMod:=\"M\";", 1),
+        // Nothing is added to a module that is not given, or that moves nothing.
+        ("SetDataSearch \"robtarget\"\\InMod:=\"R1_Data\";", 0),
+        ("SetDataSearch \"robtarget\"\\InMod:=sModule;", 1),
         ("SetDataSearch sType\\Object:=\".*\";", 1),
         ("SetDataSearch \"robtarget\"\\Object:=\"p.*\";", 0),
         ("SetDataSearch \"robtarget\"\\Object:=\"^p.*\";", 0),
