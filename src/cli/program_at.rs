@@ -34,7 +34,7 @@ pub(super) fn kept(path: &Path, why: &str, help: &'static str) -> Diagnostic {
 }
 
 /// Whether a text begins with a module, a comment, or the head of a saved file: a list of differences, or JSON with RAPID in its strings, does not.
-fn begins_as_program(bytes: &[u8]) -> bool {
+pub(super) fn begins_as_program(bytes: &[u8]) -> bool {
     let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
     let is_module = text.get(..6).is_some_and(|head| head.eq_ignore_ascii_case(b"MODULE"));
     is_module || text.starts_with(b"%%%") || text.starts_with(b"!")

@@ -1,6 +1,7 @@
 //! The files of a program as the command line gives them: modules, a folder, or a `.pgf`.
 
 use super::files;
+use super::program_at::begins_as_program;
 use crate::application::{EarlierResult, check_text};
 use crate::report::LocatedDiagnostic;
 use driftpost::application::{PlacedProgram, ProgramFiles};
@@ -246,7 +247,12 @@ impl ProgramInput {
     }
 
     fn pgf(pgf: &Path) -> Result<Self, Diagnostic> {
-        let listed = modules_of_pgf(&files::read(pgf, "program")?);
+        let bytes = files::read(pgf, "program")?;
+        let listed = modules_of_pgf(&bytes);
+        if listed.is_empty() && begins_as_program(&bytes) {
+            let text = format!("{} is itself a module, not a list of modules", pgf.display());
+            return Err(Diagnostic::error("input::no-modules", text).help("give it a name that ends in .mod"));
+        }
         if listed.is_empty() {
             let text = format!("{} lists no module", pgf.display());
             return Err(Diagnostic::error("input::no-modules", text).help("give the modules themselves"));

@@ -45,6 +45,11 @@ fn files_that_are_no_modules_are_refused() {
     bench.file("empty_folder/readme.txt", "nothing");
     let folder = bench.path("empty_folder").display().to_string();
     refused(&bench, &[&folder], "input::no-modules");
+    let pgf = bench.file("list.pgf", "<?xml version=\"1.0\"?><Program></Program>");
+    assert!(refused(&bench, &[&pgf], "input::no-modules").contains("give the modules themselves"));
+    let pgf = bench.file("cell.PGF", GOOD);
+    let message = refused(&bench, &[&pgf], "input::no-modules");
+    assert!(message.contains("is itself a module") && message.contains(".mod"), "{message}");
     refused(&bench, &[&bench.file("e.mod", " \r\n")], "input::empty");
     refused(&bench, &[&bench.file("b.mod", b"\x7fELF\0\0\x01")], "input::binary");
     refused(&bench, &[&bench.file("t.mod", "hello\n")], "input::no-module");
@@ -186,11 +191,6 @@ fn strict_refuses_what_would_be_kept_and_json_says_so() {
     assert_eq!(driftpost(&["compensate", &file]).status.code(), Some(0));
 }
 
-#[test]
-fn fifty_megabytes_of_no_module_are_refused_at_once() {
-    let bench = Bench::default();
-    let file = bench.file("big.mod", vec![b'('; 50_000_000]);
-    let start = std::time::Instant::now();
 /// A plant's own wrapper that is not given moves where nobody knows: it counts among the motions.
 #[test]
 fn strict_refuses_a_call_that_moves_and_is_not_given() {
@@ -217,6 +217,11 @@ fn strict_refuses_a_call_that_moves_and_is_not_given() {
     assert!(out(&inspected).contains("2 motions, 1 can be compensated as far as the text tells, 1 cannot"));
 }
 
+#[test]
+fn fifty_megabytes_of_no_module_are_refused_at_once() {
+    let bench = Bench::default();
+    let file = bench.file("big.mod", vec![b'('; 50_000_000]);
+    let start = std::time::Instant::now();
     refused(&bench, &[&file], "input::no-module");
     assert!(start.elapsed().as_secs() < 60);
 }
