@@ -14,6 +14,7 @@ use rapid_program::data::{ConfData, JointTarget, RobTarget};
 use rapid_program::motion::{Motion, SkipReason, Target, TargetValue};
 use robot_model::deform::{Conditions, DeformedArms};
 use robot_model::kinematics::{ArmsJoints, Configuration};
+use robot_model::robot::Axis;
 use robot_model::units::{deg_from_rad, mm_from_m};
 use std::sync::Arc;
 
@@ -220,16 +221,36 @@ fn joints_per_bucket<'j>(
         if refusal.is_none() {
             if let Err(out) = model.robot().within_range(&q_rad) {
                 refusal = Some(skip("reach::limit", format!("its correction hits a limit: {out}")));
-            } else if model.closed.kept(&own, &q_rad) != own {
-                refusal = Some(skip(
-                    "refuse::configuration",
-                    "its correction would change the arm's configuration",
-                ));
+            } else {
+                let reached = model.closed.kept(&own, &q_rad);
+                if reached != own {
+                    let why = configuration_changes((&own, &point.q_rad), (&reached, &q_rad));
+                    refusal = Some(skip("refuse::configuration", why));
+                }
             }
         }
         joints.push(q_rad);
     }
     refusal.map_or(Ok(joints), |why| Err(CorrectionFailure::Refuse(why)))
+}
+
+/// What a correction does to the configuration of the joints that it starts from.
+fn configuration_changes(
+    (own, from_rad): (&Configuration, &[f64; 6]),
+    (reached, to_rad): (&Configuration, &[f64; 6]),
+) -> String {
+    let turned = |axis: Axis| {
+        let [from, to] = [from_rad, to_rad].map(|q_rad| deg_from_rad(q_rad[axis.index()]));
+        format!("joint {axis} from {from:.4} to {to:.4} deg")
+    };
+    let mut quadrants = own.quadrants().into_iter().zip(reached.quadrants());
+    let changed = match quadrants.find(|(own, reached)| own != reached) {
+        Some(((axis, own), (_, reached))) => {
+            format!("{}, quadrant {own} to {reached} (cf{axis})", turned(axis))
+        }
+        None => format!("{}, cfx {} to {}", turned(Axis::at(4)), own.cfx, reached.cfx),
+    };
+    format!("its correction would change the arm's configuration: {changed}")
 }
 
 fn over_cap(planned: &PlannedMotion, options: &Options) -> Option<SkipReason> {

@@ -85,11 +85,8 @@ impl Messages {
                     if let Some(because) = why.because {
                         message = message.label(because, "because of this");
                     }
-                    if why.code == "reach::limit" {
-                        let routine = &program.routines[motion.setup.routine.index()].name;
-                        message = message.help(format!(
-                            "move the target away from the limit, or leave the motions of its routine, or of its target alone, as they are: --keep {routine}"
-                        ));
+                    if let Some(help) = way_out(why.code, motion, program) {
+                        message = message.help(help);
                     }
                     self.add(Some(motion.setup.routine), message);
                 }
@@ -271,11 +268,31 @@ fn out_of_reach(motion: &Motion) -> Diagnostic {
     Diagnostic::warning("path::out-of-reach", message).at(span_of(motion)).help(help)
 }
 
+/// What to do about a motion for which the program is refused: by itself it would do no harm as it is.
+fn way_out(code: &str, motion: &Motion, program: &Program) -> Option<String> {
+    let named = motion.targets.iter().find_map(|target| match target.origin() {
+        Origin::Named { name, .. } => Some(name),
+        Origin::Inline | Origin::Expression(_) => None,
+    });
+    let (whose, name) = match named {
+        Some(target) => ("the motions to it", target),
+        None => ("the motions of its routine", &program.routine_of(motion)?.name),
+    };
+    let keep = format!("--keep {name} writes the program with {whose} as they are");
+    match code {
+        "reach::limit" => Some(format!(
+            "move the target away from the limit; {keep}; where many are told of, look whether --robot is the program's robot"
+        )),
+        "refuse::configuration" => Some(format!("move the target away from the border; {keep}")),
+        _ => None,
+    }
+}
+
 /// A motion by the name of its target, where it has one.
 fn described(motion: &Motion) -> String {
     match motion.targets.last().map(Target::origin) {
         Some(Origin::Named { name, .. }) => format!("{} to {name}", motion.setup.kind),
-        _ => motion.setup.kind.to_owned(),
+        _ => motion.setup.kind.to_string(),
     }
 }
 

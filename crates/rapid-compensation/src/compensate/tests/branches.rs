@@ -202,12 +202,33 @@ fn a_correction_into_a_joint_limit_is_refused() {
     assert_eq!(why.code, "reach::limit");
     assert!(why.reason.contains("180.050"), "{}", why.reason);
     let message = plan.diagnostics.iter().find(|one| one.code == "reach::limit").unwrap();
-    assert!(message.help.as_ref().is_some_and(|help| help.contains("--keep ")), "{message:?}");
+    let help = message.help.as_deref().unwrap_or_default();
+    assert!(help.contains("--keep ") && help.contains("--robot"), "{message:?}");
     assert_eq!(plan.motions[1].status, Status::Compensated);
     let plan::Corrected::Joints { q_rad } = plan.motions[1].corrected(0).unwrap()[0] else { panic!() };
     assert!((deg_from_rad(q_rad[0]) - 10.05).abs() < 1e-9);
     // The base turned under everything: a turn of 0.05° for every pose.
     assert!((deg_from_rad(plan.motions[1].max_correction_rad) - 0.05).abs() < 1e-9);
+}
+
+/// Joint 1 turned by -0.8 deg before its own rotation: from 89.9 it must go on to 90.7, more than half a degree into the next quadrant.
+#[test]
+fn a_correction_into_another_quadrant_is_refused_with_its_joint_and_the_way_out() {
+    let mut offsets = FrameOffsets::default();
+    offsets.0[0][5] = rad_from_deg(-0.8);
+    let turned = Deformation::from_static(offsets, GrowthLaw::None);
+    let program = program(vec![motion(Path::AbsJoint, &[joints([89.9, 10.0, 10.0, 10.0, 30.0, 10.0])])]);
+    let options = Options { max_correction_m: 0.1, max_correction_rad: 0.1, ..Options::default() };
+    let plan = plan(&program, &irb140(), &turned, &options).unwrap();
+    let Status::Refused(why) = &plan.motions[0].status else { panic!("{:?}", plan.motions[0].status) };
+    assert_eq!(why.code, "refuse::configuration");
+    assert!(
+        why.reason.ends_with("joint 1 from 89.9000 to 90.7000 deg, quadrant 0 to 1 (cf1)"),
+        "{}",
+        why.reason
+    );
+    let message = plan.diagnostics.iter().find(|one| one.code == "refuse::configuration").unwrap();
+    assert!(message.help.as_ref().is_some_and(|help| help.contains("--keep ")), "{message:?}");
 }
 
 #[test]
