@@ -243,3 +243,32 @@ ENDMODULE\n"
         }
     }
 }
+
+/// A RoboDK export whose configurations were never set is followed from its MoveAbsJ; behind a gripper's routine that is not given nobody knows where the
+/// arm stands, and the reason says so.
+#[test]
+fn a_call_that_may_have_moved_the_arm_is_named_where_nothing_tells_the_branch() {
+    let cell = |between: &str| {
+        format!(
+            "MODULE Cell
+  CONST robtarget p2:=[[400,300,250],[0.70710678,0,0.70710678,0],[0,0,0,1],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    ConfL\\Off;
+    MoveAbsJ [[41.845,44.625,25.881,43.53,-75.606,-13.287],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;
+    {between}
+    MoveL p2,v100,fine,tool0;
+  ENDPROC
+ENDMODULE\n"
+        )
+    };
+    let folder = tempfile::tempdir().unwrap();
+    for (between, status) in [("", "compensated"), ("Gripper_Open;", "kept")] {
+        std::fs::write(folder.path().join("Cell.mod"), cell(between)).unwrap();
+        let args = ["compensate", "Cell.mod", "--form", "ramp", "-o", "out.mod", "--force", "--json", "-"];
+        let review = driftpost(folder.path(), &args);
+        let p2 = &review["motions"][1];
+        assert_eq!(p2["status"], status, "{review}");
+        let reason = p2["reason"].as_str().unwrap_or_default();
+        assert_eq!(reason.contains("a call before it that is not given"), status == "kept", "{reason}");
+    }
+}

@@ -128,18 +128,30 @@ impl Resolver<'_> {
                     }
                 }
                 let from = self.start_postures(motion, |before| done[before.index()].as_ref());
-                done[i] = Some(resolve_motion(
+                let mut resolved = resolve_motion(
                     (&motions[i], self.hinted(motion), ahead.at(motion)),
                     from,
                     self.model,
                     &mut last,
                     &mut messages,
-                ));
+                );
+                self.say_what_may_have_moved(motion, &mut resolved);
+                done[i] = Some(resolved);
                 stack.pop();
             }
         }
         // Collected in place: a second list would be as much again.
         (done.into_iter().flatten().collect(), messages)
+    }
+
+    /// Adds to the reason of a motion of which nothing tells the configuration that what runs before it may have moved the arm.
+    fn say_what_may_have_moved(&self, motion: MotionId, resolved: &mut Resolved) {
+        let Some(why) = &resolved.skip_reason else { return };
+        if why.code == "keep::configuration" && self.program.also_anywhere.contains(&motion) {
+            let what = "; a call before it that is not given, a search or a handler may have moved the arm: give its file";
+            let reason = why.reason.clone() + what;
+            resolved.skip_reason = Some(Arc::new(SkipReason { reason, ..(**why).clone() }));
+        }
     }
 
     /// The merge points at which not all edges lead to what was resolved.
