@@ -31,7 +31,7 @@ fn few_rows(name: &str, deformation: &Deformation, model: Option<&Identified>) -
     let rows = deformation.few_rows()?;
     let fitted = deformation.warm_up_law(model)?;
     let text = format!(
-        "{name}: rows at {rows} minutes, minute 0 counted, do not tell by which law the robot warms up ({} is taken): while it works all is as the table has \
+        "{name}: rows at {rows} different minutes, minute 0 counted, do not tell by which law the robot warms up ({} is taken): while it works all is as the table has \
          it; what has gone back after a pause is a guess",
         fitted.law
     );

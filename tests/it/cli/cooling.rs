@@ -58,7 +58,7 @@ fn rows_that_tell_no_law_are_told() {
     };
     let few = bench.file("few.csv", rows(&[0.0, 60.0, 120.0]));
     let text = said(&bench, &["--deformation", &few, "--tau-cool", "40"]);
-    assert!(text.contains("warning[deform::few-rows]: few.csv: rows at 3 minutes"), "{text}");
+    assert!(text.contains("warning[deform::few-rows]: few.csv: rows at 3 different minutes"), "{text}");
     let more = bench.file("more.csv", rows(&[0.0, 20.0, 60.0, 120.0]));
     let text = said(&bench, &["--deformation", &more, "--tau-cool", "40"]);
     assert!(!text.contains("few-rows"), "{text}");

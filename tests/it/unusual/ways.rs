@@ -240,6 +240,12 @@ ENDMODULE\n"
             let motions = review["motions"].as_array().unwrap();
             let p2 = motions.iter().find(|motion| motion["target"] == "p2").unwrap();
             assert_eq!(p2["status"], status, "{form}: {between}");
+            let reason = p2["reason"].as_str().unwrap_or_default();
+            let may_move =
+                status == "kept" && (between.ends_with("rGrip;") || between.starts_with("SearchL"));
+            assert_eq!(reason.contains("a call of what is not given"), may_move, "{form}: {reason}");
+            // The line of the motion behind the call.
+            assert!(between != "rGrip;" || reason.contains("before line 12 of Cell.mod"), "{form}: {reason}");
         }
     }
 }
@@ -269,6 +275,6 @@ ENDMODULE\n"
         let p2 = &review["motions"][1];
         assert_eq!(p2["status"], status, "{review}");
         let reason = p2["reason"].as_str().unwrap_or_default();
-        assert_eq!(reason.contains("a call before it that is not given"), status == "kept", "{reason}");
+        assert_eq!(reason.contains("before it a call of what is not given"), status == "kept", "{reason}");
     }
 }

@@ -10,6 +10,7 @@ use super::messages::{Messages, span_of};
 use super::model::Model;
 use super::placement::{Placement, skip};
 use super::resolved::Resolved;
+use super::unknown_branch::MAY_HAVE_MOVED;
 use nalgebra::Isometry3;
 use rapid_program::Program;
 use rapid_program::data::{ConfData, JointTarget};
@@ -148,8 +149,7 @@ impl Resolver<'_> {
     fn say_what_may_have_moved(&self, motion: MotionId, resolved: &mut Resolved) {
         let Some(why) = &resolved.skip_reason else { return };
         if why.code == "keep::configuration" && self.program.also_anywhere.contains(&motion) {
-            let what = "; a call before it that is not given, a search or a handler may have moved the arm: give its file";
-            let reason = why.reason.clone() + what;
+            let reason = format!("{}; before it {MAY_HAVE_MOVED}", why.reason);
             resolved.skip_reason = Some(Arc::new(SkipReason { reason, ..(**why).clone() }));
         }
     }

@@ -14,6 +14,10 @@ use robot_model::deform::DeformedArm;
 use robot_model::units::mm_from_m;
 use std::collections::{BTreeSet, VecDeque};
 
+/// Why the text does not tell where the arm stands before a motion of [`Program::also_anywhere`].
+pub(super) const MAY_HAVE_MOVED: &str =
+    "a call of what is not given, a search or an error handler may have moved the arm";
+
 /// Leaves as they are the motions whose settled corrections on their branches are further apart than `tolerance_m`. With the program
 /// goes whether it is known where the arm stands at its entry.
 pub(super) fn skip_unknown_branches(
@@ -82,6 +86,11 @@ fn why_unknown(program: &Program, start_is_known: bool, at: MotionId) -> (String
             let path = &program.file(motion.file).path;
             let (kind, line) = (&motion.setup.kind, motion.line);
             let why = format!("where the arm stands is not known since the {kind} in line {line} of {path}");
+            return (why, Some(span_of(motion)));
+        }
+        if program.also_anywhere.contains(&at) {
+            let path = &program.file(motion.file).path;
+            let why = format!("before line {} of {path} {MAY_HAVE_MOVED}", motion.line);
             return (why, Some(span_of(motion)));
         }
         if motion.from_start && !start_is_known {

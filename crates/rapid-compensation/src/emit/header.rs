@@ -17,7 +17,7 @@ const KEYS: [&[u8]; 17] = [
     b"renamed",
     b"was",
     b"shares",
-    b"held",
+    b"correction",
     b"points",
     b"asks",
     b"declared",
@@ -58,7 +58,7 @@ pub(super) struct Record {
     pub shares: Vec<f64>,
     /// Of arrays with a single bucket what it is corrected by, row by row: see [`difference`](super::target::difference). Nothing else says that of an
     /// element that was touched up. What is read has names in lower case.
-    pub held: BTreeMap<String, Vec<[f64; 6]>>,
+    pub corrections: BTreeMap<String, Vec<[f64; 6]>>,
     /// What motions ask with: see `asks`.
     pub asks: Vec<u8>,
     /// For each array how many names of what stood in its motion the module declares: see `here`.
@@ -122,9 +122,9 @@ fn written_entries(record: &Record) -> Vec<(&'static str, String)> {
                 record.shares.iter().map(|share| format!("{:.6}", share / largest)).collect();
             add("shares", shares.join(" "));
         }
-        for (name, rows) in &record.held {
+        for (name, rows) in &record.corrections {
             let numbers = rows.iter().flatten().map(|number| format!(" {}", rounded(*number)));
-            add("held", name.clone() + &numbers.collect::<String>());
+            add("correction", name.clone() + &numbers.collect::<String>());
         }
     }
     if !record.on_purpose.is_empty() {
@@ -339,11 +339,11 @@ impl Record {
                 // Where lines are lost others may have been added to this one: then nothing is entries of shares.
                 self.shares = utf8.split(' ').map(str::parse).collect::<Result<_, _>>().unwrap_or_default();
             }
-            b"held" => {
+            b"correction" => {
                 let (name, numbers) = utf8.split_once(' ')?;
                 let numbers = numbers.split(' ').map(str::parse).collect::<Result<Vec<f64>, _>>().ok()?;
                 let rows = numbers.chunks(6).map(TryInto::try_into).collect::<Result<_, _>>().ok()?;
-                self.held.insert(name.to_ascii_lowercase(), rows);
+                self.corrections.insert(name.to_ascii_lowercase(), rows);
             }
             b"was" => {
                 let (name, was) = utf8.split_once(' ')?;
@@ -458,7 +458,7 @@ mod tests {
             renamed: [("tcK".to_owned(), "tcK_2".to_owned())].into(),
             was,
             shares: vec![0.125, 1.0],
-            held: [("tcp1".to_owned(), vec![[0.25, -1.5, 0.0, 0.0, 1e-6, 3.0]])].into(),
+            corrections: [("tcp1".to_owned(), vec![[0.25, -1.5, 0.0, 0.0, 1e-6, 3.0]])].into(),
             originals: b"ABCabc".repeat(90),
             asks: b"Qyic+p".to_vec(),
             declared: b"BA".to_vec(),

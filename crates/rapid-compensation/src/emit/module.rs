@@ -83,7 +83,7 @@ fn record(
         declared: take(&mut added.declared),
         mentions: take(&mut added.mentions),
         common: common(context),
-        held: held(&added.declarations),
+        corrections: single_corrections(&added.declarations),
         shares: take(&mut added.shares),
         // What they are is known when the declarations are written, behind the comment block.
         checksums: vec![b'A'; added.declarations.iter().map(Declaration::checksums_len).sum()],
@@ -93,7 +93,7 @@ fn record(
 }
 
 /// What the arrays with a single bucket are corrected by.
-fn held(declarations: &[Declaration<'_>]) -> BTreeMap<String, Vec<[f64; 6]>> {
+fn single_corrections(declarations: &[Declaration<'_>]) -> BTreeMap<String, Vec<[f64; 6]>> {
     let of_array = |array: &TargetArray<'_>| {
         let row = |row: &ArrayRow<'_>| match &*row.corrected {
             [only] => difference(&row.original, only),

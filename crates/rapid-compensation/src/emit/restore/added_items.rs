@@ -30,9 +30,9 @@ impl<'w> Remover<'w> {
                 let (rows, own) = self.rows(data, &mut reader, &mut elements, &mut checksums)?;
                 let name = self.text(data.name);
                 let was = self.record.was.get(&name.to_ascii_lowercase()).cloned();
-                let held = self.record.held.get(&name.to_ascii_lowercase()).map(Vec::as_slice);
+                let corrections = self.record.corrections.get(&name.to_ascii_lowercase()).map(Vec::as_slice);
                 let array = Array::new((self.bytes, data), rows, own, was)
-                    .map(|array| array.with_held(held.unwrap_or_default()))
+                    .map(|array| array.with_corrections(corrections.unwrap_or_default()))
                     .ok_or_else(|| self.damaged(data.range, format!("{name} has no element 1 of numbers")))?;
                 arrays.push(NamedArray::new(&name, array, declared.next()));
             } else {

@@ -28,7 +28,7 @@ pub(super) struct Array<'b> {
     /// Checksums of its elements as they were made.
     checksums: &'b [u8],
     /// Of a single bucket what each row is corrected by.
-    held: &'b [[f64; 6]],
+    corrections: &'b [[f64; 6]],
 }
 
 /// An array by its name, with what is found out about it.
@@ -194,12 +194,12 @@ impl<'b> Array<'b> {
             },
             UndoText::Own,
         );
-        plain.then_some(Self { bytes, range: data.range, dims, rows, was, checksums, held: &[] })
+        plain.then_some(Self { bytes, range: data.range, dims, rows, was, checksums, corrections: &[] })
     }
 
     /// The same with what each row is corrected by, of a single bucket.
-    pub(super) fn with_held(self, held: &'b [[f64; 6]]) -> Self {
-        Self { held, ..self }
+    pub(super) fn with_corrections(self, corrections: &'b [[f64; 6]]) -> Self {
+        Self { corrections, ..self }
     }
 
     /// What stood in the motion, without its index.
@@ -254,14 +254,14 @@ impl<'b> Array<'b> {
         if all.iter().all(Vec::is_empty) {
             return Err(None);
         }
-        let held = (0..).map(|row| self.held.get(row));
-        let each = rows.iter().zip(&all).zip(held);
-        each.map(|((row, changed), held)| self.of_row((row, held), changed, shares)).collect()
+        let corrections = (0..).map(|row| self.corrections.get(row));
+        let each = rows.iter().zip(&all).zip(corrections);
+        each.map(|((row, changed), correction)| self.of_row((row, correction), changed, shares)).collect()
     }
 
     fn of_row(
         &self,
-        (row, held): (&[TextRange], Option<&[f64; 6]>),
+        (row, correction): (&[TextRange], Option<&[f64; 6]>),
         changed: &[usize],
         shares: &[f64],
     ) -> Result<Option<Meant>, Option<(String, String)>> {
@@ -269,7 +269,7 @@ impl<'b> Array<'b> {
             return Ok(None);
         }
         let place = |k: usize| TargetPose::of(row.get(k)?.of(self.bytes));
-        let untouched = UntouchedElements::new((row.len(), held), changed, shares, &place);
+        let untouched = UntouchedElements::new((row.len(), correction), changed, shares, &place);
         let first = if changed.contains(&0) { None } else { place(0) };
         let mut found: Option<Meant> = None;
         for &k in changed {

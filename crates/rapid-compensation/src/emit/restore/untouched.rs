@@ -16,20 +16,20 @@ pub(super) struct UntouchedElements<'s> {
     /// How much of the drift each bucket corrects: of the target that is corrected most, in proportion to its largest correction.
     shares: &'s [f64],
     /// What a single bucket is corrected by.
-    held: Option<&'s [f64; 6]>,
+    correction: Option<&'s [f64; 6]>,
 }
 
 impl<'s> UntouchedElements<'s> {
-    /// Of a row of `count` elements, a single one of which is corrected by `held`; `place` gives their places, those at `changed` are left out.
+    /// Of a row of `count` elements, a single one of which is corrected by `correction`; `place` gives their places, those at `changed` are left out.
     pub(super) fn new(
-        (count, held): (usize, Option<&'s [f64; 6]>),
+        (count, correction): (usize, Option<&'s [f64; 6]>),
         changed: &[usize],
         shares: &'s [f64],
         place: &dyn Fn(usize) -> Option<TargetPose>,
     ) -> Self {
         let untouched = |k: &usize| !changed.contains(k);
         let corrected = (1..count).filter(untouched).filter_map(|k| Some((k, place(k)?))).collect();
-        Self { original: untouched(&0).then(|| place(0)).flatten(), corrected, shares, held }
+        Self { original: untouched(&0).then(|| place(0)).flatten(), corrected, shares, correction }
     }
 
     /// Element 1 as it was made. Where it was touched: what the two corrected ones that are furthest apart in the drift leave without it, which is
@@ -38,8 +38,8 @@ impl<'s> UntouchedElements<'s> {
         if self.original.is_some() {
             return self.original.clone();
         }
-        if let ([(_, one)], Some(held)) = (self.corrected.as_slice(), self.held) {
-            return Some(one.moved_by(held, -1.0));
+        if let ([(_, one)], Some(correction)) = (self.corrected.as_slice(), self.correction) {
+            return Some(one.moved_by(correction, -1.0));
         }
         let by_share = |a: &&(usize, TargetPose), b: &&(usize, TargetPose)| {
             self.share(a.0).unwrap_or(0.0).total_cmp(&self.share(b.0).unwrap_or(0.0))
@@ -69,7 +69,7 @@ impl<'s> UntouchedElements<'s> {
                 let (whole, part) = (self.share(one.0)?, self.share(k)?);
                 (whole > ONE_SHARE).then(|| original.without(-part / whole, original, &one.1)).flatten()
             }
-            _ => Some(self.original.as_ref()?.moved_by(self.held?, 1.0)),
+            _ => Some(self.original.as_ref()?.moved_by(self.correction?, 1.0)),
         }
     }
 
@@ -130,10 +130,10 @@ mod tests {
     fn few_elements_tell_what_they_can() {
         let one = UntouchedElements::new((2, None), &[1], &[1.0], &|_| Some(joint(10.0)));
         assert!(one.expected(1).is_none());
-        let held = [0.02, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let one = UntouchedElements::new((2, Some(&held)), &[1], &[1.0], &|_| Some(joint(10.0)));
+        let correction = [0.02, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let one = UntouchedElements::new((2, Some(&correction)), &[1], &[1.0], &|_| Some(joint(10.0)));
         assert!((deg(one.expected(1)) - 10.02).abs() < 1e-12);
-        let first = UntouchedElements::new((2, Some(&held)), &[0], &[1.0], &|_| Some(joint(10.02)));
+        let first = UntouchedElements::new((2, Some(&correction)), &[0], &[1.0], &|_| Some(joint(10.02)));
         assert!((deg(first.original()) - 10.0).abs() < 1e-12);
         let elements = [10.0, 10.01, 10.04];
         let two = UntouchedElements::new((3, None), &[1], &[0.25, 1.0], &|k| Some(joint(elements[k])));
